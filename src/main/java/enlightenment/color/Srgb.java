@@ -1,0 +1,16 @@
+package enlightenment.color;
+
+/** The sRGB transfer function (IEC 61966-2-1), component by component. */
+public final class Srgb {
+    private Srgb() {}
+
+    /** Linear light 0..1 to the encoded (display-referred) value 0..1. */
+    public static double encode(double linear) {
+        return linear <= 0.0031308 ? 12.92 * linear : 1.055 * StrictMath.pow(linear, 1 / 2.4) - 0.055;
+    }
+
+    /** Encoded (display-referred) value 0..1 to linear light 0..1. */
+    public static double decode(double encoded) {
+        return encoded <= 0.04045 ? encoded / 12.92 : StrictMath.pow((encoded + 0.055) / 1.055, 2.4);
+    }
+}

@@ -1,0 +1,43 @@
+package enlightenment.geometry;
+
+import enlightenment.math.Check;
+import enlightenment.math.Point;
+import enlightenment.math.SceneFrame;
+import java.util.List;
+
+/**
+ * A box parallel to the axes.
+ *
+ * @param min lower corner
+ * @param max upper corner, greater than {@code min} in every coordinate
+ */
+public record Box(Point min, Point max) implements Shape {
+    public Box {
+        for (int k = 0; k < 3; k++) {
+            Check.that(
+                    min.component(k).compareTo(max.component(k)) < 0,
+                    "max/" + k,
+                    "must be greater than the same coordinate of \"min\"");
+        }
+    }
+
+    @Override
+    public String type() {
+        return "box";
+    }
+
+    @Override
+    public Primitive place(SceneFrame frame) {
+        throw new UnsupportedOperationException("not placed yet");
+    }
+
+    @Override
+    public List<Point> anchors() {
+        return List.of(min, max);
+    }
+
+    @Override
+    public double reach() {
+        return 0;
+    }
+}

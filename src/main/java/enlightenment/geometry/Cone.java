@@ -1,0 +1,43 @@
+package enlightenment.geometry;
+
+import enlightenment.math.Check;
+import enlightenment.math.Point;
+import enlightenment.math.SceneFrame;
+import java.util.List;
+
+/**
+ * A circular cone, or a frustum of one where the top radius is not 0.
+ *
+ * @param base centre of the base
+ * @param apex centre of the other end; the point of the cone where {@code topRadius} is 0
+ * @param radius radius at the base, greater than 0
+ * @param topRadius radius at the apex, at least 0
+ * @param capped whether the ends are closed by disks
+ */
+public record Cone(Point base, Point apex, double radius, double topRadius, boolean capped) implements Shape {
+    public Cone {
+        Check.that(!base.equals(apex), "apex", "must differ from \"base\"");
+        Check.positive("radius", radius);
+        Check.notNegative("topRadius", topRadius);
+    }
+
+    @Override
+    public String type() {
+        return "cone";
+    }
+
+    @Override
+    public Primitive place(SceneFrame frame) {
+        throw new UnsupportedOperationException("not placed yet");
+    }
+
+    @Override
+    public List<Point> anchors() {
+        return List.of(base, apex);
+    }
+
+    @Override
+    public double reach() {
+        return Math.max(radius, topRadius);
+    }
+}

@@ -1,0 +1,41 @@
+package enlightenment.geometry;
+
+import enlightenment.math.Check;
+import enlightenment.math.Point;
+import enlightenment.math.SceneFrame;
+import java.util.List;
+
+/**
+ * A circular cylinder between two end points.
+ *
+ * @param base centre of the first end
+ * @param top centre of the other end
+ * @param radius greater than 0
+ * @param capped whether the ends are closed by disks
+ */
+public record Cylinder(Point base, Point top, double radius, boolean capped) implements Shape {
+    public Cylinder {
+        Check.that(!base.equals(top), "top", "must differ from \"base\"");
+        Check.positive("radius", radius);
+    }
+
+    @Override
+    public String type() {
+        return "cylinder";
+    }
+
+    @Override
+    public Primitive place(SceneFrame frame) {
+        throw new UnsupportedOperationException("not placed yet");
+    }
+
+    @Override
+    public List<Point> anchors() {
+        return List.of(base, top);
+    }
+
+    @Override
+    public double reach() {
+        return radius;
+    }
+}

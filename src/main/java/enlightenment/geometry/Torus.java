@@ -1,0 +1,44 @@
+package enlightenment.geometry;
+
+import enlightenment.math.Check;
+import enlightenment.math.Point;
+import enlightenment.math.SceneFrame;
+import enlightenment.math.Vec3;
+import java.util.List;
+
+/**
+ * A ring of circular section.
+ *
+ * @param center the centre
+ * @param axis direction that the ring lies around, of any length
+ * @param majorRadius from the centre to the middle of the section
+ * @param minorRadius radius of the section, greater than 0 and at most the major radius
+ */
+public record Torus(Point center, Vec3 axis, double majorRadius, double minorRadius) implements Shape {
+    public Torus {
+        Check.direction("axis", axis);
+        Check.positive("majorRadius", majorRadius);
+        Check.positive("minorRadius", minorRadius);
+        Check.that(minorRadius <= majorRadius, "minorRadius", "must be at most \"majorRadius\"");
+    }
+
+    @Override
+    public String type() {
+        return "torus";
+    }
+
+    @Override
+    public Primitive place(SceneFrame frame) {
+        throw new UnsupportedOperationException("not placed yet");
+    }
+
+    @Override
+    public List<Point> anchors() {
+        return List.of(center);
+    }
+
+    @Override
+    public double reach() {
+        return majorRadius + minorRadius;
+    }
+}

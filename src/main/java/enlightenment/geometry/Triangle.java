@@ -1,0 +1,39 @@
+package enlightenment.geometry;
+
+import enlightenment.math.Check;
+import enlightenment.math.Point;
+import enlightenment.math.SceneFrame;
+import java.util.List;
+
+/**
+ * A flat triangle, seen from both sides.
+ *
+ * @param a first vertex
+ * @param b second vertex
+ * @param c third vertex; not in line with the others
+ */
+public record Triangle(Point a, Point b, Point c) implements Shape {
+    public Triangle {
+        Check.that(!Parallelograms.collinear(a, b, c), "vertices", "must not lie in one line");
+    }
+
+    @Override
+    public String type() {
+        return "triangle";
+    }
+
+    @Override
+    public Primitive place(SceneFrame frame) {
+        throw new UnsupportedOperationException("not placed yet");
+    }
+
+    @Override
+    public List<Point> anchors() {
+        return List.of(a, b, c);
+    }
+
+    @Override
+    public double reach() {
+        return 0;
+    }
+}

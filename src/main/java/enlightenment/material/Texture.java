@@ -1,0 +1,72 @@
+package enlightenment.material;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.math.Check;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+
+/** Where a surface's colour comes from. */
+public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.File {
+
+    /** One colour everywhere. */
+    static Texture of(DisplayRgb color) {
+        return new Solid(color);
+    }
+
+    /**
+     * One colour everywhere.
+     *
+     * @param color the colour
+     */
+    record Solid(DisplayRgb color) implements Texture {
+        public Solid {
+            Objects.requireNonNull(color, "color");
+        }
+    }
+
+    /**
+     * A checkerboard in texture coordinates.
+     *
+     * @param colors two colours; the first one fills the square at the top left
+     * @param scale the number of squares along each texture coordinate, greater than 0
+     */
+    record Checker(List<DisplayRgb> colors, double scale) implements Texture {
+        public Checker {
+            Check.that(colors.size() == 2, "colors", "must be two colours, not " + colors.size());
+            Check.positive("scale", scale);
+            colors = List.copyOf(colors);
+        }
+    }
+
+    /**
+     * An image file, stretched over the texture coordinates; it repeats beyond 0..1.
+     *
+     * @param file the image: PNG, JPEG or BMP
+     * @param filter how texels are looked up
+     * @param encoding how the file's numbers encode light
+     */
+    record File(Path file, Filter filter, Encoding encoding) implements Texture {
+        public File {
+            file = file.normalize();
+            Objects.requireNonNull(filter, "filter");
+            Objects.requireNonNull(encoding, "encoding");
+        }
+    }
+
+    /** How texels are looked up. */
+    enum Filter {
+        /** The texel that the point falls into. */
+        NEAREST,
+        /** Weighted between the centres of the four texels around the point. */
+        BILINEAR
+    }
+
+    /** How an image file's numbers encode light. */
+    enum Encoding {
+        /** Display-referred, as photographs and painted textures are. */
+        SRGB,
+        /** Proportional to light. */
+        LINEAR
+    }
+}

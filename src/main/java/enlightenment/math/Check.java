@@ -1,0 +1,55 @@
+package enlightenment.math;
+
+/**
+ * Checks of values that come from outside. A failed check names the key of the scene format that holds the value, so
+ * that a reader can point at it.
+ */
+public final class Check {
+    private Check() {}
+
+    /** A value that cannot be used; the message says why, {@link #key()} where. */
+    public static final class InvalidValueException extends IllegalArgumentException {
+        private static final long serialVersionUID = 1L;
+        private final String key;
+
+        public InvalidValueException(String key, String message) {
+            super(message);
+            this.key = key;
+        }
+
+        /** The key of the scene format that holds the value, as a relative JSON pointer without the leading slash. */
+        public String key() {
+            return key;
+        }
+    }
+
+    public static void that(boolean condition, String key, String message) {
+        if (!condition) {
+            throw new InvalidValueException(key, message);
+        }
+    }
+
+    /** Finite and greater than zero. */
+    public static void positive(String key, double v) {
+        that(v > 0 && v < Double.POSITIVE_INFINITY, key, "must be a number greater than 0, not " + v);
+    }
+
+    /** Finite and at least zero. */
+    public static void notNegative(String key, double v) {
+        that(v >= 0 && v < Double.POSITIVE_INFINITY, key, "must be a number of at least 0, not " + v);
+    }
+
+    /** Between lo and hi, both included. */
+    public static void range(String key, double v, double lo, double hi) {
+        that(v >= lo && v <= hi, key, "must lie in " + lo + ".." + hi + ", not " + v);
+    }
+
+    public static void finite(String key, double v) {
+        that(Double.isFinite(v), key, "must be a finite number, not " + v);
+    }
+
+    /** Finite and not the zero vector. */
+    public static void direction(String key, Vec3 v) {
+        that(v.isFinite() && v.maxAbs() > 0, key, "must be a finite direction other than (0, 0, 0)");
+    }
+}

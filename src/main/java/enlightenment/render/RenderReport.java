@@ -1,0 +1,58 @@
+package enlightenment.render;
+
+import enlightenment.scene.RenderSettings;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What a render did (the paper's Timekeeper): counts that depend on scene and settings only, and times that do not.
+ *
+ * @param sceneName the scene's name
+ * @param settings the settings in force
+ * @param features what was modelled, in plain words
+ * @param raysByKind number of rays by kind: camera, mirror, refracted, shadow
+ * @param lightSamples light points that were asked for: hits × lights × shadow samples
+ * @param lightSamplesWithoutRay those of them that needed no shadow ray, because nothing can stand before the light
+ * @param testsByPrimitive intersection tests by kind of primitive
+ * @param hitsByPrimitive surface points shaded or passed, by kind of primitive
+ * @param textureLookups texture colours looked up
+ * @param phases wall-clock and processor time per phase, in order
+ * @param pixels pixels finished
+ * @param peakMemoryBytes most heap memory in use, as far as it was observed
+ */
+public record RenderReport(
+        String sceneName,
+        RenderSettings settings,
+        List<String> features,
+        Map<String, Long> raysByKind,
+        long lightSamples,
+        long lightSamplesWithoutRay,
+        Map<String, Long> testsByPrimitive,
+        Map<String, Long> hitsByPrimitive,
+        long textureLookups,
+        List<Phase> phases,
+        long pixels,
+        long peakMemoryBytes) {
+
+    /**
+     * How long a phase took.
+     *
+     * @param name compile, render or finish
+     * @param wallSeconds by the clock
+     * @param cpuSeconds of all threads together, 0 where the machine cannot tell
+     */
+    public record Phase(String name, double wallSeconds, double cpuSeconds) {}
+
+    /** All rays of all kinds. */
+    public long rays() {
+        return raysByKind.values().stream().mapToLong(Long::longValue).sum();
+    }
+
+    /** Rays per second of the render phase's wall-clock time; 0 where there was none. */
+    public double raysPerSecond() {
+        return phases.stream()
+                .filter(p -> p.name().equals("render"))
+                .mapToDouble(p -> p.wallSeconds() > 0 ? rays() / p.wallSeconds() : 0)
+                .sum();
+    }
+}

@@ -1,0 +1,24 @@
+package enlightenment.scene;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.math.Check;
+import java.util.Objects;
+
+/**
+ * The paper's cosine shading: with c the surface colour, cosθ the cosine between normal and direction to a light point
+ * and k = {@code shadow}, colour = c · light · (ambient + (1 − ambient) · mean of (visible ? 1 : k) · cosθ).
+ *
+ * @param ambient the share of light that comes from everywhere, 0..1
+ * @param shadow how much of the direct light an occluded point keeps, 0..1; 0.5 in the paper
+ * @param background what is seen where nothing is
+ */
+public record ClassicShading(double ambient, double shadow, DisplayRgb background) {
+    /** The paper's settings: ambient 0.5, shadow 0.5, black background. */
+    public static final ClassicShading DEFAULT = new ClassicShading(0.5, 0.5, DisplayRgb.BLACK);
+
+    public ClassicShading {
+        Check.range("ambient", ambient, 0, 1);
+        Check.range("shadow", shadow, 0, 1);
+        Objects.requireNonNull(background, "background");
+    }
+}

@@ -1,0 +1,30 @@
+package enlightenment.scene;
+
+import enlightenment.math.Check;
+import java.util.Objects;
+
+/**
+ * The settings that a scene asks to be rendered with, unless the user says otherwise.
+ *
+ * @param method the name of the method, {@code "raytrace"} unless given
+ * @param antialias n for n × n positions per pixel, 1..256
+ * @param shadowSamples light points per hit and light, 1..1,000,000
+ * @param seed what all random numbers are derived from
+ */
+public record RenderDefaults(String method, int antialias, int shadowSamples, long seed) {
+    public static final int MAX_ANTIALIAS = 256;
+    public static final int MAX_SHADOW_SAMPLES = 1_000_000;
+    public static final RenderDefaults DEFAULT = new RenderDefaults("raytrace", 4, 10, 0);
+
+    public RenderDefaults {
+        Objects.requireNonNull(method, "method");
+        Check.that(
+                antialias >= 1 && antialias <= MAX_ANTIALIAS,
+                "antialias",
+                "must lie in 1.." + MAX_ANTIALIAS + ", not " + antialias);
+        Check.that(
+                shadowSamples >= 1 && shadowSamples <= MAX_SHADOW_SAMPLES,
+                "shadowSamples",
+                "must lie in 1.." + MAX_SHADOW_SAMPLES + ", not " + shadowSamples);
+    }
+}

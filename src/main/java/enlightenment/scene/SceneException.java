@@ -1,0 +1,55 @@
+package enlightenment.scene;
+
+import java.util.List;
+
+/** A scene that cannot be used. Every problem that was found is listed, not just the first. */
+public final class SceneException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    /**
+     * One problem.
+     *
+     * @param file the file it is in, or "" where there is none
+     * @param line its line, counted from 1, or 0 where unknown
+     * @param column its column, counted from 1, or 0 where unknown
+     * @param pointer the JSON pointer of the value, "" for the whole scene
+     * @param message what is wrong and what was expected
+     */
+    public record Problem(String file, int line, int column, String pointer, String message)
+            implements java.io.Serializable {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public String toString() {
+            StringBuilder s = new StringBuilder();
+            if (!file.isEmpty()) {
+                s.append(file);
+                if (line > 0) {
+                    s.append(':').append(line).append(':').append(column);
+                }
+                s.append(": ");
+            }
+            if (!pointer.isEmpty()) {
+                s.append(pointer).append(": ");
+            }
+            return s.append(message).toString();
+        }
+    }
+
+    private final transient List<Problem> problems;
+
+    public SceneException(List<Problem> problems) {
+        super(String.join("\n", problems.stream().map(Problem::toString).toList()));
+        this.problems = List.copyOf(problems);
+    }
+
+    /** A single problem without a place in a file. */
+    public static SceneException of(String pointer, String message) {
+        return new SceneException(List.of(new Problem("", 0, 0, pointer, message)));
+    }
+
+    /** All the problems, in the order of their places. */
+    public List<Problem> problems() {
+        return problems;
+    }
+}

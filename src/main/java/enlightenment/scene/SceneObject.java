@@ -1,0 +1,39 @@
+package enlightenment.scene;
+
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Shape;
+import enlightenment.material.Material;
+import enlightenment.math.Check;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * A thing in the scene: a shape and what it is made of.
+ *
+ * @param name its name, unique in the scene, or "" if it has none
+ * @param shape its surface
+ * @param material what it is made of
+ * @param faces empty, or for a cube the materials of its six faces: -x, +x, -y, +y, -z, +z before rotation
+ */
+public record SceneObject(String name, Shape shape, Material material, List<Material> faces) {
+    public SceneObject {
+        Objects.requireNonNull(name, "name");
+        Objects.requireNonNull(shape, "shape");
+        Objects.requireNonNull(material, "material");
+        faces = List.copyOf(faces);
+        Check.that(
+                faces.isEmpty() || shape instanceof Cube && faces.size() == 6,
+                "faces",
+                "must be six materials, on a cube");
+    }
+
+    /** A nameless object. */
+    public static SceneObject of(Shape shape, Material material) {
+        return new SceneObject("", shape, material, List.of());
+    }
+
+    /** The material of a face. */
+    public Material materialOf(int face) {
+        return faces.isEmpty() ? material : faces.get(face);
+    }
+}

@@ -3,10 +3,15 @@
  */
 module enlightenment {
     requires tools.jackson.core;
+    requires java.desktop;
+    requires java.management;
+    requires jdk.jfr;
+    requires jdk.management;
 
     exports enlightenment.math;
     exports enlightenment.color;
     exports enlightenment.geometry;
+    exports enlightenment.sampling;
     exports enlightenment.material;
     exports enlightenment.light;
     exports enlightenment.camera;

@@ -89,6 +89,11 @@ public abstract sealed class Primitive permits SpherePrimitive, RectanglePrimiti
     /** Whether the primitive encloses a volume. */
     public abstract boolean isSolid();
 
+    /** Whether a ray that leaves the outside of the surface can never meet it again. */
+    public boolean isConvex() {
+        return true;
+    }
+
     /** Whether the point lies in the closed volume; false for a primitive that encloses none. */
     public abstract boolean contains(double x, double y, double z);
 

@@ -55,6 +55,16 @@ public record Bounds(Vec3 min, Vec3 max) {
         return Math.max(min.maxAbs(), max.maxAbs());
     }
 
+    /** Whether the two closed boxes have a point in common. */
+    public boolean overlaps(Bounds o) {
+        return min.x() <= o.max.x()
+                && o.min.x() <= max.x()
+                && min.y() <= o.max.y()
+                && o.min.y() <= max.y()
+                && min.z() <= o.max.z()
+                && o.min.z() <= max.z();
+    }
+
     public boolean contains(Vec3 p) {
         return p.x() >= min.x()
                 && p.x() <= max.x()

@@ -1,8 +1,12 @@
 package enlightenment.render;
 
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.SceneCompiler;
 import enlightenment.image.Image;
+import enlightenment.math.Check;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 
@@ -13,9 +17,18 @@ import java.util.function.BooleanSupplier;
  * number of threads, on any machine.
  */
 public final class Renderer {
+    /** The methods that exist, by their names in scene files and on the command line. */
+    public static final List<String> METHODS = List.of("raytrace");
+
+    /** A film keeps three doubles per pixel, the finished picture three floats. */
+    private static final long BYTES_PER_PIXEL = 3 * (8 + 4);
+
+    /** Measured for spheres with a hierarchy (docs/benchmarks.md), rounded up. */
+    private static final long BYTES_PER_PRIMITIVE = 400;
+
     private Renderer() {}
 
-    /** Renders the scene. Fails with {@link enlightenment.scene.SceneException} where the scene cannot be used. */
+    /** Renders the scene. Fails with {@link SceneException} where the scene cannot be used. */
     public static Image render(Scene scene, RenderSettings settings) {
         return render(scene, settings, RenderProgress.NONE, () -> false).image();
     }
@@ -24,15 +37,55 @@ public final class Renderer {
      * Renders the scene, tells how it gets on, and can be stopped.
      *
      * @param cancelled asked now and then from several threads; once true, the render ends with what it has
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
      */
     public static RenderResult render(
             Scene scene, RenderSettings settings, RenderProgress progress, BooleanSupplier cancelled) {
-        throw new UnsupportedOperationException("not rendered yet");
+        checkMethod(settings.method());
+        checkMemory(settings);
+        Phases phases = new Phases();
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
+        TileRender render = new TileRender(compiled, settings, progress, cancelled);
+        phases.run("render", render::run);
+        Image image = phases.run("finish", render::image);
+        RenderReport report = render.report(scene.name(), phases.list());
+        return new RenderResult(image, report, render.isComplete());
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */
     public static Inspection inspect(Scene scene, RenderSettings settings) {
-        throw new UnsupportedOperationException("not inspected yet");
+        checkMethod(settings.method());
+        CompiledScene compiled = SceneCompiler.compile(scene, settings);
+        int primitives = compiled.primitives.length;
+        return new Inspection(
+                compiled.features(),
+                compiled.absent(),
+                primitives,
+                memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE);
+    }
+
+    /** The memory that the picture needs while it is rendered, in bytes. */
+    public static long memoryFor(RenderSettings settings) {
+        RenderSettings.Crop region = settings.region();
+        return (long) region.width() * region.height() * BYTES_PER_PIXEL;
+    }
+
+    private static void checkMethod(String method) {
+        Check.that(METHODS.contains(method), "render/method", "must be one of " + METHODS + ", not \"" + method + "\"");
+    }
+
+    /** Refuses a picture that cannot fit before anything is allocated. */
+    private static void checkMemory(RenderSettings settings) {
+        RenderSettings.Crop region = settings.region();
+        long needed = memoryFor(settings);
+        long available = Runtime.getRuntime().maxMemory();
+        boolean fits = needed <= available && 3L * region.width() * region.height() <= Integer.MAX_VALUE - 8;
+        Check.that(
+                fits,
+                "size",
+                "a picture of " + region.width() + "x" + region.height() + " pixels needs " + needed
+                        + " bytes of memory; at most " + available + " are there (java -Xmx sets the limit)");
     }
 
     /**

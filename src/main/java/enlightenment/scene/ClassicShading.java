@@ -11,14 +11,19 @@ import java.util.Objects;
  * @param ambient the share of light that comes from everywhere, 0..1
  * @param shadow how much of the direct light an occluded point keeps, 0..1; 0.5 in the paper
  * @param background what is seen where nothing is
+ * @param maxBounces how many mirrors and glass surfaces a path may follow, 0..1,000,000; beyond them it sees black
  */
-public record ClassicShading(double ambient, double shadow, DisplayRgb background) {
+public record ClassicShading(double ambient, double shadow, DisplayRgb background, int maxBounces) {
     /** The paper's settings: ambient 0.5, shadow 0.5, black background. */
-    public static final ClassicShading DEFAULT = new ClassicShading(0.5, 0.5, DisplayRgb.BLACK);
+    public static final ClassicShading DEFAULT = new ClassicShading(0.5, 0.5, DisplayRgb.BLACK, 100);
 
     public ClassicShading {
         Check.range("ambient", ambient, 0, 1);
         Check.range("shadow", shadow, 0, 1);
         Objects.requireNonNull(background, "background");
+        Check.that(
+                maxBounces >= 0 && maxBounces <= 1_000_000,
+                "maxBounces",
+                "must be a whole number in 0..1000000, not " + maxBounces);
     }
 }

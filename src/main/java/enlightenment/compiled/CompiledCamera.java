@@ -1,0 +1,116 @@
+package enlightenment.compiled;
+
+import enlightenment.camera.Camera;
+import enlightenment.geometry.Ray;
+import enlightenment.math.Bounds;
+import enlightenment.math.Rotation;
+import enlightenment.math.SceneFrame;
+import enlightenment.math.Vec3;
+
+/**
+ * A camera in the scene's frame: for a position in the picture, the ray that is seen there.
+ *
+ * <p>All cameras are one affine form: origin and direction are linear in the position (x, y), 0..1 from the upper left.
+ */
+public final class CompiledCamera {
+    /** Rays of the isometric view start this far behind; every coordinate of the frame is below 2. */
+    private static final double BEHIND_EVERYTHING = -16;
+
+    private final Vec3 origin;
+    private final Vec3 originX;
+    private final Vec3 originY;
+    private final Vec3 direction;
+    private final Vec3 directionX;
+    private final Vec3 directionY;
+    private final double tMin;
+
+    private CompiledCamera(
+            Vec3 origin, Vec3 originX, Vec3 originY, Vec3 direction, Vec3 directionX, Vec3 directionY, double tMin) {
+        this.origin = origin;
+        this.originX = originX;
+        this.originY = originY;
+        this.direction = direction;
+        this.directionX = directionX;
+        this.directionY = directionY;
+        this.tMin = tMin;
+    }
+
+    static CompiledCamera of(Camera camera, SceneFrame frame, int width, int height) {
+        if (camera instanceof Camera.Window w) {
+            return window(w, frame);
+        }
+        double aspect = (double) width / height;
+        if (camera instanceof Camera.Perspective p) {
+            return perspective(p, aspect);
+        }
+        if (camera instanceof Camera.Orthographic o) {
+            return parallel(new View(o.lookAt().minus(o.eye()), o.up()), frame.toFrame(o.height()) / 2, aspect, 0);
+        }
+        Camera.Isometric i = (Camera.Isometric) camera;
+        // An upright edge of length 1 is sqrt(2/3) high when seen along (1, -1, 1); the drawing's units make it 1
+        // again.
+        double half = frame.toFrame(i.height()) / 2 * Math.sqrt(2.0 / 3);
+        return parallel(new View(new Vec3(1, -1, 1), Vec3.Y), half, aspect, BEHIND_EVERYTHING);
+    }
+
+    private static CompiledCamera window(Camera.Window w, SceneFrame frame) {
+        Vec3 upperLeft = frame.toFrame(w.upperLeft());
+        Vec3 right = frame.toFrame(w.upperRight()).minus(upperLeft);
+        Vec3 down = frame.toFrame(w.lowerLeft()).minus(upperLeft);
+        // The eye is the frame's origin; t = 1 is the window, and what stands before it is not seen.
+        return new CompiledCamera(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, upperLeft, right, down, 1);
+    }
+
+    private static CompiledCamera perspective(Camera.Perspective p, double aspect) {
+        View v = new View(p.lookAt().minus(p.eye()), p.up());
+        double half = Rotation.sin(p.fieldOfView() / 2) / Rotation.cos(p.fieldOfView() / 2);
+        Vec3 toRight = v.right.times(half * aspect);
+        Vec3 toTop = v.up.times(half);
+        Vec3 corner = v.forward.plus(toTop).minus(toRight);
+        return new CompiledCamera(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, corner, toRight.times(2), toTop.times(-2), 0);
+    }
+
+    private static CompiledCamera parallel(View v, double halfHeight, double aspect, double from) {
+        Vec3 toRight = v.right.times(halfHeight * aspect);
+        Vec3 toTop = v.up.times(halfHeight);
+        return new CompiledCamera(
+                toTop.minus(toRight), toRight.times(2), toTop.times(-2), v.forward, Vec3.ZERO, Vec3.ZERO, from);
+    }
+
+    /** A box around the places where rays start. */
+    Bounds startBounds() {
+        Ray r = new Ray();
+        Vec3[] corners = new Vec3[4];
+        for (int i = 0; i < 4; i++) {
+            ray(i & 1, i >> 1, r);
+            corners[i] = new Vec3(r.ox, r.oy, r.oz).plus(new Vec3(r.dx, r.dy, r.dz).times(r.tMin));
+        }
+        Bounds box = Bounds.of(corners);
+        return Bounds.around(box.center(), box.extent());
+    }
+
+    /** Sets the ray that is seen at (x, y): 0..1 from the picture's upper left corner. */
+    public void ray(double x, double y, Ray ray) {
+        ray.set(
+                Math.fma(x, originX.x(), Math.fma(y, originY.x(), origin.x())),
+                Math.fma(x, originX.y(), Math.fma(y, originY.y(), origin.y())),
+                Math.fma(x, originX.z(), Math.fma(y, originY.z(), origin.z())),
+                Math.fma(x, directionX.x(), Math.fma(y, directionY.x(), direction.x())),
+                Math.fma(x, directionX.y(), Math.fma(y, directionY.y(), direction.y())),
+                Math.fma(x, directionX.z(), Math.fma(y, directionY.z(), direction.z())),
+                tMin);
+    }
+
+    /** Orthonormal axes of a view: in the paper's axes, right is +x and up is +y for a viewer who looks along +z. */
+    private static final class View {
+        final Vec3 forward;
+        final Vec3 right;
+        final Vec3 up;
+
+        View(Vec3 along, Vec3 upwards) {
+            forward = along.normalized();
+            right = upwards.normalized().cross(forward).normalized();
+            up = forward.cross(right);
+        }
+    }
+}

@@ -1,0 +1,93 @@
+package enlightenment.compiled;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.geometry.Primitive;
+import enlightenment.light.Light;
+import enlightenment.math.Bounds;
+import enlightenment.math.SceneFrame;
+import enlightenment.math.Vec3;
+
+/** A light in the scene's frame. */
+public final class CompiledLight {
+    /** The light's form. */
+    public enum Kind {
+        SPHERE,
+        RECTANGLE,
+        POINT
+    }
+
+    public final Kind kind;
+    public final double r;
+    public final double g;
+    public final double b;
+
+    /** Centre of a sphere, position of a point, lower left corner of a rectangle. */
+    public final double x;
+
+    public final double y;
+    public final double z;
+
+    /** Radius of a sphere; 0 otherwise. */
+    public final double radius;
+
+    /** Edges of a rectangle. */
+    public final Vec3 right;
+
+    public final Vec3 up;
+
+    /** A ball around the light. */
+    public final double ballX;
+
+    public final double ballY;
+    public final double ballZ;
+    public final double ballRadius;
+
+    /** What a viewer sees, or null where nothing can be seen. */
+    public final Primitive surface;
+
+    CompiledLight(Light light, SceneFrame frame) {
+        DisplayRgb c = light.color();
+        r = c.r();
+        g = c.g();
+        b = c.b();
+        Vec3 at;
+        Vec3 toRight = Vec3.ZERO;
+        Vec3 toTop = Vec3.ZERO;
+        if (light instanceof Light.Sphere s) {
+            kind = Kind.SPHERE;
+            at = frame.toFrame(s.center());
+            radius = frame.toFrame(s.radius());
+            surface = new enlightenment.geometry.Sphere(s.center(), s.radius(), 0).place(frame);
+        } else if (light instanceof Light.Rectangle q) {
+            kind = Kind.RECTANGLE;
+            at = frame.toFrame(q.lowerLeft());
+            toRight = frame.toFrame(q.lowerRight()).minus(at);
+            toTop = frame.toFrame(q.upperLeft()).minus(at);
+            radius = 0;
+            surface = new enlightenment.geometry.Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight())
+                    .place(frame);
+        } else {
+            kind = Kind.POINT;
+            at = frame.toFrame(((Light.Point) light).position());
+            radius = 0;
+            surface = null;
+        }
+        x = at.x();
+        y = at.y();
+        z = at.z();
+        right = toRight;
+        up = toTop;
+        Vec3 middle = at.plus(toRight.plus(toTop).times(0.5));
+        ballX = middle.x();
+        ballY = middle.y();
+        ballZ = middle.z();
+        double half = 0.5
+                * Math.max(toRight.plus(toTop).length(), toRight.minus(toTop).length());
+        ballRadius = radius + half * (1 + enlightenment.math.Scale.gamma(16));
+    }
+
+    /** A box around the light. */
+    Bounds bounds() {
+        return surface == null ? Bounds.of(new Vec3(x, y, z)) : surface.bounds();
+    }
+}

@@ -1,0 +1,107 @@
+package enlightenment.compiled;
+
+import enlightenment.geometry.Primitive;
+import enlightenment.material.Material;
+import enlightenment.math.SceneFrame;
+import enlightenment.math.Vec3;
+import enlightenment.scene.SceneObject;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The objects of a scene as primitives in canonical order, with their materials.
+ *
+ * @param primitives the primitives by id
+ * @param firstMaterial for each id, where its materials begin; one entry more than primitives
+ * @param materials one per primitive, or one per face
+ * @param kind by id: index into {@code kindNames}
+ * @param kindNames the kinds of shapes that there are
+ * @param glassSolids ids of solids made of glass
+ * @param mediumRank by id: rank among the glass solids, smaller fills overlaps; empty where there is no glass
+ */
+record CompiledPrimitives(
+        Primitive[] primitives,
+        int[] firstMaterial,
+        SurfaceMaterial[] materials,
+        int[] kind,
+        List<String> kindNames,
+        int[] glassSolids,
+        int[] mediumRank) {
+
+    private record Entry(SceneObject object, Primitive primitive, double[] parameters) {}
+
+    /** Kind, then numbers, then material: nothing that depends on names or on the order in the file. */
+    private static final Comparator<Entry> CANONICAL = Comparator.<Entry, String>comparing(
+                    e -> e.primitive.getClass().getSimpleName())
+            .thenComparing(Entry::parameters, Arrays::compare)
+            .thenComparing(e -> e.object.material().toString() + e.object.faces());
+
+    static CompiledPrimitives of(List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces) {
+        Entry[] entries = new Entry[objects.size()];
+        for (int i = 0; i < entries.length; i++) {
+            SceneObject o = objects.get(i);
+            Primitive p = o.shape().place(frame);
+            entries[i] = new Entry(o, p, p.parameters());
+        }
+        Arrays.sort(entries, CANONICAL);
+        Primitive[] primitives = new Primitive[entries.length];
+        int[] first = new int[entries.length + 1];
+        List<SurfaceMaterial> materials = new ArrayList<>(entries.length);
+        for (int i = 0; i < entries.length; i++) {
+            SceneObject o = entries[i].object;
+            primitives[i] = entries[i].primitive;
+            first[i] = materials.size();
+            if (o.faces().isEmpty()) {
+                materials.add(surfaces.get(o.material()));
+            } else {
+                o.faces().forEach(m -> materials.add(surfaces.get(m)));
+            }
+        }
+        first[entries.length] = materials.size();
+        List<String> kindNames =
+                objects.stream().map(o -> o.shape().type()).distinct().sorted().toList();
+        int[] kind = new int[entries.length];
+        for (int i = 0; i < entries.length; i++) {
+            kind[i] = kindNames.indexOf(entries[i].object.shape().type());
+        }
+        SurfaceMaterial[] flat = materials.toArray(SurfaceMaterial[]::new);
+        int[] glass = glassSolids(primitives, first, flat);
+        return new CompiledPrimitives(
+                primitives, first, flat, kind, kindNames, glass, ranks(primitives, first, flat, glass));
+    }
+
+    private static int[] glassSolids(Primitive[] primitives, int[] first, SurfaceMaterial[] materials) {
+        List<Integer> glass = new ArrayList<>();
+        for (int i = 0; i < primitives.length; i++) {
+            if (primitives[i].isSolid() && materials[first[i]].kind == SurfaceMaterial.Kind.GLASS) {
+                glass.add(i);
+            }
+        }
+        return glass.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    private static int[] ranks(Primitive[] primitives, int[] first, SurfaceMaterial[] materials, int[] glass) {
+        if (glass.length == 0) {
+            return new int[0];
+        }
+        Integer[] order = Arrays.stream(glass).boxed().toArray(Integer[]::new);
+        Arrays.sort(
+                order,
+                Comparator.<Integer>comparingInt(i -> -materials[first[i]].priority)
+                        .thenComparingDouble(i -> size(primitives[i]))
+                        .thenComparingInt(i -> i));
+        int[] rank = new int[primitives.length];
+        for (int k = 0; k < order.length; k++) {
+            rank[order[k]] = k;
+        }
+        return rank;
+    }
+
+    private static double size(Primitive p) {
+        Vec3 extent = p.bounds().extent();
+        return extent.x() * extent.y() * extent.z();
+    }
+}

@@ -1,0 +1,110 @@
+package enlightenment.compiled;
+
+import enlightenment.accel.Bvh;
+import enlightenment.geometry.Primitive;
+import enlightenment.math.Bounds;
+import enlightenment.math.SceneFrame;
+import enlightenment.scene.ClassicShading;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A scene made ready for rendering: only what it requires, in flat arrays. Immutable, shared by all threads.
+ *
+ * <p>Primitives stand in a canonical order that does not depend on the order in the scene file, so that neither does the
+ * picture.
+ */
+public final class CompiledScene {
+    public final SceneFrame frame;
+    public final CompiledCamera camera;
+    public final ClassicShading shading;
+    public final CompiledLight[] lights;
+
+    /** The primitives by id. */
+    public final Primitive[] primitives;
+
+    /** For each id, where its faces' materials begin in {@link #materials}. */
+    private final int[] firstMaterial;
+
+    private final SurfaceMaterial[] materials;
+
+    /** The hierarchy over the primitives, or null where a plain loop is faster. */
+    public final Bvh bvh;
+
+    /** What may stand before a light, or null where the hierarchy is asked. */
+    final OccluderSet occluders;
+
+    /** By id: the kind of shape, an index into {@link #kindNames}. */
+    public final int[] kind;
+
+    /** The kinds of shapes that there are. */
+    public final List<String> kindNames;
+
+    /** Ids of solids made of glass. */
+    public final int[] glassSolids;
+
+    /** Ids of those glass solids that a camera ray may start in. */
+    public final int[] cameraSolids;
+
+    private final Bounds[] glassBounds;
+
+    /** By id: rank of a glass solid in overlaps, the smallest fills them; see {@link enlightenment.material.Material.Glass}. */
+    public final int[] mediumRank;
+
+    private final List<String> features;
+    private final List<String> absent;
+
+    CompiledScene(
+            SceneFrame frame,
+            CompiledCamera camera,
+            ClassicShading shading,
+            CompiledLight[] lights,
+            CompiledPrimitives compiled,
+            Bvh bvh,
+            List<String> features,
+            List<String> absent) {
+        this.frame = frame;
+        this.camera = camera;
+        this.shading = shading;
+        this.lights = lights;
+        this.primitives = compiled.primitives();
+        this.firstMaterial = compiled.firstMaterial();
+        this.materials = compiled.materials();
+        this.kind = compiled.kind();
+        this.kindNames = compiled.kindNames();
+        this.glassSolids = compiled.glassSolids();
+        this.mediumRank = compiled.mediumRank();
+        this.bvh = bvh;
+        glassBounds = new Bounds[glassSolids.length == 0 ? 0 : primitives.length];
+        for (int id : glassSolids) {
+            glassBounds[id] = primitives[id].bounds();
+        }
+        cameraSolids = Arrays.stream(glassSolids)
+                .filter(id -> glassBounds[id].overlaps(camera.startBounds()))
+                .toArray();
+        this.occluders = bvh == null ? new OccluderSet(primitives, lights) : null;
+        this.features = List.copyOf(features);
+        this.absent = List.copyOf(absent);
+    }
+
+    /** A box around a glass solid. */
+    public Bounds boundsOf(int glassSolid) {
+        return glassBounds[glassSolid];
+    }
+
+    /** The material of a face of a primitive. */
+    public SurfaceMaterial material(int id, int face) {
+        int first = firstMaterial[id];
+        return materials[firstMaterial[id + 1] - first == 1 ? first : first + face];
+    }
+
+    /** What the scene requires and is modelled, in plain words. */
+    public List<String> features() {
+        return features;
+    }
+
+    /** What is left out because the scene does not require it, in plain words. */
+    public List<String> absent() {
+        return absent;
+    }
+}

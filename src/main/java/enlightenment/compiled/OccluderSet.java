@@ -1,0 +1,142 @@
+package enlightenment.compiled;
+
+import enlightenment.geometry.Primitive;
+import enlightenment.geometry.RectanglePrimitive;
+import enlightenment.math.Bounds;
+import enlightenment.math.Scale;
+import enlightenment.math.Vec3;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Which primitives can stand between a point and a light.
+ *
+ * <p>For a point P and a light inside a ball, every shadow ray runs inside the cone with apex P around the ball. A
+ * primitive whose bounding ball keeps clear of that cone can block none of them. Bounds are conservative: a candidate
+ * too many costs a test, one too few would be a wrong picture.
+ *
+ * <p>A rectangle that has everything on one side (a wall of the room) can never stand between two things in the room and
+ * is left out from the start.
+ */
+final class OccluderSet {
+    /** Covers the roundings of the cone test, with room to spare. */
+    private static final double TEST_ERROR = Scale.gamma(64);
+
+    private final int[] ids;
+    private final double[] balls;
+
+    OccluderSet(Primitive[] primitives, CompiledLight[] lights) {
+        List<Integer> candidates = new ArrayList<>();
+        for (int i = 0; i < primitives.length; i++) {
+            if (!isWall(primitives[i], primitives, lights)) {
+                candidates.add(i);
+            }
+        }
+        ids = candidates.stream().mapToInt(Integer::intValue).toArray();
+        balls = new double[4 * ids.length];
+        for (int k = 0; k < ids.length; k++) {
+            ball(primitives[ids[k]], k);
+        }
+    }
+
+    private void ball(Primitive p, int k) {
+        Bounds box = p.bounds();
+        Vec3 c = box.center();
+        double radius = box.max().minus(c).length();
+        if (p instanceof enlightenment.geometry.SpherePrimitive s) {
+            c = s.center();
+            radius = s.radius();
+        }
+        balls[4 * k] = c.x();
+        balls[4 * k + 1] = c.y();
+        balls[4 * k + 2] = c.z();
+        balls[4 * k + 3] = radius * (1 + TEST_ERROR);
+    }
+
+    /** Whether a rectangle parallel to two axes has every other primitive and every light on one side or in its plane. */
+    private static boolean isWall(Primitive p, Primitive[] primitives, CompiledLight[] lights) {
+        if (!(p instanceof RectanglePrimitive)) {
+            return false;
+        }
+        Bounds plane = p.bounds();
+        for (int axis = 0; axis < 3; axis++) {
+            double at = plane.min().component(axis);
+            if (plane.max().component(axis) == at
+                    && (all(primitives, lights, axis, at, 1) || all(primitives, lights, axis, at, -1))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean all(Primitive[] primitives, CompiledLight[] lights, int axis, double at, int side) {
+        for (Primitive q : primitives) {
+            if (beyond(q.bounds(), axis, at, side)) {
+                return false;
+            }
+        }
+        for (CompiledLight light : lights) {
+            if (beyond(light.bounds(), axis, at, side)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean beyond(Bounds b, int axis, double at, int side) {
+        return side > 0 ? b.min().component(axis) < at : b.max().component(axis) > at;
+    }
+
+    int size() {
+        return ids.length;
+    }
+
+    /**
+     * Collects the primitives that may stand between (x, y, z) and the light, in the order of their ids.
+     *
+     * @param self a primitive that is known not to, or -1
+     * @return how many there are in {@code out}
+     */
+    int gather(double x, double y, double z, CompiledLight light, int self, int[] out) {
+        double wx = light.ballX - x;
+        double wy = light.ballY - y;
+        double wz = light.ballZ - z;
+        double dd = wx * wx + wy * wy + wz * wz;
+        double lightRadius = light.ballRadius;
+        double d = Math.sqrt(dd);
+        int n = 0;
+        if (!(d > lightRadius)) {
+            for (int id : ids) {
+                if (id != self) {
+                    out[n++] = id;
+                }
+            }
+            return n;
+        }
+        double sine = lightRadius / d;
+        double cosine = Math.sqrt(1 - sine * sine);
+        double inverse = 1 / d;
+        for (int k = 0; k < ids.length; k++) {
+            if (ids[k] == self) {
+                continue;
+            }
+            double cx = balls[4 * k] - x;
+            double cy = balls[4 * k + 1] - y;
+            double cz = balls[4 * k + 2] - z;
+            double radius = balls[4 * k + 3];
+            double along = (cx * wx + cy * wy + cz * wz) * inverse;
+            double cc = cx * cx + cy * cy + cz * cz;
+            double slack = radius + TEST_ERROR * (Math.sqrt(cc) + d);
+            if (along < -slack || along - slack > d + lightRadius) {
+                continue;
+            }
+            double across = Math.sqrt(Math.max(cc - along * along, 0));
+            // cc − along² cancels where the ball lies near the axis; there the bound below is not decisive anyway.
+            double error = TEST_ERROR * cc / (across + TEST_ERROR * Math.sqrt(cc));
+            if (!((across - error) * cosine - along * sine > slack)) {
+                out[n++] = ids[k];
+            }
+        }
+        return n;
+    }
+}

@@ -1,0 +1,41 @@
+package enlightenment.compiled;
+
+/** What one thread counted. Plain fields; added up in the order of threads when all is done. */
+public final class RayCounters {
+    public long cameraRays;
+    public long mirrorRays;
+    public long refractedRays;
+    public long shadowRays;
+    public long lightSamples;
+    public long lightSamplesWithoutRay;
+    public long textureLookups;
+
+    /** Searches by the plain loop, each of which tests every primitive. */
+    public long loopSearches;
+
+    /** Tests by kind of primitive; {@link CompiledScene#kindNames} names them. */
+    public final long[] tests;
+
+    public final long[] hits;
+
+    public RayCounters(int kinds) {
+        tests = new long[kinds];
+        hits = new long[kinds];
+    }
+
+    /** Adds what another thread counted. */
+    public void add(RayCounters o) {
+        cameraRays += o.cameraRays;
+        mirrorRays += o.mirrorRays;
+        refractedRays += o.refractedRays;
+        shadowRays += o.shadowRays;
+        lightSamples += o.lightSamples;
+        lightSamplesWithoutRay += o.lightSamplesWithoutRay;
+        textureLookups += o.textureLookups;
+        loopSearches += o.loopSearches;
+        for (int i = 0; i < tests.length; i++) {
+            tests[i] += o.tests[i];
+            hits[i] += o.hits[i];
+        }
+    }
+}

@@ -1,0 +1,158 @@
+package enlightenment.compiled;
+
+import enlightenment.accel.Bvh;
+import enlightenment.geometry.Primitive;
+import enlightenment.geometry.Shape;
+import enlightenment.image.TexelImage;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.Point;
+import enlightenment.math.Scale;
+import enlightenment.math.SceneFrame;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneObject;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Builds from a scene only what it requires. */
+public final class SceneCompiler {
+    /** Up to this many primitives a plain loop is faster than a hierarchy (docs/benchmarks.md). */
+    static final int LOOP_LIMIT = 24;
+
+    private SceneCompiler() {}
+
+    /** The scene, ready for rendering at the size of the settings. */
+    public static CompiledScene compile(Scene scene, RenderSettings settings) {
+        return compile(scene, settings, scene.objects().size() > LOOP_LIMIT);
+    }
+
+    /** As {@link #compile(Scene, RenderSettings)}, with or without a hierarchy: the picture is the same. */
+    static CompiledScene compile(Scene scene, RenderSettings settings, boolean withBvh) {
+        SceneFrame frame = frameOf(scene);
+        CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
+        CompiledLight[] lights = new CompiledLight[scene.lights().size()];
+        for (int i = 0; i < lights.length; i++) {
+            lights[i] = new CompiledLight(scene.lights().get(i), frame);
+        }
+        Map<Material, SurfaceMaterial> surfaces = surfaces(scene);
+        CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces);
+        Primitive[] primitives = compiled.primitives();
+        Bvh bvh = withBvh ? Bvh.build(primitives) : null;
+        Features features = new Features(scene, bvh, surfaces.values());
+        return new CompiledScene(
+                frame, camera, scene.shading(), lights, compiled, bvh, features.present(), features.absent());
+    }
+
+    /**
+     * The frame whose origin is the eye and whose unit is the power of two that brings every coordinate below 2.
+     */
+    static SceneFrame frameOf(Scene scene) {
+        Point origin = scene.camera().origin();
+        double largest = 0;
+        for (Point p : scene.camera().anchors()) {
+            largest = Math.max(largest, p.minus(origin).maxAbs());
+        }
+        for (Light light : scene.lights()) {
+            largest = Math.max(largest, extent(light.anchors(), light.reach(), origin));
+        }
+        for (SceneObject o : scene.objects()) {
+            Shape s = o.shape();
+            largest = Math.max(largest, extent(s.anchors(), s.reach(), origin));
+        }
+        if (!(largest < Double.POSITIVE_INFINITY)) {
+            throw SceneException.of("", "the scene is larger than the range of numbers");
+        }
+        return new SceneFrame(origin, largest == 0 ? 0 : Scale.exponent(largest));
+    }
+
+    private static double extent(List<Point> anchors, double reach, Point origin) {
+        double largest = 0;
+        for (Point p : anchors) {
+            largest = Math.max(largest, p.minus(origin).maxAbs());
+        }
+        return largest + reach;
+    }
+
+    private static Map<Material, SurfaceMaterial> surfaces(Scene scene) {
+        Map<Texture.File, TexelImage> images = new HashMap<>();
+        Map<Material, SurfaceMaterial> byIdentity = new IdentityHashMap<>();
+        Map<Material, SurfaceMaterial> byValue = new HashMap<>();
+        Set<Material> used = new LinkedHashSet<>();
+        for (SceneObject o : scene.objects()) {
+            if (o.faces().isEmpty()) {
+                if (byIdentity.put(o.material(), null) == null) {
+                    used.add(o.material());
+                }
+            } else {
+                used.addAll(o.faces());
+            }
+        }
+        for (Material m : used) {
+            TexelImage image =
+                    m.color() instanceof Texture.File f ? images.computeIfAbsent(f, SceneCompiler::load) : null;
+            byValue.put(m, new SurfaceMaterial(m, image));
+        }
+        return byValue;
+    }
+
+    private static TexelImage load(Texture.File texture) {
+        try {
+            return TexelImage.read(texture.file(), texture.encoding() == Texture.Encoding.LINEAR);
+        } catch (IOException e) {
+            throw new SceneException(List.of(new SceneException.Problem(
+                    texture.file().toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));
+        }
+    }
+
+    /** Which features are modelled, and which are not because nothing requires them. */
+    private static final class Features {
+        private final List<String> present = new ArrayList<>();
+        private final List<String> absent = new ArrayList<>();
+
+        Features(Scene scene, Bvh bvh, Iterable<SurfaceMaterial> surfaces) {
+            boolean mirrors = false;
+            boolean glass = false;
+            boolean textures = false;
+            for (SurfaceMaterial m : surfaces) {
+                mirrors |= m.kind == SurfaceMaterial.Kind.MIRROR;
+                glass |= m.kind == SurfaceMaterial.Kind.GLASS;
+                textures |= m.hasImage();
+            }
+            int lights = scene.lights().size();
+            add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
+            add(lights > 0 && scene.shading().shadow() < 1, "shadows", "shadows");
+            add(mirrors, "mirrors", "mirrors");
+            add(glass, "refraction", "refraction");
+            add(textures, "image textures", "image textures");
+            add(
+                    bvh != null,
+                    "bounding volume hierarchy over " + scene.objects().size() + " primitives",
+                    "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
+        }
+
+        private void add(boolean required, String there, String notThere) {
+            if (required) {
+                present.add(there);
+            } else {
+                absent.add(notThere);
+            }
+        }
+
+        List<String> present() {
+            return present;
+        }
+
+        List<String> absent() {
+            return absent;
+        }
+    }
+}

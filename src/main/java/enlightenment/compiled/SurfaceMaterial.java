@@ -1,0 +1,110 @@
+package enlightenment.compiled;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.image.TexelImage;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+
+/** A material as shading reads it: plain fields, textures loaded. */
+public final class SurfaceMaterial {
+    /** What happens to light. */
+    public enum Kind {
+        MATTE,
+        MIRROR,
+        GLASS
+    }
+
+    public final Kind kind;
+    public final double indexOfRefraction;
+    public final double transparency;
+    public final int priority;
+    public final boolean receivesShadows;
+
+    private final double r;
+    private final double g;
+    private final double b;
+    private final DisplayRgb other;
+    private final double checks;
+    private final TexelImage image;
+    private final boolean bilinear;
+
+    SurfaceMaterial(Material material, TexelImage image) {
+        this.image = image;
+        receivesShadows = material.receivesShadows();
+        if (material instanceof Material.Glass glass) {
+            kind = Kind.GLASS;
+            indexOfRefraction = glass.indexOfRefraction();
+            transparency = glass.transparency();
+            priority = glass.priority();
+        } else {
+            kind = material instanceof Material.Mirror ? Kind.MIRROR : Kind.MATTE;
+            indexOfRefraction = 1;
+            transparency = 0;
+            priority = 0;
+        }
+        Texture texture = material.color();
+        DisplayRgb first = DisplayRgb.BLACK;
+        DisplayRgb second = null;
+        double scale = 0;
+        boolean smooth = false;
+        if (texture instanceof Texture.Solid solid) {
+            first = solid.color();
+        } else if (texture instanceof Texture.Checker checker) {
+            first = checker.colors().get(0);
+            second = checker.colors().get(1);
+            scale = checker.scale();
+        } else if (texture instanceof Texture.File file) {
+            smooth = file.filter() == Texture.Filter.BILINEAR;
+        }
+        r = first.r();
+        g = first.g();
+        b = first.b();
+        other = second;
+        checks = scale;
+        bilinear = smooth;
+    }
+
+    /** Whether the colour depends on texture coordinates. */
+    public boolean isTextured() {
+        return image != null || other != null;
+    }
+
+    /** Whether the colour comes from an image. */
+    public boolean hasImage() {
+        return image != null;
+    }
+
+    /** Writes the colour of an untextured surface. */
+    public void color(double[] rgb) {
+        rgb[0] = r;
+        rgb[1] = g;
+        rgb[2] = b;
+    }
+
+    /**
+     * Writes the colour at texture coordinates.
+     *
+     * @param wraps whether u goes round, so that 0 and 1 are the same place
+     */
+    public void color(double u, double v, boolean wraps, double[] rgb) {
+        if (image != null) {
+            if (bilinear) {
+                image.bilinear(u, v, wraps, rgb);
+            } else {
+                image.nearest(u, v, rgb);
+            }
+        } else if (other != null && odd(u) != odd(v)) {
+            rgb[0] = other.r();
+            rgb[1] = other.g();
+            rgb[2] = other.b();
+        } else {
+            color(rgb);
+        }
+    }
+
+    private boolean odd(double coordinate) {
+        // The far edge belongs to the last square.
+        double square = Math.min(Math.floor(coordinate * checks), Math.ceil(checks) - 1);
+        return ((long) square & 1) != 0;
+    }
+}

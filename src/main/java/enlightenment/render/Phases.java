@@ -1,0 +1,44 @@
+package enlightenment.render;
+
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+
+/** Times the phases of one render, for the report and for flight recordings. */
+final class Phases {
+    private static final double NANO = 1e-9;
+
+    private final List<RenderReport.Phase> phases = new ArrayList<>();
+
+    <T> T run(String name, Supplier<T> work) {
+        RenderPhaseEvent event = new RenderPhaseEvent();
+        event.phase = name;
+        event.begin();
+        long wall = System.nanoTime();
+        long cpu = processorTime();
+        T result = work.get();
+        phases.add(new RenderReport.Phase(
+                name, (System.nanoTime() - wall) * NANO, Math.max(processorTime() - cpu, 0) * NANO));
+        event.commit();
+        return result;
+    }
+
+    void run(String name, Runnable work) {
+        run(name, () -> {
+            work.run();
+            return null;
+        });
+    }
+
+    /** Processor time of the whole process in nanoseconds, 0 where the machine cannot tell. */
+    private static long processorTime() {
+        return ManagementFactory.getOperatingSystemMXBean() instanceof com.sun.management.OperatingSystemMXBean os
+                ? Math.max(os.getProcessCpuTime(), 0)
+                : 0;
+    }
+
+    List<RenderReport.Phase> list() {
+        return phases;
+    }
+}

@@ -1,0 +1,183 @@
+package enlightenment.render;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.film.Film;
+import enlightenment.film.FilmTile;
+import enlightenment.image.Image;
+import enlightenment.method.RayTraceMethod;
+import enlightenment.scene.RenderSettings;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+
+/**
+ * One render, cut into tiles that are fixed by the picture. Threads take tiles from a counter; each tile is a pure
+ * function, so who takes which does not matter.
+ */
+final class TileRender {
+    private final CompiledScene scene;
+    private final RenderSettings settings;
+    private final RenderSettings.Crop region;
+    private final RenderProgress progress;
+    private final BooleanSupplier cancelled;
+    private final Film film;
+    private final int tilesAcross;
+    private final int tiles;
+    private final AtomicInteger next = new AtomicInteger();
+    private final AtomicReference<Throwable> failure = new AtomicReference<>();
+    private final List<RayCounters> counters = new ArrayList<>();
+    private long pixelsDone;
+    private long peakMemory;
+
+    TileRender(CompiledScene scene, RenderSettings settings, RenderProgress progress, BooleanSupplier cancelled) {
+        this.scene = scene;
+        this.settings = settings;
+        this.progress = progress;
+        this.cancelled = cancelled;
+        region = settings.region();
+        film = new Film(region.x(), region.y(), region.width(), region.height());
+        int size = settings.tileSize();
+        // Tiles are cut from the whole picture's corner, so that a crop shares them with the whole.
+        tilesAcross = (region.x() + region.width() - 1) / size - region.x() / size + 1;
+        int tilesDown = (region.y() + region.height() - 1) / size - region.y() / size + 1;
+        tiles = Math.multiplyExact(tilesAcross, tilesDown);
+    }
+
+    void run() {
+        int threads = Math.min(settings.threads(), tiles);
+        List<Thread> helpers = new ArrayList<>();
+        for (int i = 0; i < threads; i++) {
+            RayCounters mine = new RayCounters(scene.kindNames.size());
+            counters.add(mine);
+            if (i > 0) {
+                Thread helper = new Thread(() -> work(mine), "render-" + i);
+                helper.setDaemon(true);
+                helper.start();
+                helpers.add(helper);
+            }
+        }
+        work(counters.get(0));
+        boolean interrupted = false;
+        for (Thread helper : helpers) {
+            interrupted |= join(helper);
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        rethrow(failure.get());
+    }
+
+    private static boolean join(Thread helper) {
+        boolean interrupted = false;
+        while (true) {
+            try {
+                helper.join();
+                return interrupted;
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+    }
+
+    private static void rethrow(Throwable t) {
+        if (t instanceof Error e) {
+            throw e;
+        }
+        if (t instanceof RuntimeException e) {
+            throw e;
+        }
+    }
+
+    private void work(RayCounters mine) {
+        try {
+            RayTraceMethod method = new RayTraceMethod(scene, settings, mine);
+            while (failure.get() == null && !cancelled.getAsBoolean()) {
+                int index = next.getAndIncrement();
+                if (index >= tiles) {
+                    return;
+                }
+                renderTile(method, index);
+            }
+        } catch (RuntimeException | Error e) {
+            failure.compareAndSet(null, e);
+        }
+    }
+
+    private void renderTile(RayTraceMethod method, int index) {
+        TileEvent event = new TileEvent();
+        event.begin();
+        FilmTile tile = tile(index);
+        method.render(tile);
+        film.put(tile);
+        event.x = tile.x;
+        event.y = tile.y;
+        event.pixels = tile.width * tile.height;
+        event.commit();
+        finished(tile);
+    }
+
+    private FilmTile tile(int index) {
+        int size = settings.tileSize();
+        int left = (region.x() / size + index % tilesAcross) * size;
+        int top = (region.y() / size + index / tilesAcross) * size;
+        int x = Math.max(left, region.x());
+        int y = Math.max(top, region.y());
+        int width = Math.min(left + size, region.x() + region.width()) - x;
+        int height = Math.min(top + size, region.y() + region.height()) - y;
+        return new FilmTile(x, y, width, height);
+    }
+
+    private synchronized void finished(FilmTile tile) {
+        pixelsDone += (long) tile.width * tile.height;
+        Runtime runtime = Runtime.getRuntime();
+        peakMemory = Math.max(peakMemory, runtime.totalMemory() - runtime.freeMemory());
+        progress.progress(pixelsDone, (long) region.width() * region.height(), film::toImage);
+    }
+
+    Image image() {
+        return film.toImage();
+    }
+
+    boolean isComplete() {
+        return pixelsDone == (long) region.width() * region.height();
+    }
+
+    RenderReport report(String sceneName, List<RenderReport.Phase> phases) {
+        RayCounters all = new RayCounters(scene.kindNames.size());
+        counters.forEach(all::add);
+        for (int id = 0; id < scene.primitives.length; id++) {
+            all.tests[scene.kind[id]] += all.loopSearches;
+        }
+        Map<String, Long> rays = new LinkedHashMap<>();
+        rays.put("camera", all.cameraRays);
+        rays.put("mirror", all.mirrorRays);
+        rays.put("refracted", all.refractedRays);
+        rays.put("shadow", all.shadowRays);
+        return new RenderReport(
+                sceneName,
+                settings,
+                scene.features(),
+                rays,
+                all.lightSamples,
+                all.lightSamplesWithoutRay,
+                byKind(all.tests),
+                byKind(all.hits),
+                all.textureLookups,
+                phases,
+                pixelsDone,
+                peakMemory);
+    }
+
+    private Map<String, Long> byKind(long[] counts) {
+        Map<String, Long> map = new LinkedHashMap<>();
+        for (int k = 0; k < counts.length; k++) {
+            map.put(scene.kindNames.get(k), counts[k]);
+        }
+        return map;
+    }
+}

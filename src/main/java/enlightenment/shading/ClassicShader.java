@@ -1,0 +1,242 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.CompiledLight;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.compiled.Tracer;
+import enlightenment.geometry.Hit;
+import enlightenment.geometry.Primitive;
+import enlightenment.geometry.Ray;
+import enlightenment.geometry.SpherePrimitive;
+
+/**
+ * The paper's cosine shading of one camera ray: what is the colour seen along it?
+ *
+ * <p>With c the surface colour, cosθ (0..1) between the normal that faces the viewer and the direction to a light point,
+ * and k the share of direct light that an occluded point keeps: colour = c · light · (ambient + (1 − ambient) · mean over
+ * light points of (visible ? 1 : k) · cosθ), averaged over the lights. Mirrors and glass multiply their colour and are
+ * followed; everything but a light blocks. See docs/classic-shading.md.
+ *
+ * <p>The mean is estimated with a control variate: where the whole light is above the horizon, the mean of cosθ itself
+ * has a closed form, and only the blocked part is sampled. With nothing in the way no sample is needed at all.
+ *
+ * <p>One per thread.
+ */
+public final class ClassicShader {
+    private final CompiledScene scene;
+    private final RayCounters counters;
+    private final Tracer tracer;
+    private final GlassTracer glass;
+    private final LightSampler sampler = new LightSampler();
+    private final Hit hit = new Hit();
+    private final Ray shadowRay = new Ray();
+    private final double[] surface = new double[3];
+    private final int shadowSamples;
+    private final int maxBounces;
+    private final double ambient;
+    private final double shadow;
+
+    private double throughputR;
+    private double throughputG;
+    private double throughputB;
+    private double red;
+    private double green;
+    private double blue;
+
+    public ClassicShader(CompiledScene scene, int shadowSamples, RayCounters counters) {
+        this.scene = scene;
+        this.counters = counters;
+        this.shadowSamples = shadowSamples;
+        tracer = new Tracer(scene, counters);
+        glass = new GlassTracer(scene, counters);
+        maxBounces = scene.shading.maxBounces();
+        ambient = scene.shading.ambient();
+        shadow = scene.shading.shadow();
+    }
+
+    /**
+     * The colour seen along a camera ray, which is used up.
+     *
+     * @param address which sample this is
+     * @param out receives red, green and blue, display-referred
+     */
+    public void shade(Ray ray, SampleAddress address, double[] out) {
+        red = 0;
+        green = 0;
+        blue = 0;
+        throughputR = 1;
+        throughputG = 1;
+        throughputB = 1;
+        counters.cameraRays++;
+        glass.begin(ray);
+        int bounce = 0;
+        while (step(ray, address, bounce)) {
+            if (++bounce > maxBounces) {
+                break;
+            }
+        }
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    /** Follows the ray to the next surface; returns whether the path goes on. */
+    private boolean step(Ray ray, SampleAddress address, int bounce) {
+        if (!tracer.trace(ray, hit)) {
+            add(
+                    scene.shading.background().r(),
+                    scene.shading.background().g(),
+                    scene.shading.background().b());
+            return false;
+        }
+        if (tracer.light != null) {
+            add(tracer.light.r, tracer.light.g, tracer.light.b);
+            return false;
+        }
+        SurfaceMaterial material = scene.material(tracer.id, hit.face);
+        if (material.kind == SurfaceMaterial.Kind.GLASS && glass.isHidden(tracer.id, hit)) {
+            glass.pass(ray, tracer.id, hit);
+            return true;
+        }
+        lookUpColor(material);
+        switch (material.kind) {
+            case MATTE -> {
+                shadeSurface(ray, material, address, bounce, 1);
+                return false;
+            }
+            case MIRROR -> {
+                filter(1);
+                counters.mirrorRays++;
+                Optics.reflect(ray, hit);
+                glass.settle(ray, tracer.id, hit);
+            }
+            case GLASS -> {
+                if (material.transparency < 1) {
+                    shadeSurface(ray, material, address, bounce, 1 - material.transparency);
+                }
+                if (glass.refract(ray, tracer.id, hit)) {
+                    filter(material.transparency);
+                } else {
+                    scaleThroughput(material.transparency);
+                }
+            }
+        }
+        return throughputR > 0 || throughputG > 0 || throughputB > 0;
+    }
+
+    private void add(double r, double g, double b) {
+        red = Math.fma(throughputR, r, red);
+        green = Math.fma(throughputG, g, green);
+        blue = Math.fma(throughputB, b, blue);
+    }
+
+    private void filter(double share) {
+        throughputR *= surface[0] * share;
+        throughputG *= surface[1] * share;
+        throughputB *= surface[2] * share;
+    }
+
+    private void scaleThroughput(double share) {
+        throughputR *= share;
+        throughputG *= share;
+        throughputB *= share;
+    }
+
+    private void lookUpColor(SurfaceMaterial material) {
+        if (!material.isTextured()) {
+            material.color(surface);
+            return;
+        }
+        if (material.hasImage()) {
+            counters.textureLookups++;
+        }
+        hit.primitive.textureCoordinates(hit);
+        material.color(hit.u, hit.v, hit.primitive instanceof SpherePrimitive, surface);
+    }
+
+    /** Adds what the surface itself shows, times a share. */
+    private void shadeSurface(Ray ray, SurfaceMaterial material, SampleAddress address, int bounce, double share) {
+        CompiledLight[] lights = scene.lights;
+        if (lights.length == 0) {
+            double factor = ambient * share;
+            add(surface[0] * factor, surface[1] * factor, surface[2] * factor);
+            return;
+        }
+        double facing = hit.side;
+        double nx = hit.nx * facing;
+        double ny = hit.ny * facing;
+        double nz = hit.nz * facing;
+        double keeps = material.receivesShadows ? shadow : 1;
+        double r = 0;
+        double g = 0;
+        double b = 0;
+        for (int i = 0; i < lights.length; i++) {
+            CompiledLight light = lights[i];
+            double mean = meanCosine(light, i, nx, ny, nz, keeps, address, bounce);
+            double factor = Math.fma(1 - ambient, mean, ambient);
+            r += light.r * factor;
+            g += light.g * factor;
+            b += light.b * factor;
+        }
+        double average = share / lights.length;
+        add(surface[0] * r * average, surface[1] * g * average, surface[2] * b * average);
+    }
+
+    /** The mean over light points of (visible ? 1 : keeps) · cosθ at the hit. */
+    private double meanCosine(
+            CompiledLight light,
+            int index,
+            double nx,
+            double ny,
+            double nz,
+            double keeps,
+            SampleAddress address,
+            int bounce) {
+        sampler.aim(light, hit.px, hit.py, hit.pz);
+        int count = sampler.isPoint() ? 1 : shadowSamples;
+        counters.lightSamples += count;
+        if (sampler.isBelow(nx, ny, nz)) {
+            counters.lightSamplesWithoutRay += count;
+            return 0;
+        }
+        double unshadowed = sampler.meanCosine(nx, ny, nz);
+        boolean known = unshadowed == unshadowed;
+        boolean rays = keeps < 1 && mayBeShadowed(light);
+        if (!rays) {
+            counters.lightSamplesWithoutRay += count;
+            if (known) {
+                return unshadowed;
+            }
+        }
+        long seed = address.lightSeed(index, bounce);
+        int first = address.firstLightPoint(seed, count);
+        double sum = 0;
+        double blocked = 0;
+        for (int j = 0; j < count; j++) {
+            sampler.sample(
+                    enlightenment.sampling.Sobol.x(first + j, seed), enlightenment.sampling.Sobol.y(first + j, seed));
+            double cosine = nx * sampler.dx + ny * sampler.dy + nz * sampler.dz;
+            if (cosine > 0) {
+                sum += cosine;
+                if (rays && isBlocked()) {
+                    blocked += cosine;
+                }
+            }
+        }
+        double all = known ? unshadowed : sum / count;
+        return all - (1 - keeps) * (blocked / count);
+    }
+
+    private boolean mayBeShadowed(CompiledLight light) {
+        Primitive p = hit.primitive;
+        boolean cannotShadowItself = !p.isSolid() || p.isConvex() && hit.side == Ray.OUTSIDE;
+        return tracer.prepareShadows(hit.px, hit.py, hit.pz, light, cannotShadowItself ? tracer.id : -1);
+    }
+
+    private boolean isBlocked() {
+        sampler.ray(shadowRay, hit.px, hit.py, hit.pz);
+        shadowRay.from(hit.primitive, hit.side);
+        return tracer.occluded(shadowRay, sampler.length);
+    }
+}

@@ -1,0 +1,198 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.CompiledLight;
+import enlightenment.geometry.Ray;
+import enlightenment.sampling.Warp;
+
+/**
+ * Chooses light points as seen from a surface point, well distributed over the part of the light that faces it: a sphere
+ * uniformly over the solid angle that it fills, a rectangle uniformly over its area, a point as it is.
+ *
+ * <p>The cone of a sphere: with s = radius/distance, 1 − cosθmax = s²/(1 + cosθmax) and cosθmax = √((D − r)(D + r))/D,
+ * which is right to a few units in the last place at every distance (numerics, "Sphere light").
+ */
+final class LightSampler {
+    private final double[] disk = new double[3];
+
+    private CompiledLight light;
+    private double px;
+    private double py;
+    private double pz;
+
+    /** From the surface point to the light's middle, and its length. */
+    private double wx;
+
+    private double wy;
+    private double wz;
+    private double distance;
+
+    private double oneMinusCosMax;
+    private double sinMax;
+
+    /** Two directions that make a basis with the cone's axis. */
+    private double ax;
+
+    private double ay;
+    private double az;
+    private double bx;
+    private double by;
+    private double bz;
+    private boolean basis;
+
+    /** The last direction: of length 1. */
+    double dx;
+
+    double dy;
+    double dz;
+
+    /** How far the last light point is. */
+    double length;
+
+    /** Looks at a light from a surface point. */
+    void aim(CompiledLight target, double x, double y, double z) {
+        light = target;
+        px = x;
+        py = y;
+        pz = z;
+        wx = target.x - x;
+        wy = target.y - y;
+        wz = target.z - z;
+        distance = Math.sqrt(wx * wx + wy * wy + wz * wz);
+        basis = false;
+        if (target.kind != CompiledLight.Kind.SPHERE || !surroundedBy()) {
+            double inverse = distance == 0 ? 0 : 1 / distance;
+            wx *= inverse;
+            wy *= inverse;
+            wz *= inverse;
+        }
+        if (target.kind == CompiledLight.Kind.SPHERE && distance > target.radius) {
+            sinMax = target.radius / distance;
+            double cosMax = Math.sqrt((distance - target.radius) * (distance + target.radius)) / distance;
+            oneMinusCosMax = sinMax * sinMax / (1 + cosMax);
+        }
+    }
+
+    /** Whether the surface point lies inside the light: then the light is seen in every direction. */
+    boolean surroundedBy() {
+        return light.kind == CompiledLight.Kind.SPHERE && !(distance > light.radius);
+    }
+
+    /** Whether one light point is as good as many. */
+    boolean isPoint() {
+        return light.kind == CompiledLight.Kind.POINT;
+    }
+
+    /**
+     * The exact mean of the cosine over all light points, if the whole light is above the horizon of the normal and the
+     * mean has a closed form; NaN otherwise. Over the cone around w it is (n·w)(1 + cosθmax)/2.
+     */
+    double meanCosine(double nx, double ny, double nz) {
+        if (light.kind == CompiledLight.Kind.RECTANGLE || surroundedBy()) {
+            return Double.NaN;
+        }
+        double toMiddle = nx * wx + ny * wy + nz * wz;
+        if (light.kind == CompiledLight.Kind.POINT) {
+            return toMiddle >= 0 ? toMiddle : Double.NaN;
+        }
+        return toMiddle >= sinMax ? toMiddle * (1 - oneMinusCosMax / 2) : Double.NaN;
+    }
+
+    /** Whether the whole light lies below the horizon of the normal, so that its cosine is 0 everywhere. */
+    boolean isBelow(double nx, double ny, double nz) {
+        if (surroundedBy()) {
+            return false;
+        }
+        double toMiddle = nx * wx + ny * wy + nz * wz;
+        return switch (light.kind) {
+            case SPHERE -> toMiddle <= -sinMax;
+            case POINT -> toMiddle <= 0;
+            case RECTANGLE -> {
+                double corner = toMiddle * distance;
+                double right = nx * light.right.x() + ny * light.right.y() + nz * light.right.z();
+                double up = nx * light.up.x() + ny * light.up.y() + nz * light.up.z();
+                yield corner + Math.max(right, 0) + Math.max(up, 0) <= 0;
+            }
+        };
+    }
+
+    /** Chooses the light point for (u, v) in the unit square: sets direction and length. */
+    void sample(double u, double v) {
+        if (light.kind == CompiledLight.Kind.POINT) {
+            setDirection(wx, wy, wz, distance);
+        } else if (light.kind == CompiledLight.Kind.RECTANGLE) {
+            sampleRectangle(u, v);
+        } else if (surroundedBy()) {
+            sampleAround(u, v);
+        } else {
+            sampleCone(u, v);
+        }
+    }
+
+    /** Sets a shadow ray to the last light point: it starts on the given surface and ends at {@link #length}. */
+    void ray(Ray ray, double x, double y, double z) {
+        ray.set(x, y, z, dx, dy, dz, 0);
+    }
+
+    private void setDirection(double x, double y, double z, double len) {
+        dx = x;
+        dy = y;
+        dz = z;
+        length = len;
+    }
+
+    private void sampleRectangle(double u, double v) {
+        double x = Math.fma(u, light.right.x(), Math.fma(v, light.up.x(), light.x - px));
+        double y = Math.fma(u, light.right.y(), Math.fma(v, light.up.y(), light.y - py));
+        double z = Math.fma(u, light.right.z(), Math.fma(v, light.up.z(), light.z - pz));
+        double len = Math.sqrt(x * x + y * y + z * z);
+        double inverse = len == 0 ? 0 : 1 / len;
+        setDirection(x * inverse, y * inverse, z * inverse, len);
+    }
+
+    private void sampleCone(double u, double v) {
+        if (!basis) {
+            makeBasis();
+        }
+        Warp.toDisk(u, v, disk);
+        double down = disk[2] * oneMinusCosMax;
+        double cos = 1 - down;
+        // sinθ / (distance from the disk's middle), so that the disk's x and y need no division by it.
+        double spread = Math.sqrt(oneMinusCosMax * (2 - down));
+        double s = disk[0] * spread;
+        double t = disk[1] * spread;
+        double sin2 = down * (2 - down);
+        double half = Math.sqrt(Math.max(light.radius * light.radius - distance * distance * sin2, 0));
+        setDirection(
+                Math.fma(cos, wx, Math.fma(s, ax, t * bx)),
+                Math.fma(cos, wy, Math.fma(s, ay, t * by)),
+                Math.fma(cos, wz, Math.fma(s, az, t * bz)),
+                distance * cos - half);
+    }
+
+    /** Every direction alike: the disk wrapped over the sphere by the equal-area (Lambert) projection. */
+    private void sampleAround(double u, double v) {
+        Warp.toDisk(u, v, disk);
+        double q = disk[2];
+        double spread = 2 * Math.sqrt(Math.max(1 - q, 0));
+        double x = disk[0] * spread;
+        double y = disk[1] * spread;
+        double z = 1 - 2 * q;
+        double along = x * wx + y * wy + z * wz;
+        double half = Math.sqrt(Math.max(light.radius * light.radius - distance * distance + along * along, 0));
+        setDirection(x, y, z, along + half);
+    }
+
+    /** Duff et al., "Building an orthonormal basis, revisited", JCGT 2017. */
+    private void makeBasis() {
+        double sign = Math.copySign(1.0, wz);
+        double p = -1 / (sign + wz);
+        double q = wx * wy * p;
+        ax = 1 + sign * wx * wx * p;
+        ay = sign * q;
+        az = -sign * wx;
+        bx = q;
+        by = sign + wy * wy * p;
+        bz = -wy;
+        basis = true;
+    }
+}

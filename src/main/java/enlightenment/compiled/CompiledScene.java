@@ -23,6 +23,9 @@ public final class CompiledScene {
     /** The primitives by id. */
     public final Primitive[] primitives;
 
+    /** Boxes around the primitives by id; empty where a hierarchy has them. */
+    final Bounds[] bounds;
+
     /** For each id, where its faces' materials begin in {@link #materials}. */
     private final int[] firstMaterial;
 
@@ -75,6 +78,7 @@ public final class CompiledScene {
         this.glassSolids = compiled.glassSolids();
         this.mediumRank = compiled.mediumRank();
         this.bvh = bvh;
+        bounds = bvh == null ? Arrays.stream(primitives).map(Primitive::bounds).toArray(Bounds[]::new) : new Bounds[0];
         glassBounds = new Bounds[glassSolids.length == 0 ? 0 : primitives.length];
         for (int id : glassSolids) {
             glassBounds[id] = primitives[id].bounds();

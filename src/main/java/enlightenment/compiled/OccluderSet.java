@@ -22,8 +22,16 @@ final class OccluderSet {
     /** Covers the roundings of the cone test, with room to spare. */
     private static final double TEST_ERROR = Scale.gamma(64);
 
+    /** What {@link #gather} returns where one ball hides the whole light, so that no ray is needed to know it. */
+    static final int ALL_BLOCKED = -1;
+
     private final int[] ids;
+
+    /** Per candidate: centre and radius of a ball around it. */
     private final double[] balls;
+
+    /** Per candidate: whether it is that ball, so that it blocks what the ball blocks. */
+    private final boolean[] isBall;
 
     OccluderSet(Primitive[] primitives, CompiledLight[] lights) {
         List<Integer> candidates = new ArrayList<>();
@@ -34,6 +42,7 @@ final class OccluderSet {
         }
         ids = candidates.stream().mapToInt(Integer::intValue).toArray();
         balls = new double[4 * ids.length];
+        isBall = new boolean[ids.length];
         for (int k = 0; k < ids.length; k++) {
             ball(primitives[ids[k]], k);
         }
@@ -46,6 +55,7 @@ final class OccluderSet {
         if (p instanceof enlightenment.geometry.SpherePrimitive s) {
             c = s.center();
             radius = s.radius();
+            isBall[k] = true;
         }
         balls[4 * k] = c.x();
         balls[4 * k + 1] = c.y();
@@ -95,7 +105,7 @@ final class OccluderSet {
      * Collects the primitives that may stand between (x, y, z) and the light, in the order of their ids.
      *
      * @param self a primitive that is known not to, or -1
-     * @return how many there are in {@code out}
+     * @return how many there are in {@code out}, or {@link #ALL_BLOCKED}
      */
     int gather(double x, double y, double z, CompiledLight light, int self, int[] out) {
         double wx = light.ballX - x;
@@ -134,9 +144,29 @@ final class OccluderSet {
             // cc − along² cancels where the ball lies near the axis; there the bound below is not decisive anyway.
             double error = TEST_ERROR * cc / (across + TEST_ERROR * Math.sqrt(cc));
             if (!((across - error) * cosine - along * sine > slack)) {
+                if (isBall[k] && hides(cc, along, radius, sine, cosine, d - lightRadius)) {
+                    return ALL_BLOCKED;
+                }
                 out[n++] = ids[k];
             }
         }
         return n;
+    }
+
+    /**
+     * Whether a ball hides the whole cone around the light: it is nearer, and the cone around it, seen from the same
+     * point, contains the light's: cos of the angle between the axes &gt; cos(θball − θlight), θball &gt; θlight.
+     */
+    private static boolean hides(
+            double cc, double along, double paddedRadius, double sine, double cosine, double nearestLight) {
+        double radius = paddedRadius * (1 - 2 * TEST_ERROR);
+        double tangent = cc - radius * radius;
+        if (!(tangent > 0) || !(tangent < nearestLight * nearestLight * (1 - TEST_ERROR))) {
+            return false;
+        }
+        double distance = Math.sqrt(cc);
+        double ballSine = radius / distance;
+        double ballCosine = Math.sqrt(tangent) / distance;
+        return ballSine > sine && along / distance > ballCosine * cosine + ballSine * sine + TEST_ERROR;
     }
 }

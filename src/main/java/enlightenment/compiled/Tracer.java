@@ -11,11 +11,26 @@ import enlightenment.geometry.Ray;
 public final class Tracer {
     private static final int NOTHING = -1;
 
+    /** How much of a light is seen from a point. */
+    public enum Visibility {
+        /** Nothing can stand in the way. */
+        ALL,
+        /** One thing hides all of it. */
+        NONE,
+        /** Rays must tell. */
+        UNKNOWN
+    }
+
     private final CompiledScene scene;
     private final RayCounters counters;
     private final Closest closest = new Closest();
     private int[] candidates;
     private int candidateCount;
+
+    /** What camera rays of the current tile may meet. */
+    private final int[] tileIds;
+
+    private int tileCount;
 
     /** The light that the last {@link #trace} met, or null. */
     public CompiledLight light;
@@ -26,7 +41,30 @@ public final class Tracer {
     public Tracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
+        tileIds = new int[scene.bvh == null ? scene.primitives.length : 0];
         candidates = new int[scene.occluders == null ? 64 : scene.occluders.size()];
+    }
+
+    /** Prepares {@link #traceCamera} for the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
+    public void beginTile(double x0, double y0, double x1, double y1) {
+        if (scene.bvh == null) {
+            tileCount = new TileFrustum(scene.camera, x0, y0, x1, y1).gather(scene.primitives, scene.bounds, tileIds);
+        }
+    }
+
+    /** As {@link #trace}, for a camera ray of the current tile. */
+    public boolean traceCamera(Ray ray, Hit hit) {
+        if (scene.bvh != null) {
+            return trace(ray, hit);
+        }
+        closest.reset(Double.MAX_VALUE);
+        for (int k = 0; k < tileCount; k++) {
+            int i = tileIds[k];
+            counters.tests[scene.kind[i]]++;
+            closest.offer(ray, scene.primitives[i], i);
+        }
+        id = closest.id();
+        return finish(ray, hit);
     }
 
     /**
@@ -35,8 +73,12 @@ public final class Tracer {
      * @return whether there is one; then either {@link #light} is set, or {@link #id} and the hit are
      */
     public boolean trace(Ray ray, Hit hit) {
-        light = null;
         id = closestPrimitive(ray);
+        return finish(ray, hit);
+    }
+
+    private boolean finish(Ray ray, Hit hit) {
+        light = null;
         double t = id == NOTHING ? Double.MAX_VALUE : closest.t();
         for (CompiledLight l : scene.lights) {
             if (l.surface != null) {
@@ -77,15 +119,17 @@ public final class Tracer {
      * Prepares {@link #occluded} for shadow rays from one point to one light.
      *
      * @param self the primitive that the point lies on, if it cannot stand before the light; -1 otherwise
-     * @return false if nothing can stand between them, so that no ray is needed
+     * @return what is known without a ray
      */
-    public boolean prepareShadows(double x, double y, double z, CompiledLight target, int self) {
+    public Visibility prepareShadows(double x, double y, double z, CompiledLight target, int self) {
         if (scene.occluders == null) {
             candidateCount = -1;
-            return true;
+            return Visibility.UNKNOWN;
         }
         candidateCount = scene.occluders.gather(x, y, z, target, self, candidates);
-        return candidateCount > 0;
+        return candidateCount == 0
+                ? Visibility.ALL
+                : candidateCount == OccluderSet.ALL_BLOCKED ? Visibility.NONE : Visibility.UNKNOWN;
     }
 
     /** Whether anything stands in the ray's way before tMax. */

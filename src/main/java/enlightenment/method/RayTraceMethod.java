@@ -28,6 +28,10 @@ public final class RayTraceMethod {
 
     /** Renders the pixels of a tile. */
     public void render(FilmTile tile) {
+        double width = settings.width();
+        double height = settings.height();
+        shader.beginTile(
+                tile.x / width, tile.y / height, (tile.x + tile.width) / width, (tile.y + tile.height) / height);
         for (int y = tile.y; y < tile.y + tile.height; y++) {
             for (int x = tile.x; x < tile.x + tile.width; x++) {
                 renderPixel(tile, x, y);

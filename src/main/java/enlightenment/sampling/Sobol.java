@@ -30,7 +30,7 @@ public final class Sobol {
      * keeps every aligned block of 2^k together, so that prefixes stay well distributed.
      */
     public static int shuffled(int index, long seed) {
-        return Integer.reverse(scramble(Integer.reverse(Integer.reverse(index)), (int) seed));
+        return scramble(Integer.reverse(index), (int) seed);
     }
 
     private static double toUnit(int bits) {

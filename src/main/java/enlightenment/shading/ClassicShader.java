@@ -55,6 +55,11 @@ public final class ClassicShader {
         shadow = scene.shading.shadow();
     }
 
+    /** Announces that the camera rays to come lie at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
+    public void beginTile(double x0, double y0, double x1, double y1) {
+        tracer.beginTile(x0, y0, x1, y1);
+    }
+
     /**
      * The colour seen along a camera ray, which is used up.
      *
@@ -83,7 +88,7 @@ public final class ClassicShader {
 
     /** Follows the ray to the next surface; returns whether the path goes on. */
     private boolean step(Ray ray, SampleAddress address, int bounce) {
-        if (!tracer.trace(ray, hit)) {
+        if (!(bounce == 0 ? tracer.traceCamera(ray, hit) : tracer.trace(ray, hit))) {
             add(
                     scene.shading.background().r(),
                     scene.shading.background().g(),
@@ -202,11 +207,13 @@ public final class ClassicShader {
         }
         double unshadowed = sampler.meanCosine(nx, ny, nz);
         boolean known = unshadowed == unshadowed;
-        boolean rays = keeps < 1 && mayBeShadowed(light);
+        Tracer.Visibility visibility = keeps < 1 ? visibility(light) : Tracer.Visibility.ALL;
+        boolean rays = visibility == Tracer.Visibility.UNKNOWN;
+        double factor = visibility == Tracer.Visibility.NONE ? keeps : 1;
         if (!rays) {
             counters.lightSamplesWithoutRay += count;
             if (known) {
-                return unshadowed;
+                return factor * unshadowed;
             }
         }
         long seed = address.lightSeed(index, bounce);
@@ -225,10 +232,10 @@ public final class ClassicShader {
             }
         }
         double all = known ? unshadowed : sum / count;
-        return all - (1 - keeps) * (blocked / count);
+        return factor * all - (1 - keeps) * (blocked / count);
     }
 
-    private boolean mayBeShadowed(CompiledLight light) {
+    private Tracer.Visibility visibility(CompiledLight light) {
         Primitive p = hit.primitive;
         boolean cannotShadowItself = !p.isSolid() || p.isConvex() && hit.side == Ray.OUTSIDE;
         return tracer.prepareShadows(hit.px, hit.py, hit.pz, light, cannotShadowItself ? tracer.id : -1);

@@ -1,0 +1,153 @@
+package enlightenment.architecture;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.Architectures;
+
+/** Data flows one way: the layers of docs/architecture.md, and who may use what. */
+@AnalyzeClasses(packages = "enlightenment", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+    @ArchTest
+    static final ArchRule packagesHaveNoCycles =
+            slices().matching("enlightenment.(**)").should().beFreeOfCycles();
+
+    @ArchTest
+    static final ArchRule aLayerUsesOnlyLayersAboveIt = Architectures.layeredArchitecture()
+            .consideringOnlyDependenciesInAnyPackage("enlightenment..")
+            .layer("math")
+            .definedBy("enlightenment.math")
+            .layer("color")
+            .definedBy("enlightenment.color")
+            .layer("image")
+            .definedBy("enlightenment.image")
+            .layer("geometry")
+            .definedBy("enlightenment.geometry")
+            .layer("sampling")
+            .definedBy("enlightenment.sampling")
+            .layer("descriptions")
+            .definedBy("enlightenment.material", "enlightenment.light", "enlightenment.camera")
+            .layer("scene")
+            .definedBy("enlightenment.scene")
+            .layer("json")
+            .definedBy("enlightenment.scene.json")
+            .layer("nff")
+            .definedBy("enlightenment.nff")
+            .layer("accel")
+            .definedBy("enlightenment.accel")
+            .layer("compiled")
+            .definedBy("enlightenment.compiled")
+            .layer("film")
+            .definedBy("enlightenment.film")
+            .layer("shading")
+            .definedBy("enlightenment.shading")
+            .layer("method")
+            .definedBy("enlightenment.method..")
+            .layer("render")
+            .definedBy("enlightenment.render")
+            .layer("cli")
+            .definedBy("enlightenment.cli")
+            .whereLayer("cli")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("render")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("nff")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("json")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("method")
+            .mayOnlyBeAccessedByLayers("render")
+            .whereLayer("shading")
+            .mayOnlyBeAccessedByLayers("method", "render")
+            .whereLayer("film")
+            .mayOnlyBeAccessedByLayers("shading", "method", "render")
+            .whereLayer("compiled")
+            .mayOnlyBeAccessedByLayers("film", "shading", "method", "render")
+            .whereLayer("accel")
+            .mayOnlyBeAccessedByLayers("compiled")
+            .whereLayer("scene")
+            .mayOnlyBeAccessedByLayers("json", "nff", "compiled", "shading", "method", "render", "cli")
+            .whereLayer("descriptions")
+            .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
+            .whereLayer("sampling")
+            .mayOnlyBeAccessedByLayers("compiled", "shading", "method", "render")
+            .whereLayer("image")
+            .mayOnlyBeAccessedByLayers("compiled", "film", "render", "cli", "json");
+
+    @ArchTest
+    static final ArchRule onlyTheSceneReaderSeesJackson = noClasses()
+            .that()
+            .resideOutsideOfPackages("enlightenment.scene.json", "enlightenment.net")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("tools.jackson..");
+
+    @ArchTest
+    static final ArchRule onlyTheCommandLineSeesPicocliAndProgressBars = noClasses()
+            .that()
+            .resideOutsideOfPackage("enlightenment.cli")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("picocli..", "me.tongfei..", "org.jline..");
+
+    @ArchTest
+    static final ArchRule onlyTheCommandLinePrintsAndExits = noClasses()
+            .that()
+            .resideOutsideOfPackage("enlightenment.cli")
+            .should()
+            .accessField(System.class, "out")
+            .orShould()
+            .accessField(System.class, "err")
+            .orShould()
+            .callMethod(System.class, "exit", int.class);
+
+    @ArchTest
+    static final ArchRule onlyReadingImagesUsesAwt = noClasses()
+            .that()
+            .resideOutsideOfPackage("enlightenment.image")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("java.awt..", "javax.imageio..", "javax.swing..");
+
+    @ArchTest
+    static final ArchRule whatDecidesPixelsUsesNoFunctionsThatDifferBetweenMachines = noClasses()
+            .that()
+            .resideInAnyPackage(
+                    "enlightenment.math",
+                    "enlightenment.color",
+                    "enlightenment.geometry",
+                    "enlightenment.sampling",
+                    "enlightenment.accel",
+                    "enlightenment.compiled",
+                    "enlightenment.film",
+                    "enlightenment.shading",
+                    "enlightenment.method..")
+            .should()
+            .callMethod(Math.class, "sin", double.class)
+            .orShould()
+            .callMethod(Math.class, "cos", double.class)
+            .orShould()
+            .callMethod(Math.class, "tan", double.class)
+            .orShould()
+            .callMethod(Math.class, "asin", double.class)
+            .orShould()
+            .callMethod(Math.class, "acos", double.class)
+            .orShould()
+            .callMethod(Math.class, "atan", double.class)
+            .orShould()
+            .callMethod(Math.class, "atan2", double.class, double.class)
+            .orShould()
+            .callMethod(Math.class, "pow", double.class, double.class)
+            .orShould()
+            .callMethod(Math.class, "exp", double.class)
+            .orShould()
+            .callMethod(Math.class, "log", double.class)
+            .orShould()
+            .callMethod(Math.class, "cbrt", double.class)
+            .orShould()
+            .callMethod(Math.class, "hypot", double.class, double.class);
+}

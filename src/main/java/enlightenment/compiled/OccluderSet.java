@@ -104,28 +104,13 @@ final class OccluderSet {
     /**
      * Collects the primitives that may stand between (x, y, z) and the light, in the order of their ids.
      *
+     * @param cone how the light is seen from there
      * @param self a primitive that is known not to, or -1
      * @return how many there are in {@code out}, or {@link #ALL_BLOCKED}
      */
-    int gather(double x, double y, double z, CompiledLight light, int self, int[] out) {
-        double wx = light.ballX - x;
-        double wy = light.ballY - y;
-        double wz = light.ballZ - z;
-        double dd = wx * wx + wy * wy + wz * wz;
-        double lightRadius = light.ballRadius;
-        double d = Math.sqrt(dd);
+    int gather(double x, double y, double z, LightCone cone, int self, int[] out) {
         int n = 0;
-        if (!(d > lightRadius)) {
-            for (int id : ids) {
-                if (id != self) {
-                    out[n++] = id;
-                }
-            }
-            return n;
-        }
-        double sine = lightRadius / d;
-        double cosine = Math.sqrt(1 - sine * sine);
-        double inverse = 1 / d;
+        double end = cone.distance + cone.radius;
         for (int k = 0; k < ids.length; k++) {
             if (ids[k] == self) {
                 continue;
@@ -133,33 +118,40 @@ final class OccluderSet {
             double cx = balls[4 * k] - x;
             double cy = balls[4 * k + 1] - y;
             double cz = balls[4 * k + 2] - z;
-            double radius = balls[4 * k + 3];
-            double along = (cx * wx + cy * wy + cz * wz) * inverse;
+            double along = cx * cone.wx + cy * cone.wy + cz * cone.wz;
+            double slack = balls[4 * k + 3] + TEST_ERROR * (Math.abs(cx) + Math.abs(cy) + Math.abs(cz) + end);
             double cc = cx * cx + cy * cy + cz * cz;
-            double slack = radius + TEST_ERROR * (Math.sqrt(cc) + d);
-            if (along < -slack || along - slack > d + lightRadius) {
+            if (!cone.inside && isClear(along, cc, slack, end, cone)) {
                 continue;
             }
-            double across = Math.sqrt(Math.max(cc - along * along, 0));
-            // cc − along² cancels where the ball lies near the axis; there the bound below is not decisive anyway.
-            double error = TEST_ERROR * cc / (across + TEST_ERROR * Math.sqrt(cc));
-            if (!((across - error) * cosine - along * sine > slack)) {
-                if (isBall[k] && hides(cc, along, radius, sine, cosine, d - lightRadius)) {
-                    return ALL_BLOCKED;
-                }
-                out[n++] = ids[k];
+            if (isBall[k] && !cone.inside && hides(cc, along, balls[4 * k + 3], cone)) {
+                return ALL_BLOCKED;
             }
+            out[n++] = ids[k];
         }
         return n;
+    }
+
+    /**
+     * Whether a ball of radius {@code slack} keeps clear of the cone: it lies behind the apex, beyond the light, or its
+     * centre is farther than its radius from the cone's side: across·cosθ − along·sinθ &gt; slack, squared.
+     */
+    private static boolean isClear(double along, double cc, double slack, double end, LightCone cone) {
+        if (along < -slack || along - slack > end) {
+            return true;
+        }
+        double reach = slack + along * cone.sine;
+        double across2 = cc - along * along - TEST_ERROR * cc;
+        return reach < 0 || across2 * cone.cosine * cone.cosine > reach * reach * (1 + TEST_ERROR);
     }
 
     /**
      * Whether a ball hides the whole cone around the light: it is nearer, and the cone around it, seen from the same
      * point, contains the light's: cos of the angle between the axes &gt; cos(θball − θlight), θball &gt; θlight.
      */
-    private static boolean hides(
-            double cc, double along, double paddedRadius, double sine, double cosine, double nearestLight) {
+    private static boolean hides(double cc, double along, double paddedRadius, LightCone cone) {
         double radius = paddedRadius * (1 - 2 * TEST_ERROR);
+        double nearestLight = cone.distance - cone.radius;
         double tangent = cc - radius * radius;
         if (!(tangent > 0) || !(tangent < nearestLight * nearestLight * (1 - TEST_ERROR))) {
             return false;
@@ -167,6 +159,6 @@ final class OccluderSet {
         double distance = Math.sqrt(cc);
         double ballSine = radius / distance;
         double ballCosine = Math.sqrt(tangent) / distance;
-        return ballSine > sine && along / distance > ballCosine * cosine + ballSine * sine + TEST_ERROR;
+        return ballSine > cone.sine && along / distance > ballCosine * cone.cosine + ballSine * cone.sine + TEST_ERROR;
     }
 }

@@ -121,12 +121,12 @@ public final class Tracer {
      * @param self the primitive that the point lies on, if it cannot stand before the light; -1 otherwise
      * @return what is known without a ray
      */
-    public Visibility prepareShadows(double x, double y, double z, CompiledLight target, int self) {
+    public Visibility prepareShadows(double x, double y, double z, LightCone cone, int self) {
         if (scene.occluders == null) {
             candidateCount = -1;
             return Visibility.UNKNOWN;
         }
-        candidateCount = scene.occluders.gather(x, y, z, target, self, candidates);
+        candidateCount = scene.occluders.gather(x, y, z, cone, self, candidates);
         return candidateCount == 0
                 ? Visibility.ALL
                 : candidateCount == OccluderSet.ALL_BLOCKED ? Visibility.NONE : Visibility.UNKNOWN;

@@ -21,8 +21,10 @@ public final class Ray {
     /** Beyond this binary exponent of a direction or a coordinate the slow, rescaling path is taken. */
     static final int ORDINARY_EXPONENT = 120;
 
-    private static final double ORDINARY_MAX = 0x1p120;
-    private static final double ORDINARY_MIN = 0x1p-120;
+    /** The same for squared lengths. */
+    private static final double ORDINARY_MAX = 0x1p240;
+
+    private static final double ORDINARY_MIN = 0x1p-240;
 
     public double ox;
     public double oy;
@@ -88,9 +90,8 @@ public final class Ray {
         start = null;
         startSide = 0;
         sheared = false;
-        double d = Math.max(Math.abs(dirX), Math.max(Math.abs(dirY), Math.abs(dirZ)));
-        double o = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        extreme = !(d <= ORDINARY_MAX && d >= ORDINARY_MIN && o <= ORDINARY_MAX);
+        double oo = x * x + y * y + z * z;
+        extreme = !(dd <= ORDINARY_MAX && dd >= ORDINARY_MIN && oo <= ORDINARY_MAX);
         return this;
     }
 

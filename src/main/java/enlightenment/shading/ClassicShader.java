@@ -9,6 +9,7 @@ import enlightenment.geometry.Hit;
 import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 import enlightenment.geometry.SpherePrimitive;
+import enlightenment.sampling.Sobol;
 
 /**
  * The paper's cosine shading of one camera ray: what is the colour seen along it?
@@ -207,7 +208,7 @@ public final class ClassicShader {
         }
         double unshadowed = sampler.meanCosine(nx, ny, nz);
         boolean known = unshadowed == unshadowed;
-        Tracer.Visibility visibility = keeps < 1 ? visibility(light) : Tracer.Visibility.ALL;
+        Tracer.Visibility visibility = keeps < 1 ? visibility() : Tracer.Visibility.ALL;
         boolean rays = visibility == Tracer.Visibility.UNKNOWN;
         double factor = visibility == Tracer.Visibility.NONE ? keeps : 1;
         if (!rays) {
@@ -221,8 +222,7 @@ public final class ClassicShader {
         double sum = 0;
         double blocked = 0;
         for (int j = 0; j < count; j++) {
-            sampler.sample(
-                    enlightenment.sampling.Sobol.x(first + j, seed), enlightenment.sampling.Sobol.y(first + j, seed));
+            sampler.sample(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
             double cosine = nx * sampler.dx + ny * sampler.dy + nz * sampler.dz;
             if (cosine > 0) {
                 sum += cosine;
@@ -235,10 +235,10 @@ public final class ClassicShader {
         return factor * all - (1 - keeps) * (blocked / count);
     }
 
-    private Tracer.Visibility visibility(CompiledLight light) {
+    private Tracer.Visibility visibility() {
         Primitive p = hit.primitive;
         boolean cannotShadowItself = !p.isSolid() || p.isConvex() && hit.side == Ray.OUTSIDE;
-        return tracer.prepareShadows(hit.px, hit.py, hit.pz, light, cannotShadowItself ? tracer.id : -1);
+        return tracer.prepareShadows(hit.px, hit.py, hit.pz, sampler.cone, cannotShadowItself ? tracer.id : -1);
     }
 
     private boolean isBlocked() {

@@ -1,15 +1,13 @@
 package enlightenment.shading;
 
 import enlightenment.compiled.CompiledLight;
+import enlightenment.compiled.LightCone;
 import enlightenment.geometry.Ray;
 import enlightenment.sampling.Warp;
 
 /**
  * Chooses light points as seen from a surface point, well distributed over the part of the light that faces it: a sphere
  * uniformly over the solid angle that it fills, a rectangle uniformly over its area, a point as it is.
- *
- * <p>The cone of a sphere: with s = radius/distance, 1 − cosθmax = s²/(1 + cosθmax) and cosθmax = √((D − r)(D + r))/D,
- * which is right to a few units in the last place at every distance (numerics, "Sphere light").
  */
 final class LightSampler {
     private final double[] disk = new double[3];
@@ -19,15 +17,8 @@ final class LightSampler {
     private double py;
     private double pz;
 
-    /** From the surface point to the light's middle, and its length. */
-    private double wx;
-
-    private double wy;
-    private double wz;
-    private double distance;
-
-    private double oneMinusCosMax;
-    private double sinMax;
+    /** How the light is seen. */
+    final LightCone cone = new LightCone();
 
     /** Two directions that make a basis with the cone's axis. */
     private double ax;
@@ -54,27 +45,13 @@ final class LightSampler {
         px = x;
         py = y;
         pz = z;
-        wx = target.x - x;
-        wy = target.y - y;
-        wz = target.z - z;
-        distance = Math.sqrt(wx * wx + wy * wy + wz * wz);
+        cone.aim(target, x, y, z);
         basis = false;
-        if (target.kind != CompiledLight.Kind.SPHERE || !surroundedBy()) {
-            double inverse = distance == 0 ? 0 : 1 / distance;
-            wx *= inverse;
-            wy *= inverse;
-            wz *= inverse;
-        }
-        if (target.kind == CompiledLight.Kind.SPHERE && distance > target.radius) {
-            sinMax = target.radius / distance;
-            double cosMax = Math.sqrt((distance - target.radius) * (distance + target.radius)) / distance;
-            oneMinusCosMax = sinMax * sinMax / (1 + cosMax);
-        }
     }
 
     /** Whether the surface point lies inside the light: then the light is seen in every direction. */
     boolean surroundedBy() {
-        return light.kind == CompiledLight.Kind.SPHERE && !(distance > light.radius);
+        return light.kind == CompiledLight.Kind.SPHERE && cone.inside;
     }
 
     /** Whether one light point is as good as many. */
@@ -90,11 +67,11 @@ final class LightSampler {
         if (light.kind == CompiledLight.Kind.RECTANGLE || surroundedBy()) {
             return Double.NaN;
         }
-        double toMiddle = nx * wx + ny * wy + nz * wz;
+        double toMiddle = nx * cone.wx + ny * cone.wy + nz * cone.wz;
         if (light.kind == CompiledLight.Kind.POINT) {
             return toMiddle >= 0 ? toMiddle : Double.NaN;
         }
-        return toMiddle >= sinMax ? toMiddle * (1 - oneMinusCosMax / 2) : Double.NaN;
+        return toMiddle >= cone.sine ? toMiddle * (1 - cone.oneMinusCosine / 2) : Double.NaN;
     }
 
     /** Whether the whole light lies below the horizon of the normal, so that its cosine is 0 everywhere. */
@@ -102,12 +79,12 @@ final class LightSampler {
         if (surroundedBy()) {
             return false;
         }
-        double toMiddle = nx * wx + ny * wy + nz * wz;
+        double toMiddle = nx * cone.wx + ny * cone.wy + nz * cone.wz;
         return switch (light.kind) {
-            case SPHERE -> toMiddle <= -sinMax;
+            case SPHERE -> toMiddle <= -cone.sine;
             case POINT -> toMiddle <= 0;
             case RECTANGLE -> {
-                double corner = toMiddle * distance;
+                double corner = nx * (light.x - px) + ny * (light.y - py) + nz * (light.z - pz);
                 double right = nx * light.right.x() + ny * light.right.y() + nz * light.right.z();
                 double up = nx * light.up.x() + ny * light.up.y() + nz * light.up.z();
                 yield corner + Math.max(right, 0) + Math.max(up, 0) <= 0;
@@ -118,7 +95,7 @@ final class LightSampler {
     /** Chooses the light point for (u, v) in the unit square: sets direction and length. */
     void sample(double u, double v) {
         if (light.kind == CompiledLight.Kind.POINT) {
-            setDirection(wx, wy, wz, distance);
+            setDirection(cone.wx, cone.wy, cone.wz, cone.distance);
         } else if (light.kind == CompiledLight.Kind.RECTANGLE) {
             sampleRectangle(u, v);
         } else if (surroundedBy()) {
@@ -154,18 +131,19 @@ final class LightSampler {
             makeBasis();
         }
         Warp.toDisk(u, v, disk);
-        double down = disk[2] * oneMinusCosMax;
+        double down = disk[2] * cone.oneMinusCosine;
         double cos = 1 - down;
         // sinθ / (distance from the disk's middle), so that the disk's x and y need no division by it.
-        double spread = Math.sqrt(oneMinusCosMax * (2 - down));
+        double spread = Math.sqrt(cone.oneMinusCosine * (2 - down));
         double s = disk[0] * spread;
         double t = disk[1] * spread;
+        double distance = cone.distance;
         double sin2 = down * (2 - down);
         double half = Math.sqrt(Math.max(light.radius * light.radius - distance * distance * sin2, 0));
         setDirection(
-                Math.fma(cos, wx, Math.fma(s, ax, t * bx)),
-                Math.fma(cos, wy, Math.fma(s, ay, t * by)),
-                Math.fma(cos, wz, Math.fma(s, az, t * bz)),
+                Math.fma(cos, cone.wx, Math.fma(s, ax, t * bx)),
+                Math.fma(cos, cone.wy, Math.fma(s, ay, t * by)),
+                Math.fma(cos, cone.wz, Math.fma(s, az, t * bz)),
                 distance * cos - half);
     }
 
@@ -177,22 +155,23 @@ final class LightSampler {
         double x = disk[0] * spread;
         double y = disk[1] * spread;
         double z = 1 - 2 * q;
-        double along = x * wx + y * wy + z * wz;
+        double distance = cone.distance;
+        double along = (x * cone.wx + y * cone.wy + z * cone.wz) * distance;
         double half = Math.sqrt(Math.max(light.radius * light.radius - distance * distance + along * along, 0));
         setDirection(x, y, z, along + half);
     }
 
     /** Duff et al., "Building an orthonormal basis, revisited", JCGT 2017. */
     private void makeBasis() {
-        double sign = Math.copySign(1.0, wz);
-        double p = -1 / (sign + wz);
-        double q = wx * wy * p;
-        ax = 1 + sign * wx * wx * p;
+        double sign = Math.copySign(1.0, cone.wz);
+        double p = -1 / (sign + cone.wz);
+        double q = cone.wx * cone.wy * p;
+        ax = 1 + sign * cone.wx * cone.wx * p;
         ay = sign * q;
-        az = -sign * wx;
+        az = -sign * cone.wx;
         bx = q;
-        by = sign + wy * wy * p;
-        bz = -wy;
+        by = sign + cone.wy * cone.wy * p;
+        bz = -cone.wy;
         basis = true;
     }
 }

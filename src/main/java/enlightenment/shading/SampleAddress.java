@@ -11,11 +11,13 @@ public final class SampleAddress {
     private static final long FIRST_LIGHT = 1;
 
     private long pixelHash;
+    private long filmSeed;
     private int sample;
 
     /** Moves to a pixel, by its column and row in the whole picture. */
     public void pixel(long seed, int x, int y) {
         pixelHash = Hash.of(seed, x, y);
+        filmSeed = Hash.of(pixelHash, FILM);
     }
 
     /** Moves to a sample of the pixel. */
@@ -25,12 +27,12 @@ public final class SampleAddress {
 
     /** Horizontal position within the pixel, 0..1. */
     public double filmX() {
-        return Sobol.x(sample, Hash.of(pixelHash, FILM));
+        return Sobol.x(sample, filmSeed);
     }
 
     /** Vertical position within the pixel, 0..1. */
     public double filmY() {
-        return Sobol.y(sample, Hash.of(pixelHash, FILM));
+        return Sobol.y(sample, filmSeed);
     }
 
     /** The scrambling of the light points of one light at one bounce. */

@@ -33,7 +33,7 @@ public final class Ray {
     public double dy;
     public double dz;
 
-    /** 1/dx, 1/dy, 1/dz: infinite where a component is zero. */
+    /** 1/dx, 1/dy, 1/dz, infinite where a component is zero; valid after {@link #invert}. */
     public double invX;
 
     public double invY;
@@ -54,6 +54,7 @@ public final class Ray {
     /** Whether the direction or the origin is so large or small that squares could leave the range of doubles. */
     public boolean extreme;
 
+    private boolean inverted;
     private boolean sheared;
     int kx;
     int ky;
@@ -82,14 +83,12 @@ public final class Ray {
         dx = dirX;
         dy = dirY;
         dz = dirZ;
-        invX = 1 / dirX;
-        invY = 1 / dirY;
-        invZ = 1 / dirZ;
         dd = dirX * dirX + dirY * dirY + dirZ * dirZ;
         tMin = from;
         start = null;
         startSide = 0;
         sheared = false;
+        inverted = false;
         double oo = x * x + y * y + z * z;
         extreme = !(dd <= ORDINARY_MAX && dd >= ORDINARY_MIN && oo <= ORDINARY_MAX);
         return this;
@@ -134,6 +133,16 @@ public final class Ray {
 
     double d(int axis) {
         return axis == 0 ? dx : axis == 1 ? dy : dz;
+    }
+
+    /** Makes the inverse components valid; only boxes and hierarchies need them. */
+    public void invert() {
+        if (!inverted) {
+            invX = 1 / dx;
+            invY = 1 / dy;
+            invZ = 1 / dz;
+            inverted = true;
+        }
     }
 
     /**

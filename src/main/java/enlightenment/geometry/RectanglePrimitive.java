@@ -92,17 +92,17 @@ public final class RectanglePrimitive extends Primitive {
         }
         double t;
         if (axis == 2) {
-            t = (plane - ray.oz) * ray.invZ;
+            t = (plane - ray.oz) / ray.dz;
             if (!(t >= ray.tMin && t <= tMax) || !insideAligned(ray, ray.ox, ray.dx, ray.oy, ray.dy, t)) {
                 return MISS;
             }
         } else if (axis == 1) {
-            t = (plane - ray.oy) * ray.invY;
+            t = (plane - ray.oy) / ray.dy;
             if (!(t >= ray.tMin && t <= tMax) || !insideAligned(ray, ray.ox, ray.dx, ray.oz, ray.dz, t)) {
                 return MISS;
             }
         } else if (axis == 0) {
-            t = (plane - ray.ox) * ray.invX;
+            t = (plane - ray.ox) / ray.dx;
             if (!(t >= ray.tMin && t <= tMax) || !insideAligned(ray, ray.oy, ray.dy, ray.oz, ray.dz, t)) {
                 return MISS;
             }

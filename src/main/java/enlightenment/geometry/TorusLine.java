@@ -62,8 +62,17 @@ final class TorusLine {
     private double baseSlope;
     private double flatness;
 
+    /** G′/4 and where it turns, relative to the line's point closest to the centre; the base point's place from there. */
+    private double p;
+
+    private double q;
+    private double turn;
+    private double basePlace;
+
     /** The extrema of G: a dip, and if there are three, a ridge and another dip. */
     private boolean three;
+
+    private boolean restFound;
 
     private double dip;
     private double ridge;
@@ -99,7 +108,6 @@ final class TorusLine {
             return Primitive.MISS;
         }
         isolate(closest, Math.fma(bx, ex, by * ey), 0);
-        clampExtrema();
         return accept(search(0, false, tMin), tMax);
     }
 
@@ -123,7 +131,6 @@ final class TorusLine {
         isolate(closest, Math.fma(wx, ex, wy * ey), base);
         boolean inside = startSide == Ray.INSIDE;
         int behind = extremaBehind(inside);
-        clampExtrema();
         return accept(search(behind, inside, tMin), tMax);
     }
 
@@ -161,28 +168,29 @@ final class TorusLine {
         return x * x + y * y;
     }
 
-    /** Finds the extrema of G; base is the place of the base point, counted from the closest point to the centre. */
+    /** Prepares the extrema of G and finds the first dip; base is the base point's place from the closest point. */
     private void isolate(double closest, double radialDrift, double base) {
-        double p = Math.fma(-2 * major * major, flatness, closest + (major - minor) * (major + minor));
-        double q = -2 * major * major * radialDrift;
-        double turn = DepressedCubic.turn(p);
+        p = Math.fma(-2 * major * major, flatness, closest + (major - minor) * (major + minor));
+        q = -2 * major * major * radialDrift;
+        basePlace = base;
+        turn = DepressedCubic.turn(p);
         three = DepressedCubic.hasThreeRoots(q, turn);
-        if (three) {
-            dip = DepressedCubic.smallest(p, q, turn, resolution) - base;
-            secondDip = DepressedCubic.largest(p, q, turn, resolution) - base;
-            ridge = DepressedCubic.middle(p, q, turn, resolution) - base;
-        } else {
-            dip = DepressedCubic.only(p, q, major + minor, resolution) - base;
+        restFound = false;
+        dip = three
+                ? DepressedCubic.smallest(p, q, turn, resolution) - base
+                : DepressedCubic.only(p, q, major + minor, resolution) - base;
+    }
+
+    /** Finds the ridge and the second dip: apart, because most rays end before them. */
+    private void findRest() {
+        if (!restFound) {
+            secondDip = DepressedCubic.largest(p, q, turn, resolution) - basePlace;
+            ridge = DepressedCubic.middle(p, q, turn, resolution) - basePlace;
+            restFound = true;
         }
     }
 
-    /** Moves extrema beyond the ends to the ends, where F is positive. */
-    private void clampExtrema() {
-        dip = within(dip);
-        ridge = within(ridge);
-        secondDip = within(secondDip);
-    }
-
+    /** Moves an extremum beyond the ends to the end, where F is positive. */
     private double within(double place) {
         return Math.max(lo, Math.min(hi, place));
     }
@@ -196,6 +204,7 @@ final class TorusLine {
         if (!three) {
             return inside ? 0 : 1;
         }
+        findRest();
         if (ridge > 0) {
             // The start is before the ridge: before the dip it goes inside, after it outside.
             boolean beforeDip = dip > 0;
@@ -214,26 +223,32 @@ final class TorusLine {
     /** The t of the first crossing that is not before tMin, given how many extrema are behind the start. */
     private double search(int behind, boolean startsInside, double tMin) {
         boolean inside = startsInside;
-        boolean secondDeep = three && (behind == 2 || valueAt(secondDip) < 0);
-        if (behind == 0 && (inside || valueAt(dip) < 0)) {
-            if (!inside && crosses(lo, dip, dip, Ray.OUTSIDE, tMin)) {
+        double first = within(dip);
+        if (behind == 0 && !inside && valueAt(first) < 0) {
+            if (crosses(lo, first, first, Ray.OUTSIDE, tMin)) {
                 return t(s);
             }
-            inside = secondDeep && valueAt(ridge) <= 0;
-            double end = !three ? hi : secondDeep ? ridge : secondDip;
-            if (!inside && crosses(dip, end, dip, Ray.INSIDE, tMin)) {
-                return t(s);
-            }
+            inside = true;
         }
-        if (secondDeep && behind <= 2) {
-            if (!inside && crosses(Math.max(lo, ridge), secondDip, secondDip, Ray.OUTSIDE, tMin)) {
-                return t(s);
-            }
-            if (crosses(secondDip, hi, secondDip, Ray.INSIDE, tMin)) {
-                return t(s);
-            }
+        if (!three) {
+            return inside && crosses(first, hi, first, Ray.INSIDE, tMin) ? t(s) : Primitive.MISS;
         }
-        return Primitive.MISS;
+        findRest();
+        double top = within(ridge);
+        double second = within(secondDip);
+        boolean secondDeep = behind == 2 || behind < 2 && valueAt(second) < 0;
+        if (behind == 0 && inside && !(secondDeep && valueAt(top) <= 0)) {
+            if (crosses(first, secondDeep ? top : second, first, Ray.INSIDE, tMin)) {
+                return t(s);
+            }
+            inside = false;
+        }
+        if (!secondDeep) {
+            return Primitive.MISS;
+        }
+        boolean found = !inside && crosses(top, second, second, Ray.OUTSIDE, tMin)
+                || crosses(second, hi, second, Ray.INSIDE, tMin);
+        return found ? t(s) : Primitive.MISS;
     }
 
     /** Finds the crossing between a and b, one of which is the dip; whether it is not before tMin. */

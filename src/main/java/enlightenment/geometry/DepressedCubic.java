@@ -28,12 +28,12 @@ final class DepressedCubic {
 
     /** The smallest of three real roots. */
     static double smallest(double p, double q, double turn, double tolerance) {
-        return -descend(p, -q, 2 * turn, tolerance);
+        return -descend(p, -q, 2 * turn, turn, tolerance);
     }
 
     /** The largest of three real roots; it lies in turn..2·turn. */
     static double largest(double p, double q, double turn, double tolerance) {
-        return descend(p, q, 2 * turn, tolerance);
+        return descend(p, q, 2 * turn, turn, tolerance);
     }
 
     /** The middle one of three real roots. It lies between the origin, an inflection, and a turn. */
@@ -61,18 +61,21 @@ final class DepressedCubic {
         }
         // -q/p is where the line p·s + q vanishes, beyond the root; as is the limit, or else the root is not wanted.
         double start = p > 0 ? Math.min(limit, -q / p) : limit;
-        return evaluate(p, q, start) <= 0 ? start : descend(p, q, start, tolerance);
+        return evaluate(p, q, start) <= 0 ? start : descend(p, q, start, 0, tolerance);
     }
 
-    /** Newton's method from the right of the largest root, where the cubic rises and is convex. */
-    private static double descend(double p, double q, double from, double tolerance) {
+    /**
+     * Newton's method from the right of the largest root, where the cubic rises and is convex; at a double root, where
+     * rounding could make a step too long, it stops at the floor.
+     */
+    private static double descend(double p, double q, double from, double floor, double tolerance) {
         double s = from;
         for (int i = 0; i < MAX_STEPS; i++) {
             double step = evaluate(p, q, s) / Math.fma(3 * s, s, p);
             if (!(step > 0)) {
                 break;
             }
-            s -= step;
+            s = Math.max(s - step, floor);
             if (step <= tolerance) {
                 break;
             }

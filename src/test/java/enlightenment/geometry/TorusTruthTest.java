@@ -18,7 +18,7 @@ class TorusTruthTest {
 
     @Test
     void everyCrossingOfGeneratedLinesIsFoundInOrder() {
-        compareLines(1500, 1);
+        compareLines(800, 1);
     }
 
     @Test

@@ -29,7 +29,6 @@ class TorusVectorsTest {
 
     @Test
     void everyHitIsAtTheExactDistanceAndOnTheSurface() throws IOException {
-        double worst = 0;
         int hits = 0;
         for (Vector v : TorusVectors.read()) {
             Hit hit = new Hit();
@@ -43,12 +42,10 @@ class TorusVectorsTest {
             assertTrue(error.compareTo(new BigDecimal(v.tolerance)) <= 0, v.scenario + ": t is off by " + error);
             assertEquals(hit.t, torus.nearest(ray, Double.MAX_VALUE), v.scenario);
             double ulps = ulpsFromSurface(v, hit.point());
-            worst = Math.max(worst, ulps);
             assertTrue(ulps <= 8, v.scenario + ": " + ulps + " ulp from the surface");
             assertEquals(1, hit.normal().length(), 1e-15);
         }
         assertTrue(hits > 100, "only " + hits);
-        System.out.println("torus vectors: hits " + hits + ", worst " + worst + " ulp");
     }
 
     private static double ulpsFromSurface(Vector v, Vec3 p) {

@@ -16,7 +16,7 @@ class TorusLeavingTest {
 
     @Test
     void leavingATorusMeetsItAgainOnlyAsTheReducedQuarticSays() {
-        compare(600, 1);
+        compare(300, 1);
     }
 
     @Test
@@ -56,7 +56,7 @@ class TorusLeavingTest {
     void leavingATorusFindsTheNextCrossingWhereTheReducedQuarticHasIt() {
         Random random = new Random(3);
         int compared = 0;
-        for (int i = 0; i < 1000; i++) {
+        for (int i = 0; i < 400; i++) {
             Start s = new Start(random, 0);
             TorusTruth truth = new TorusTruth(s.torus.center(), s.axis, s.major, s.minor, s.point, s.direction);
             Ray ray = Ray.leaving(s.point, s.direction, s.torus, truth.signAfterStart());
@@ -70,14 +70,37 @@ class TorusLeavingTest {
                 assertEquals(ray.startSide, hit.side, s::toString);
             }
         }
-        assertTrue(compared > 500);
+        assertTrue(compared > 200);
+    }
+
+    @Test
+    void aShortChordHasTheLengthThatTheReducedQuarticSays() {
+        Random random = new Random(7);
+        int compared = 0;
+        for (int i = 0; i < 1500; i++) {
+            Start s = new Start(random, 0);
+            if (s.cosine == 0 || Math.abs(s.cosine) > 1e-3) {
+                continue;
+            }
+            TorusTruth truth = new TorusTruth(s.torus.center(), s.axis, s.major, s.minor, s.point, s.direction);
+            Ray ray = Ray.leaving(s.point, s.direction, s.torus, truth.signAfterStart());
+            double t = s.torus.nearest(ray, Double.MAX_VALUE);
+            List<BigDecimal> exact = truth.crossingsAfterStart();
+            double scale = (s.major + s.minor) / s.direction.length();
+            if (t < 1e-2 * scale && !exact.isEmpty()) {
+                compared++;
+                double error = Math.abs(exact.get(0).doubleValue() - t);
+                assertTrue(error <= 64 * U * scale * s.major / s.minor, () -> "t is off by " + error + ": " + s);
+            }
+        }
+        assertTrue(compared > 200);
     }
 
     @Test
     void fromInsideTheExitIsNeverLost() {
         Random random = new Random(4);
         for (double far : new double[] {0, 1e6, 1e9}) {
-            for (int i = 0; i < 100_000; i++) {
+            for (int i = 0; i < 50_000; i++) {
                 Start s = new Start(random, far);
                 Hit hit = new Hit();
                 assertTrue(s.torus.intersect(Ray.leaving(s.point, s.direction, s.torus, Ray.INSIDE), hit), s::toString);
@@ -91,7 +114,7 @@ class TorusLeavingTest {
     void fromOutsideWhatIsMetIsMetFromOutside() {
         Random random = new Random(5);
         int met = 0;
-        for (int i = 0; i < 100_000; i++) {
+        for (int i = 0; i < 50_000; i++) {
             Start s = new Start(random, 0);
             Hit hit = new Hit();
             if (s.torus.intersect(Ray.leaving(s.point, s.direction, s.torus, Ray.OUTSIDE), hit)) {
@@ -99,7 +122,7 @@ class TorusLeavingTest {
                 assertEquals(Ray.OUTSIDE, hit.side, s::toString);
             }
         }
-        assertTrue(met > 10_000, "a torus is not convex: only " + met);
+        assertTrue(met > 5_000, "a torus is not convex: only " + met);
     }
 
     @Test
@@ -126,12 +149,18 @@ class TorusLeavingTest {
         final TorusPrimitive torus;
         final Vec3 point;
         final Vec3 direction;
+        final double cosine;
 
         Start(Random random, double far) {
             double scale = new double[] {1e-9, 1, 1e9}[random.nextInt(3)];
             axis = gaussian(random);
             major = scale * (0.2 + random.nextDouble());
-            minor = major * (random.nextInt(6) == 0 ? 1 : 0.02 + 0.97 * random.nextDouble());
+            minor = major
+                    * switch (random.nextInt(6)) {
+                        case 0 -> 1;
+                        case 1 -> Math.pow(10, -4 * random.nextDouble());
+                        default -> 0.02 + 0.97 * random.nextDouble();
+                    };
             Vec3 center = gaussian(random).times(far * scale);
             torus = new TorusPrimitive(center, axis.normalized(), major, minor);
             Hit hit = new Hit();
@@ -143,7 +172,7 @@ class TorusLeavingTest {
             point = hit.point();
             Vec3 n = hit.normal();
             Vec3 tangent = n.cross(gaussian(random)).normalized();
-            double cosine = random.nextBoolean()
+            cosine = random.nextBoolean()
                     ? 2 * random.nextDouble() - 1
                     : (random.nextBoolean() ? 1 : -1) * Math.pow(10, -1 - 11 * random.nextDouble());
             Vec3 unit = n.times(cosine).plus(tangent.times(Math.sqrt(1 - cosine * cosine)));

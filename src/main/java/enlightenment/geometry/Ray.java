@@ -62,6 +62,9 @@ public final class Ray {
     double shearX;
     double shearY;
 
+    /** Scratch of the torus test: made at the first torus that the ray comes near, then kept. */
+    TorusLine torusLine;
+
     /** A ray to be {@link #set} before use. */
     public Ray() {}
 

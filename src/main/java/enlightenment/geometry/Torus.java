@@ -29,7 +29,8 @@ public record Torus(Point center, Vec3 axis, double majorRadius, double minorRad
 
     @Override
     public Primitive place(SceneFrame frame) {
-        throw new UnsupportedOperationException("not placed yet");
+        return new TorusPrimitive(
+                frame.toFrame(center), axis.normalized(), frame.toFrame(majorRadius), frame.toFrame(minorRadius));
     }
 
     @Override

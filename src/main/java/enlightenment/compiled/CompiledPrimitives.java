@@ -34,10 +34,21 @@ record CompiledPrimitives(
     private record Entry(SceneObject object, Primitive primitive, double[] parameters) {}
 
     /** Kind, then numbers, then material: nothing that depends on names or on the order in the file. */
-    private static final Comparator<Entry> CANONICAL = Comparator.<Entry, String>comparing(
-                    e -> e.primitive.getClass().getSimpleName())
-            .thenComparing(Entry::parameters, Arrays::compare)
-            .thenComparing(e -> e.object.material().toString() + e.object.faces());
+    private static final class Canonical implements Comparator<Entry> {
+        @Override
+        public int compare(Entry a, Entry b) {
+            int byKind = a.object.shape().type().compareTo(b.object.shape().type());
+            if (byKind != 0) {
+                return byKind;
+            }
+            int byNumbers = Arrays.compare(a.parameters, b.parameters);
+            return byNumbers != 0 ? byNumbers : looks(a).compareTo(looks(b));
+        }
+
+        private static String looks(Entry e) {
+            return e.object.material().toString() + e.object.faces();
+        }
+    }
 
     static CompiledPrimitives of(List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces) {
         Entry[] entries = new Entry[objects.size()];
@@ -46,7 +57,7 @@ record CompiledPrimitives(
             Primitive p = o.shape().place(frame);
             entries[i] = new Entry(o, p, p.parameters());
         }
-        Arrays.sort(entries, CANONICAL);
+        Arrays.sort(entries, new Canonical());
         Primitive[] primitives = new Primitive[entries.length];
         int[] first = new int[entries.length + 1];
         List<SurfaceMaterial> materials = new ArrayList<>(entries.length);
@@ -57,15 +68,21 @@ record CompiledPrimitives(
             if (o.faces().isEmpty()) {
                 materials.add(surfaces.get(o.material()));
             } else {
-                o.faces().forEach(m -> materials.add(surfaces.get(m)));
+                for (Material m : o.faces()) {
+                    materials.add(surfaces.get(m));
+                }
             }
         }
         first[entries.length] = materials.size();
-        List<String> kindNames =
-                objects.stream().map(o -> o.shape().type()).distinct().sorted().toList();
+        List<String> kindNames = new ArrayList<>();
         int[] kind = new int[entries.length];
         for (int i = 0; i < entries.length; i++) {
-            kind[i] = kindNames.indexOf(entries[i].object.shape().type());
+            String type = entries[i].object.shape().type();
+            if (kindNames.isEmpty() || !kindNames.get(kindNames.size() - 1).equals(type)) {
+                // Entries are sorted by kind.
+                kindNames.add(type);
+            }
+            kind[i] = kindNames.size() - 1;
         }
         SurfaceMaterial[] flat = materials.toArray(SurfaceMaterial[]::new);
         int[] glass = glassSolids(primitives, first, flat);
@@ -74,13 +91,14 @@ record CompiledPrimitives(
     }
 
     private static int[] glassSolids(Primitive[] primitives, int[] first, SurfaceMaterial[] materials) {
-        List<Integer> glass = new ArrayList<>();
+        int[] glass = new int[primitives.length];
+        int n = 0;
         for (int i = 0; i < primitives.length; i++) {
             if (primitives[i].isSolid() && materials[first[i]].kind == SurfaceMaterial.Kind.GLASS) {
-                glass.add(i);
+                glass[n++] = i;
             }
         }
-        return glass.stream().mapToInt(Integer::intValue).toArray();
+        return Arrays.copyOf(glass, n);
     }
 
     private static int[] ranks(Primitive[] primitives, int[] first, SurfaceMaterial[] materials, int[] glass) {

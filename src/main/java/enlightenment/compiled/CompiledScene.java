@@ -78,15 +78,22 @@ public final class CompiledScene {
         this.glassSolids = compiled.glassSolids();
         this.mediumRank = compiled.mediumRank();
         this.bvh = bvh;
-        bounds = bvh == null ? Arrays.stream(primitives).map(Primitive::bounds).toArray(Bounds[]::new) : new Bounds[0];
+        bounds = new Bounds[bvh == null ? primitives.length : 0];
+        for (int id = 0; id < bounds.length; id++) {
+            bounds[id] = primitives[id].bounds();
+        }
         glassBounds = new Bounds[glassSolids.length == 0 ? 0 : primitives.length];
+        Bounds start = camera.startBounds();
+        int[] solids = new int[glassSolids.length];
+        int n = 0;
         for (int id : glassSolids) {
             glassBounds[id] = primitives[id].bounds();
+            if (glassBounds[id].overlaps(start)) {
+                solids[n++] = id;
+            }
         }
-        cameraSolids = Arrays.stream(glassSolids)
-                .filter(id -> glassBounds[id].overlaps(camera.startBounds()))
-                .toArray();
-        this.occluders = bvh == null ? new OccluderSet(primitives, lights) : null;
+        cameraSolids = Arrays.copyOf(solids, n);
+        occluders = bvh == null ? new OccluderSet(primitives, lights) : null;
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }

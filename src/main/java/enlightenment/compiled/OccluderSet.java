@@ -5,8 +5,7 @@ import enlightenment.geometry.RectanglePrimitive;
 import enlightenment.math.Bounds;
 import enlightenment.math.Scale;
 import enlightenment.math.Vec3;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
 
 /**
  * Which primitives can stand between a point and a light.
@@ -34,13 +33,14 @@ final class OccluderSet {
     private final boolean[] isBall;
 
     OccluderSet(Primitive[] primitives, CompiledLight[] lights) {
-        List<Integer> candidates = new ArrayList<>();
+        int[] candidates = new int[primitives.length];
+        int n = 0;
         for (int i = 0; i < primitives.length; i++) {
             if (!isWall(primitives[i], primitives, lights)) {
-                candidates.add(i);
+                candidates[n++] = i;
             }
         }
-        ids = candidates.stream().mapToInt(Integer::intValue).toArray();
+        ids = Arrays.copyOf(candidates, n);
         balls = new double[4 * ids.length];
         isBall = new boolean[ids.length];
         for (int k = 0; k < ids.length; k++) {

@@ -16,12 +16,9 @@ import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.IdentityHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 
 /** Builds from a scene only what it requires. */
 public final class SceneCompiler {
@@ -82,26 +79,35 @@ public final class SceneCompiler {
         return largest + reach;
     }
 
+    /** By identity: materials that are used many times are one object, and comparing records by value starts slowly. */
     private static Map<Material, SurfaceMaterial> surfaces(Scene scene) {
-        Map<Texture.File, TexelImage> images = new HashMap<>();
-        Map<Material, SurfaceMaterial> byIdentity = new IdentityHashMap<>();
-        Map<Material, SurfaceMaterial> byValue = new HashMap<>();
-        Set<Material> used = new LinkedHashSet<>();
+        Map<Texture, TexelImage> images = new IdentityHashMap<>();
+        Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
-                if (byIdentity.put(o.material(), null) == null) {
-                    used.add(o.material());
-                }
-            } else {
-                used.addAll(o.faces());
+                addSurface(o.material(), surfaces, images);
+            }
+            for (Material m : o.faces()) {
+                addSurface(m, surfaces, images);
             }
         }
-        for (Material m : used) {
-            TexelImage image =
-                    m.color() instanceof Texture.File f ? images.computeIfAbsent(f, SceneCompiler::load) : null;
-            byValue.put(m, new SurfaceMaterial(m, image));
+        return surfaces;
+    }
+
+    private static void addSurface(
+            Material m, Map<Material, SurfaceMaterial> surfaces, Map<Texture, TexelImage> images) {
+        if (surfaces.containsKey(m)) {
+            return;
         }
-        return byValue;
+        TexelImage image = null;
+        if (m.color() instanceof Texture.File file) {
+            image = images.get(file);
+            if (image == null) {
+                image = load(file);
+                images.put(file, image);
+            }
+        }
+        surfaces.put(m, new SurfaceMaterial(m, image));
     }
 
     private static TexelImage load(Texture.File texture) {

@@ -1,53 +1,87 @@
 package enlightenment.compiled;
 
-import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 import enlightenment.math.Bounds;
 import enlightenment.math.Scale;
-import enlightenment.math.Vec3;
 
 /**
  * The part of space that the camera rays of one tile can reach, as four planes through the rays at its corners.
  *
  * <p>A primitive whose box lies wholly beyond one of the planes is met by no ray of the tile. The test is conservative:
  * its margin covers all roundings.
+ *
+ * <p>A reusable work object, written with arrays and loops: it is made anew for every tile, and small code is compiled
+ * quickly (docs/benchmarks.md, "start-up").
  */
 final class TileFrustum {
     private static final double PLANE_ERROR = Scale.gamma(64);
+    private static final int PLANES = 4;
 
-    private final Vec3[] origins = new Vec3[4];
-    private final Vec3[] normals = new Vec3[4];
-    private final double[] magnitudes = new double[4];
+    /** Origins and directions of the rays at the four corners and in the middle. */
+    private final double[] origins = new double[3 * (PLANES + 1)];
 
-    /** The frustum of the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
-    TileFrustum(CompiledCamera camera, double x0, double y0, double x1, double y1) {
-        double[] xs = {x0, x1, x1, x0};
-        double[] ys = {y0, y0, y1, y1};
-        Vec3[] o = new Vec3[5];
-        Vec3[] d = new Vec3[5];
-        Ray ray = new Ray();
-        for (int i = 0; i <= 4; i++) {
-            camera.ray(i < 4 ? xs[i] : (x0 + x1) / 2, i < 4 ? ys[i] : (y0 + y1) / 2, ray);
-            o[i] = new Vec3(ray.ox, ray.oy, ray.oz);
-            d[i] = new Vec3(ray.dx, ray.dy, ray.dz);
+    private final double[] directions = new double[3 * (PLANES + 1)];
+
+    /** Per plane: its inward normal, and the bound of roundings per unit of distance. */
+    private final double[] normals = new double[3 * PLANES];
+
+    private final double[] errors = new double[PLANES];
+
+    private final Ray ray = new Ray();
+
+    /** Moves to the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
+    void set(CompiledCamera camera, double x0, double y0, double x1, double y1) {
+        for (int i = 0; i <= PLANES; i++) {
+            double x = i == PLANES ? (x0 + x1) / 2 : i == 1 || i == 2 ? x1 : x0;
+            double y = i == PLANES ? (y0 + y1) / 2 : i >= 2 ? y1 : y0;
+            camera.ray(x, y, ray);
+            origins[3 * i] = ray.ox;
+            origins[3 * i + 1] = ray.oy;
+            origins[3 * i + 2] = ray.oz;
+            directions[3 * i] = ray.dx;
+            directions[3 * i + 1] = ray.dy;
+            directions[3 * i + 2] = ray.dz;
         }
-        for (int i = 0; i < 4; i++) {
-            int j = (i + 1) & 3;
-            Vec3 across = o[j].plus(d[j]).minus(o[i].plus(d[i]));
-            Vec3 n = d[i].cross(across);
-            // The middle ray shows which side is inside.
-            double side = n.dot(o[4].plus(d[4]).minus(o[i]));
-            origins[i] = o[i];
-            normals[i] = side < 0 ? n.negated() : n;
-            magnitudes[i] =
-                    PLANE_ERROR * d[i].length() * (o[i].length() + o[j].length() + d[i].length() + d[j].length());
+        for (int i = 0; i < PLANES; i++) {
+            setPlane(i, (i + 1) % PLANES);
         }
     }
 
-    /** Collects the ids of the primitives that rays of the tile may meet; returns how many there are. */
-    int gather(Primitive[] primitives, Bounds[] bounds, int[] out) {
+    /** The plane that contains corner ray i and a point of corner ray j. */
+    private void setPlane(int i, int j) {
+        double inside = 0;
+        double size = 0;
+        double length = 0;
+        for (int c = 0; c < 3; c++) {
+            int a = (c + 1) % 3;
+            int b = (c + 2) % 3;
+            double n = directions[3 * i + a] * across(i, j, b) - directions[3 * i + b] * across(i, j, a);
+            normals[3 * i + c] = n;
+            // The middle ray shows which side is inside.
+            inside += n * across(i, PLANES, c);
+            length += Math.abs(directions[3 * i + c]);
+            size += Math.abs(origins[3 * i + c])
+                    + Math.abs(origins[3 * j + c])
+                    + Math.abs(directions[3 * i + c])
+                    + Math.abs(directions[3 * j + c]);
+        }
+        if (inside < 0) {
+            for (int c = 0; c < 3; c++) {
+                normals[3 * i + c] = -normals[3 * i + c];
+            }
+        }
+        errors[i] = PLANE_ERROR * length * size;
+    }
+
+    /** Component of the vector from corner ray i's origin to the point of ray j at t = 1. */
+    private double across(int i, int j, int c) {
+        return origins[3 * j + c] + directions[3 * j + c] - origins[3 * i + c];
+    }
+
+    /** Collects the ids of the boxes that rays of the tile may meet; returns how many there are. */
+    int gather(Bounds[] bounds, int[] out) {
         int n = 0;
-        for (int id = 0; id < primitives.length; id++) {
+        for (int id = 0; id < bounds.length; id++) {
             if (reaches(bounds[id])) {
                 out[n++] = id;
             }
@@ -56,7 +90,7 @@ final class TileFrustum {
     }
 
     private boolean reaches(Bounds box) {
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < PLANES; i++) {
             if (isBeyond(box, i)) {
                 return false;
             }
@@ -64,14 +98,17 @@ final class TileFrustum {
         return true;
     }
 
+    /** Whether even the corner that reaches farthest to the inside lies beyond the plane. */
     private boolean isBeyond(Bounds box, int plane) {
-        Vec3 n = normals[plane];
-        Vec3 o = origins[plane];
-        // The corner that reaches farthest to the inside.
-        double x = (n.x() > 0 ? box.max().x() : box.min().x()) - o.x();
-        double y = (n.y() > 0 ? box.max().y() : box.min().y()) - o.y();
-        double z = (n.z() > 0 ? box.max().z() : box.min().z()) - o.z();
-        double margin = magnitudes[plane] * (Math.abs(x) + Math.abs(y) + Math.abs(z) + box.maxAbs());
-        return n.x() * x + n.y() * y + n.z() * z < -margin;
+        double distance = 0;
+        double size = 0;
+        for (int c = 0; c < 3; c++) {
+            double n = normals[3 * plane + c];
+            double corner = n > 0 ? box.max().component(c) : box.min().component(c);
+            double offset = corner - origins[3 * plane + c];
+            distance += n * offset;
+            size += Math.abs(offset) + Math.abs(corner);
+        }
+        return distance < -errors[plane] * size;
     }
 }

@@ -24,6 +24,7 @@ public final class Tracer {
     private final CompiledScene scene;
     private final RayCounters counters;
     private final Closest closest = new Closest();
+    private final TileFrustum frustum = new TileFrustum();
     private int[] candidates;
     private int candidateCount;
 
@@ -48,7 +49,8 @@ public final class Tracer {
     /** Prepares {@link #traceCamera} for the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
     public void beginTile(double x0, double y0, double x1, double y1) {
         if (scene.bvh == null) {
-            tileCount = new TileFrustum(scene.camera, x0, y0, x1, y1).gather(scene.primitives, scene.bounds, tileIds);
+            frustum.set(scene.camera, x0, y0, x1, y1);
+            tileCount = frustum.gather(scene.bounds, tileIds);
         }
     }
 

@@ -27,7 +27,7 @@ public record RenderSettings(
         long seed,
         int threads,
         int tileSize) {
-    private static final int DEFAULT_TILE_SIZE = 32;
+    private static final int DEFAULT_TILE_SIZE = 8;
 
     /**
      * A part of the picture.

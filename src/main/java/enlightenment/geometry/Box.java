@@ -28,7 +28,7 @@ public record Box(Point min, Point max) implements Shape {
 
     @Override
     public Primitive place(SceneFrame frame) {
-        throw new UnsupportedOperationException("not placed yet");
+        return new BoxPrimitive(frame.toFrame(min), frame.toFrame(max));
     }
 
     @Override

@@ -2,6 +2,7 @@ package enlightenment.geometry;
 
 import enlightenment.math.Check;
 import enlightenment.math.Point;
+import enlightenment.math.Rotation;
 import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
 import java.util.List;
@@ -26,7 +27,15 @@ public record Cube(Point center, double radius, Vec3 rotation) implements Shape 
 
     @Override
     public Primitive place(SceneFrame frame) {
-        throw new UnsupportedOperationException("not placed yet");
+        Vec3 middle = frame.toFrame(center);
+        // The diagonal of a cube is sqrt(3) times its edge.
+        double half = frame.toFrame(radius) / Math.sqrt(3);
+        Rotation turn = Rotation.ofDegrees(rotation);
+        if (turn.equals(Rotation.IDENTITY)) {
+            Vec3 h = new Vec3(half, half, half);
+            return new BoxPrimitive(middle.minus(h), middle.plus(h));
+        }
+        return new CubePrimitive(middle, half, turn);
     }
 
     @Override

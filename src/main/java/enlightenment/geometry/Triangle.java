@@ -24,7 +24,7 @@ public record Triangle(Point a, Point b, Point c) implements Shape {
 
     @Override
     public Primitive place(SceneFrame frame) {
-        throw new UnsupportedOperationException("not placed yet");
+        return new TrianglePrimitive(frame.toFrame(a), frame.toFrame(b), frame.toFrame(c));
     }
 
     @Override

@@ -72,10 +72,15 @@ public final class Textures {
         }
         byte[][] rows = new byte[height][3 * width];
         for (int y = 0; y < height; y++) {
+            // Around a sphere there is no row beyond the poles, and no direction there for light to come from.
+            boolean sphere = width > height;
+            int up = sphere ? Math.max(0, y - 1) : (y + height - 1) % height;
+            int down = sphere ? Math.min(height - 1, y + 1) : (y + 1) % height;
+            double strength = RELIEF * (sphere ? StrictMath.sin(StrictMath.PI * (y + 0.5) / height) : 1);
             for (int x = 0; x < width; x++) {
                 double across = relief[y * width + (x + 1) % width] - relief[y * width + (x + width - 1) % width];
-                double down = relief[(y + 1) % height * width + x] - relief[(y + height - 1) % height * width + x];
-                double light = Math.max(0.35, Math.min(1.4, 1 + RELIEF * (0.6 * across + down)));
+                double fall = relief[down * width + x] - relief[up * width + x];
+                double light = Math.max(0.35, Math.min(1.4, 1 + strength * (0.6 * across + fall)));
                 for (int c = 0; c < 3; c++) {
                     double levels = 255.0 / STEP;
                     int level = (int) (clamp(colors[y * width + x][c] * light) * levels + 0.5);

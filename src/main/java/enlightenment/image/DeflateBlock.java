@@ -141,7 +141,8 @@ final class DeflateBlock {
         out.write(literals.words[END_OF_BLOCK], literals.lengths[END_OF_BLOCK]);
     }
 
-    // The tables of RFC 1951, 3.2.5, as formulas: symbols come in groups of four (lengths) or two (distances) that share
+    // The tables of RFC 1951, 3.2.5, as formulas: symbols come in groups of four (lengths) or two (distances) that
+    // share
     // the number of extra bits; the extra bits are the low bits of length - 3 and of distance - 1.
 
     private static int lengthSymbol(int length) {

@@ -144,6 +144,7 @@ public final class ImageFiles {
     private static String extension(Path file) {
         Path last = file.getFileName();
         String name = last == null ? "" : last.toString();
-        return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        int dot = name.lastIndexOf('.');
+        return dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
     }
 }

@@ -40,7 +40,8 @@ public record PngOptions(int depth, Map<String, String> text) {
         boolean printable = keyword.chars().allMatch(c -> c >= 32 && c <= 126 || c >= 161 && c <= 255);
         if (!printable || keyword.isEmpty() || keyword.length() > 79) {
             throw new IllegalArgumentException(
-                    "the keyword of a PNG comment has 1 to 79 printable Latin-1 characters, unlike \"" + keyword + "\"");
+                    "the keyword of a PNG comment has 1 to 79 printable Latin-1 characters, unlike \"" + keyword
+                            + "\"");
         }
         if (keyword.startsWith(" ") || keyword.endsWith(" ") || keyword.contains("  ")) {
             throw new IllegalArgumentException(

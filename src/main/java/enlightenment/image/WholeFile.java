@@ -60,7 +60,8 @@ final class WholeFile {
             throw new IOException("there is no folder " + folder);
         }
         // Not Files.createTempFile: its files can be read by their owner only, and the mode would move along.
-        String name = ".enlightenment-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".tmp";
+        String name =
+                ".enlightenment-" + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".tmp";
         Path temporary = folder.resolve(name);
         FileChannel channel = FileChannel.open(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
         try {

@@ -2,6 +2,7 @@
  * Enlightenment, a renderer for the JVM: scene descriptions, exact geometry, light transport, finished images.
  */
 module enlightenment {
+    requires java.desktop; // javax.imageio, for JPEG and BMP textures
     requires tools.jackson.core;
     requires java.desktop;
     requires java.management;

@@ -112,7 +112,9 @@ public final class SceneCompiler {
 
     private static TexelImage load(Texture.File texture) {
         try {
-            return TexelImage.read(texture.file(), texture.encoding() == Texture.Encoding.LINEAR);
+            return texture.encoding() == Texture.Encoding.LINEAR
+                    ? TexelImage.readLinear(texture.file())
+                    : TexelImage.read(texture.file());
         } catch (IOException e) {
             throw new SceneException(List.of(new SceneException.Problem(
                     texture.file().toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));

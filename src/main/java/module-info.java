@@ -4,7 +4,6 @@
 module enlightenment {
     requires java.desktop; // javax.imageio, for JPEG and BMP textures
     requires tools.jackson.core;
-    requires java.desktop;
     requires java.management;
     requires jdk.jfr;
     requires jdk.management;

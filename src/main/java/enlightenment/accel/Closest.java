@@ -1,28 +1,56 @@
 package enlightenment.accel;
 
-import enlightenment.geometry.*;
+import enlightenment.geometry.Primitive;
+import enlightenment.geometry.Ray;
 
+/**
+ * The closest crossing so far, and the one rule for ties: at equal t a crossing that leaves a solid comes before one that
+ * enters, then the lower id wins. So what is found does not depend on the order of tests. A mutable work object, one per
+ * thread.
+ */
 public final class Closest {
     private double t;
     private int id;
+    private Primitive primitive;
 
+    final int[] stack = new int[Bvh.MAX_DEPTH + 1];
+    final double[] entries = new double[Bvh.MAX_DEPTH + 1];
+
+    /** A search to be {@link #reset} before use. */
+    public Closest() {}
+
+    /** Starts a search for crossings up to this t. */
     public void reset(double limit) {
         t = limit;
         id = -1;
+        primitive = null;
     }
 
-    public void offer(Ray ray, Primitive p, int i) {
+    /** Tests a primitive. */
+    public void offer(Ray ray, Primitive p, int candidate) {
         double s = p.nearest(ray, t);
-        if (s < t) {
+        if (s < t || s == t && wins(ray, p, candidate)) {
             t = s;
-            id = i;
+            id = candidate;
+            primitive = p;
         }
     }
 
+    private boolean wins(Ray ray, Primitive p, int candidate) {
+        if (primitive == null) {
+            return true;
+        }
+        boolean leaves = p.side(ray, t) == Ray.INSIDE;
+        boolean bestLeaves = primitive.side(ray, t) == Ray.INSIDE;
+        return leaves == bestLeaves ? candidate < id : leaves;
+    }
+
+    /** The closest crossing's t, or the limit. */
     public double t() {
         return t;
     }
 
+    /** The id of the primitive with the closest crossing, or -1. */
     public int id() {
         return id;
     }

@@ -6,7 +6,11 @@ public final class Srgb {
 
     /** Linear light 0..1 to the encoded (display-referred) value 0..1. */
     public static double encode(double linear) {
-        return linear <= 0.0031308 ? 12.92 * linear : 1.055 * StrictMath.pow(linear, 1 / 2.4) - 0.055;
+        if (linear <= 0.0031308) {
+            return 12.92 * linear;
+        }
+        // The same line through (1, 1), so that white stays white to the last bit.
+        return 1 + 1.055 * (StrictMath.pow(linear, 1 / 2.4) - 1);
     }
 
     /** Encoded (display-referred) value 0..1 to linear light 0..1. */

@@ -34,7 +34,7 @@ public final class CompiledScene {
     /** The hierarchy over the primitives, or null where a plain loop is faster. */
     public final Bvh bvh;
 
-    /** What may stand before a light, or null where the hierarchy is asked. */
+    /** What may stand before a light. */
     final OccluderSet occluders;
 
     /** By id: the kind of shape, an index into {@link #kindNames}. */
@@ -93,7 +93,7 @@ public final class CompiledScene {
             }
         }
         cameraSolids = Arrays.copyOf(solids, n);
-        occluders = bvh == null ? new OccluderSet(primitives, lights) : null;
+        occluders = new OccluderSet(primitives, lights, bvh);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }

@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
 import enlightenment.geometry.Hit;
 import enlightenment.geometry.Primitive;
@@ -10,6 +11,9 @@ import enlightenment.geometry.Ray;
  */
 public final class Tracer {
     private static final int NOTHING = -1;
+
+    /** With more candidates than this, a shadow ray asks the hierarchy instead of testing them all. */
+    private static final int MOST_CANDIDATES = 12;
 
     /** How much of a light is seen from a point. */
     public enum Visibility {
@@ -25,7 +29,7 @@ public final class Tracer {
     private final RayCounters counters;
     private final Closest closest = new Closest();
     private final TileFrustum frustum = new TileFrustum();
-    private int[] candidates;
+    private final BvhQuery candidates = new BvhQuery();
     private int candidateCount;
 
     /** What camera rays of the current tile may meet. */
@@ -43,7 +47,6 @@ public final class Tracer {
         this.scene = scene;
         this.counters = counters;
         tileIds = new int[scene.bvh == null ? scene.primitives.length : 0];
-        candidates = new int[scene.occluders == null ? 64 : scene.occluders.size()];
     }
 
     /** Prepares {@link #traceCamera} for the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
@@ -118,17 +121,13 @@ public final class Tracer {
     }
 
     /**
-     * Prepares {@link #occluded} for shadow rays from one point to one light.
+     * Prepares {@link #occluded} for shadow rays from the cone's apex to its light.
      *
      * @param self the primitive that the point lies on, if it cannot stand before the light; -1 otherwise
      * @return what is known without a ray
      */
-    public Visibility prepareShadows(double x, double y, double z, LightCone cone, int self) {
-        if (scene.occluders == null) {
-            candidateCount = -1;
-            return Visibility.UNKNOWN;
-        }
-        candidateCount = scene.occluders.gather(x, y, z, cone, self, candidates);
+    public Visibility prepareShadows(LightCone cone, int self) {
+        candidateCount = scene.occluders.gather(cone, self, candidates);
         return candidateCount == 0
                 ? Visibility.ALL
                 : candidateCount == OccluderSet.ALL_BLOCKED ? Visibility.NONE : Visibility.UNKNOWN;
@@ -137,11 +136,11 @@ public final class Tracer {
     /** Whether anything stands in the ray's way before tMax. */
     public boolean occluded(Ray ray, double tMax) {
         counters.shadowRays++;
-        if (candidateCount < 0) {
-            return scene.bvh.occluded(ray, tMax);
+        if (candidateCount > MOST_CANDIDATES && scene.bvh != null) {
+            return scene.bvh.occluded(ray, tMax, candidates);
         }
         for (int k = 0; k < candidateCount; k++) {
-            int candidate = candidates[k];
+            int candidate = candidates.get(k);
             counters.tests[scene.kind[candidate]]++;
             if (scene.primitives[candidate].nearest(ray, tMax) <= tMax) {
                 return true;

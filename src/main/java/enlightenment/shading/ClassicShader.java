@@ -238,7 +238,7 @@ public final class ClassicShader {
     private Tracer.Visibility visibility() {
         Primitive p = hit.primitive;
         boolean cannotShadowItself = !p.isSolid() || p.isConvex() && hit.side == Ray.OUTSIDE;
-        return tracer.prepareShadows(hit.px, hit.py, hit.pz, sampler.cone, cannotShadowItself ? tracer.id : -1);
+        return tracer.prepareShadows(sampler.cone, cannotShadowItself ? tracer.id : -1);
     }
 
     private boolean isBlocked() {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.accel.BvhQuery;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Ray;
@@ -19,6 +20,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import java.util.Arrays;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class OccluderSetTest {
@@ -57,14 +59,14 @@ class OccluderSetTest {
             CompiledScene scene = compile(b);
             CompiledLight light = scene.lights[0];
             LightCone cone = new LightCone();
-            int[] out = new int[scene.primitives.length];
+            BvhQuery out = new BvhQuery();
             for (int k = 0; k < 20; k++) {
                 double[] p = array(scene, point(random, 3));
                 cone.aim(light, p[0], p[1], p[2]);
-                int n = scene.occluders.gather(p[0], p[1], p[2], cone, -1, out);
+                int n = scene.occluders.gather(cone, -1, out);
                 boolean all = n == OccluderSet.ALL_BLOCKED;
                 hidden += all ? 1 : 0;
-                int[] candidates = all ? new int[0] : Arrays.copyOf(out, n);
+                int[] candidates = IntStream.range(0, all ? 0 : n).map(out::get).toArray();
                 for (int j = 0; j < 12; j++) {
                     double[] d = direction(random, light, p);
                     double t = toLight(light, p, d);

@@ -85,25 +85,34 @@ final class PngFilter {
      * @param row the differences, preceded by one pixel of zeros, as {@code above} is
      */
     void undo(int type, byte[] row, byte[] above) {
-        for (int i = 0; i < rowBytes && type != 0; i++) {
-            int left = row[i] & 255;
-            int up = above[i + pixelBytes] & 255;
-            int prediction;
-            switch (type) {
-                case 1:
-                    prediction = left;
-                    break;
-                case 2:
-                    prediction = up;
-                    break;
-                case 3:
-                    prediction = left + up >>> 1;
-                    break;
-                default:
-                    prediction = paeth(left, up, above[i] & 255);
-                    break;
-            }
-            row[i + pixelBytes] += (byte) prediction;
+        // One loop each: with the choice inside, a program that has just started spends most of its time on it.
+        switch (type) {
+            case 0:
+                break;
+            case 1:
+                for (int i = 0; i < rowBytes; i++) {
+                    row[i + pixelBytes] += row[i];
+                }
+                break;
+            case 2:
+                for (int i = pixelBytes; i < row.length; i++) {
+                    row[i] += above[i];
+                }
+                break;
+            case 3:
+                for (int i = 0; i < rowBytes; i++) {
+                    row[i + pixelBytes] += (byte) ((row[i] & 255) + (above[i + pixelBytes] & 255) >>> 1);
+                }
+                break;
+            default:
+                undoPaeth(row, above);
+                break;
+        }
+    }
+
+    private void undoPaeth(byte[] row, byte[] above) {
+        for (int i = 0; i < rowBytes; i++) {
+            row[i + pixelBytes] += (byte) paeth(row[i] & 255, above[i + pixelBytes] & 255, above[i] & 255);
         }
     }
 

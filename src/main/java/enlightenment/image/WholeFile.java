@@ -50,7 +50,8 @@ final class WholeFile {
                 }
             }
         } catch (IOException e) {
-            throw new IOException("cannot write " + file + ": " + reason(e), e);
+            String reason = e instanceof NoSuchFileException ? "no file can be created there" : reason(e);
+            throw new IOException("cannot write " + file + ": " + reason, e);
         }
     }
 

@@ -120,7 +120,7 @@ public final class Bvh {
             if (count > 0) {
                 int first = -1 - links[node];
                 for (int i = first; i < first + count; i++) {
-                    if (primitives[order[i]].nearest(ray, tMax) <= tMax) {
+                    if (query.blocks(primitives[order[i]], order[i], ray, tMax)) {
                         return true;
                     }
                 }

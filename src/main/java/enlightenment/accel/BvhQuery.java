@@ -1,13 +1,34 @@
 package enlightenment.accel;
 
+import enlightenment.geometry.Primitive;
+import enlightenment.geometry.Ray;
 import java.util.Arrays;
 
 /** A growing list of primitive ids, and the stack of a traversal. A mutable work object, one per thread. */
 public final class BvhQuery {
     private int[] ids = new int[64];
     private int size;
+    private final int[] kinds;
+    private final long[] tests;
 
     final int[] stack = new int[Bvh.MAX_DEPTH + 1];
+
+    /**
+     * An empty list.
+     *
+     * @param kinds by id: the kind of primitive
+     * @param tests by kind: counts the tests
+     */
+    public BvhQuery(int[] kinds, long[] tests) {
+        this.kinds = kinds;
+        this.tests = tests;
+    }
+
+    /** Whether a primitive has a crossing with tMin ≤ t ≤ tMax. */
+    public boolean blocks(Primitive p, int id, Ray ray, double tMax) {
+        tests[kinds[id]]++;
+        return p.nearest(ray, tMax) <= tMax;
+    }
 
     /** Forgets all ids. Those that were there can still be read by {@link #get} until they are overwritten. */
     public void clear() {

@@ -12,12 +12,22 @@ public final class Closest {
     private double t;
     private int id;
     private Primitive primitive;
+    private final int[] kinds;
+    private final long[] tests;
 
     final int[] stack = new int[Bvh.MAX_DEPTH + 1];
     final double[] entries = new double[Bvh.MAX_DEPTH + 1];
 
-    /** A search to be {@link #reset} before use. */
-    public Closest() {}
+    /**
+     * A search to be {@link #reset} before use.
+     *
+     * @param kinds by id: the kind of primitive
+     * @param tests by kind: counts the tests
+     */
+    public Closest(int[] kinds, long[] tests) {
+        this.kinds = kinds;
+        this.tests = tests;
+    }
 
     /** Starts a search for crossings up to this t. */
     public void reset(double limit) {
@@ -28,6 +38,7 @@ public final class Closest {
 
     /** Tests a primitive. */
     public void offer(Ray ray, Primitive p, int candidate) {
+        tests[kinds[candidate]]++;
         double s = p.nearest(ray, t);
         if (s < t || s == t && wins(ray, p, candidate)) {
             t = s;

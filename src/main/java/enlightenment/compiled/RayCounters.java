@@ -10,9 +10,6 @@ public final class RayCounters {
     public long lightSamplesWithoutRay;
     public long textureLookups;
 
-    /** Searches by the plain loop, each of which tests every primitive. */
-    public long loopSearches;
-
     /** Tests by kind of primitive; {@link CompiledScene#kindNames} names them. */
     public final long[] tests;
 
@@ -32,7 +29,6 @@ public final class RayCounters {
         lightSamples += o.lightSamples;
         lightSamplesWithoutRay += o.lightSamplesWithoutRay;
         textureLookups += o.textureLookups;
-        loopSearches += o.loopSearches;
         for (int i = 0; i < tests.length; i++) {
             tests[i] += o.tests[i];
             hits[i] += o.hits[i];

@@ -27,9 +27,9 @@ public final class Tracer {
 
     private final CompiledScene scene;
     private final RayCounters counters;
-    private final Closest closest = new Closest();
+    private final Closest closest;
     private final TileFrustum frustum = new TileFrustum();
-    private final BvhQuery candidates = new BvhQuery();
+    private final BvhQuery candidates;
     private int candidateCount;
 
     /** What camera rays of the current tile may meet. */
@@ -46,6 +46,8 @@ public final class Tracer {
     public Tracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
+        closest = new Closest(scene.kind, counters.tests);
+        candidates = new BvhQuery(scene.kind, counters.tests);
         tileIds = new int[scene.bvh == null ? scene.primitives.length : 0];
     }
 
@@ -65,7 +67,6 @@ public final class Tracer {
         closest.reset(Double.MAX_VALUE);
         for (int k = 0; k < tileCount; k++) {
             int i = tileIds[k];
-            counters.tests[scene.kind[i]]++;
             closest.offer(ray, scene.primitives[i], i);
         }
         id = closest.id();
@@ -111,7 +112,6 @@ public final class Tracer {
         if (scene.bvh != null) {
             return scene.bvh.closest(ray, closest);
         }
-        counters.loopSearches++;
         closest.reset(Double.MAX_VALUE);
         Primitive[] primitives = scene.primitives;
         for (int i = 0; i < primitives.length; i++) {
@@ -141,8 +141,7 @@ public final class Tracer {
         }
         for (int k = 0; k < candidateCount; k++) {
             int candidate = candidates.get(k);
-            counters.tests[scene.kind[candidate]]++;
-            if (scene.primitives[candidate].nearest(ray, tMax) <= tMax) {
+            if (candidates.blocks(scene.primitives[candidate], candidate, ray, tMax)) {
                 return true;
             }
         }

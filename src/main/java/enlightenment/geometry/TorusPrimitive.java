@@ -209,6 +209,11 @@ public final class TorusPrimitive extends Primitive {
     }
 
     @Override
+    public boolean isConvex() {
+        return false;
+    }
+
+    @Override
     public boolean isSolid() {
         return true;
     }

@@ -172,9 +172,6 @@ final class TileRender {
         for (RayCounters one : counters) {
             all.add(one);
         }
-        for (int id = 0; id < scene.primitives.length; id++) {
-            all.tests[scene.kind[id]] += all.loopSearches;
-        }
         Map<String, Long> rays = new LinkedHashMap<>();
         rays.put("camera", all.cameraRays);
         rays.put("mirror", all.mirrorRays);

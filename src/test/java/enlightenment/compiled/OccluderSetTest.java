@@ -59,7 +59,7 @@ class OccluderSetTest {
             CompiledScene scene = compile(b);
             CompiledLight light = scene.lights[0];
             LightCone cone = new LightCone();
-            BvhQuery out = new BvhQuery();
+            BvhQuery out = new BvhQuery(scene.kind, new long[scene.kindNames.size()]);
             for (int k = 0; k < 20; k++) {
                 double[] p = array(scene, point(random, 3));
                 cone.aim(light, p[0], p[1], p[2]);

@@ -20,6 +20,11 @@ public final class CompiledScene {
     public final ClassicShading shading;
     public final CompiledLight[] lights;
 
+    /** Those lights that can be seen, and boxes around them. */
+    final CompiledLight[] visibleLights;
+
+    final Bounds[] lightBounds;
+
     /** The primitives by id. */
     public final Primitive[] primitives;
 
@@ -78,6 +83,18 @@ public final class CompiledScene {
         this.glassSolids = compiled.glassSolids();
         this.mediumRank = compiled.mediumRank();
         this.bvh = bvh;
+        CompiledLight[] visible = new CompiledLight[lights.length];
+        int seen = 0;
+        for (CompiledLight light : lights) {
+            if (light.surface != null) {
+                visible[seen++] = light;
+            }
+        }
+        visibleLights = Arrays.copyOf(visible, seen);
+        lightBounds = new Bounds[seen];
+        for (int i = 0; i < seen; i++) {
+            lightBounds[i] = visibleLights[i].bounds();
+        }
         bounds = new Bounds[bvh == null ? primitives.length : 0];
         for (int id = 0; id < bounds.length; id++) {
             bounds[id] = primitives[id].bounds();

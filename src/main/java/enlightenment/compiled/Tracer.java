@@ -3,7 +3,6 @@ package enlightenment.compiled;
 import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
 import enlightenment.geometry.Hit;
-import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 
 /**
@@ -32,10 +31,17 @@ public final class Tracer {
     private final BvhQuery candidates;
     private int candidateCount;
 
-    /** What camera rays of the current tile may meet. */
+    /** What camera rays of the current tile may meet: ids of primitives and indices of lights. */
     private final int[] tileIds;
 
     private int tileCount;
+    private final int[] tileLights;
+    private int tileLightCount;
+
+    /** The same for all other rays: everything. */
+    private final int[] allIds;
+
+    private final int[] allLights;
 
     /** The light that the last {@link #trace} met, or null. */
     public CompiledLight light;
@@ -48,29 +54,30 @@ public final class Tracer {
         this.counters = counters;
         closest = new Closest(scene.kind, counters.tests);
         candidates = new BvhQuery(scene.kind, counters.tests);
-        tileIds = new int[scene.bvh == null ? scene.primitives.length : 0];
+        allIds = scene.bvh == null ? count(scene.primitives.length) : new int[0];
+        tileIds = new int[allIds.length];
+        allLights = count(scene.visibleLights.length);
+        tileLights = new int[allLights.length];
+    }
+
+    private static int[] count(int n) {
+        int[] all = new int[n];
+        for (int i = 0; i < n; i++) {
+            all[i] = i;
+        }
+        return all;
     }
 
     /** Prepares {@link #traceCamera} for the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
     public void beginTile(double x0, double y0, double x1, double y1) {
-        if (scene.bvh == null) {
-            frustum.set(scene.camera, x0, y0, x1, y1);
-            tileCount = frustum.gather(scene.bounds, tileIds);
-        }
+        frustum.set(scene.camera, x0, y0, x1, y1);
+        tileCount = frustum.gather(scene.bounds, tileIds);
+        tileLightCount = frustum.gather(scene.lightBounds, tileLights);
     }
 
     /** As {@link #trace}, for a camera ray of the current tile. */
     public boolean traceCamera(Ray ray, Hit hit) {
-        if (scene.bvh != null) {
-            return trace(ray, hit);
-        }
-        closest.reset(Double.MAX_VALUE);
-        for (int k = 0; k < tileCount; k++) {
-            int i = tileIds[k];
-            closest.offer(ray, scene.primitives[i], i);
-        }
-        id = closest.id();
-        return finish(ray, hit);
+        return search(ray, hit, tileIds, tileCount, tileLights, tileLightCount);
     }
 
     /**
@@ -79,21 +86,29 @@ public final class Tracer {
      * @return whether there is one; then either {@link #light} is set, or {@link #id} and the hit are
      */
     public boolean trace(Ray ray, Hit hit) {
-        id = closestPrimitive(ray);
-        return finish(ray, hit);
+        return search(ray, hit, allIds, allIds.length, allLights, allLights.length);
     }
 
-    private boolean finish(Ray ray, Hit hit) {
+    /** One method for all rays, so that the just-in-time compiler has only one to compile. */
+    private boolean search(Ray ray, Hit hit, int[] ids, int idCount, int[] lights, int lightCount) {
+        if (scene.bvh != null) {
+            scene.bvh.closest(ray, closest);
+        } else {
+            closest.reset(Double.MAX_VALUE);
+            for (int k = 0; k < idCount; k++) {
+                closest.offer(ray, scene.primitives[ids[k]], ids[k]);
+            }
+        }
+        id = closest.id();
+        double t = closest.t();
         light = null;
-        double t = id == NOTHING ? Double.MAX_VALUE : closest.t();
-        for (CompiledLight l : scene.lights) {
-            if (l.surface != null) {
-                double s = l.surface.nearest(ray, t);
-                // At equal distance a thing hides the light.
-                if (s < t) {
-                    t = s;
-                    light = l;
-                }
+        for (int k = 0; k < lightCount; k++) {
+            CompiledLight l = scene.visibleLights[lights[k]];
+            double s = l.surface.nearest(ray, t);
+            // At equal distance a thing hides the light.
+            if (s < t) {
+                t = s;
+                light = l;
             }
         }
         if (light != null) {
@@ -106,18 +121,6 @@ public final class Tracer {
         counters.hits[scene.kind[id]]++;
         scene.primitives[id].complete(ray, t, hit);
         return true;
-    }
-
-    private int closestPrimitive(Ray ray) {
-        if (scene.bvh != null) {
-            return scene.bvh.closest(ray, closest);
-        }
-        closest.reset(Double.MAX_VALUE);
-        Primitive[] primitives = scene.primitives;
-        for (int i = 0; i < primitives.length; i++) {
-            closest.offer(ray, primitives[i], i);
-        }
-        return closest.id();
     }
 
     /**

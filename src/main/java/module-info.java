@@ -16,6 +16,7 @@ module enlightenment {
     exports enlightenment.light;
     exports enlightenment.camera;
     exports enlightenment.scene;
+    exports enlightenment.nff;
     exports enlightenment.image;
     exports enlightenment.render;
 }

@@ -7,6 +7,9 @@ module enlightenment {
     requires java.management;
     requires jdk.jfr;
     requires jdk.management;
+    // Only the command line needs these; whoever embeds the library does not.
+    requires static info.picocli;
+    requires static me.tongfei.progressbar;
 
     exports enlightenment.math;
     exports enlightenment.color;
@@ -19,4 +22,7 @@ module enlightenment {
     exports enlightenment.nff;
     exports enlightenment.image;
     exports enlightenment.render;
+
+    opens enlightenment.cli to
+            info.picocli;
 }

@@ -1,0 +1,55 @@
+package enlightenment.cli;
+
+import enlightenment.image.Image;
+import enlightenment.render.RenderProgress;
+import java.io.PrintStream;
+import java.util.function.Supplier;
+import me.tongfei.progressbar.ConsoleProgressBarConsumer;
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
+
+/** Progress as a bar with the time that remains. Nothing else refers to the library that draws it. */
+final class BarProgress implements RenderProgress, AutoCloseable {
+    private static final int USUAL_COLUMNS = 80;
+    private static final int PERIOD_MILLIS = 250;
+
+    private final PrintStream err;
+    private ProgressBar bar;
+
+    BarProgress(PrintStream err) {
+        this.err = err;
+    }
+
+    @Override
+    public synchronized void progress(long done, long total, Supplier<Image> soFar) {
+        if (bar == null) {
+            bar = new ProgressBarBuilder()
+                    .setTaskName("render")
+                    .setInitialMax(total)
+                    .setStyle(ProgressBarStyle.ASCII)
+                    .setUpdateIntervalMillis(PERIOD_MILLIS)
+                    // With a width of our own, the library need not load native code to ask the terminal for it.
+                    .setConsumer(new ConsoleProgressBarConsumer(err, columns()))
+                    .build();
+        }
+        bar.stepTo(done);
+    }
+
+    private static int columns() {
+        String columns = System.getenv("COLUMNS");
+        try {
+            return columns == null ? USUAL_COLUMNS - 1 : Math.max(Integer.parseInt(columns) - 1, USUAL_COLUMNS / 2);
+        } catch (NumberFormatException e) {
+            return USUAL_COLUMNS - 1;
+        }
+    }
+
+    /** Draws the bar a last time and ends its line. */
+    @Override
+    public synchronized void close() {
+        if (bar != null) {
+            bar.close();
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package enlightenment.cli;
+
+import java.io.PrintWriter;
+import picocli.AutoComplete;
+import picocli.CommandLine;
+
+/** All commands by name. */
+final class Commands {
+    private static final String[] NAMES = {"render", "validate", "inspect", "schema", "convert"};
+
+    private Commands() {}
+
+    /** The command of this name, or null if it is none that can be made alone. */
+    static Subcommand create(String name, Terminal terminal) {
+        return switch (name) {
+            case "render" -> new RenderCommand(terminal);
+            case "validate" -> new ValidateCommand(terminal);
+            case "inspect" -> new InspectCommand(terminal);
+            case "schema" -> new SchemaCommand(terminal);
+            case "convert" -> new ConvertCommand(terminal);
+            default -> null;
+        };
+    }
+
+    /** The same habits for every command. */
+    static CommandLine configure(CommandLine line, Terminal terminal) {
+        // A scene's name may begin with @.
+        line.setExpandAtFiles(false);
+        line.setOut(new PrintWriter(terminal.out(), true));
+        line.setErr(new PrintWriter(terminal.err(), true));
+        return line;
+    }
+
+    /** Help, completion, and everything that is wrong: these need to know all commands. */
+    static int executeTree(String[] args, Terminal terminal) {
+        CommandLine tree = new CommandLine(new RootCommand());
+        for (String name : NAMES) {
+            tree.addSubcommand(name, new CommandLine(create(name, terminal)));
+        }
+        tree.addSubcommand("completion", new AutoComplete.GenerateCompletion());
+        tree.addSubcommand("help", new CommandLine.HelpCommand());
+        configure(tree, terminal);
+        CommandLine.ParseResult parsed = tree.parseArgs(args);
+        if (!parsed.hasSubcommand() && !parsed.isUsageHelpRequested() && !parsed.isVersionHelpRequested()) {
+            throw new CommandLine.ParameterException(tree, "no command given");
+        }
+        if (parsed.isVersionHelpRequested()) {
+            terminal.out().println(Version.line());
+            return CliException.DONE;
+        }
+        new CommandLine.RunLast().execute(parsed);
+        return CliException.DONE;
+    }
+}

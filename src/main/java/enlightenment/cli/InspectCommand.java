@@ -1,0 +1,137 @@
+package enlightenment.cli;
+
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.Check.InvalidValueException;
+import enlightenment.render.Renderer;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneObject;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** {@code enlightenment inspect}: tells what a scene holds and what a render of it would do. */
+@Command(
+        name = "inspect",
+        description = "Tells what a scene holds and what a render of it would do.",
+        sortOptions = false)
+final class InspectCommand extends Subcommand {
+    private static final double MEBI = 1 << 20;
+
+    @Parameters(paramLabel = "SCENE", description = "the scene file")
+    private Path sceneFile;
+
+    @Mixin
+    private RenderOptions options = new RenderOptions();
+
+    InspectCommand(Terminal terminal) {
+        super(terminal);
+    }
+
+    @Override
+    int execute() {
+        options.check();
+        Scene scene = options.frame().isPresent()
+                ? SceneReader.read(sceneFile, options.frame().get())
+                : SceneReader.read(sceneFile);
+        RenderSettings settings = options.settings(scene, sceneFile.toString());
+        Renderer.Inspection inspection = inspect(scene, settings);
+        contents(scene);
+        line("settings", options.canonical(settings) + " threads=" + settings.threads());
+        list("modelled", inspection.modelled());
+        list("not modelled", inspection.notModelled());
+        line("primitives", Integer.toString(inspection.primitives()));
+        line("expected memory", String.format(Locale.ROOT, "%.1f MiB", inspection.expectedMemoryBytes() / MEBI));
+        return CliException.DONE;
+    }
+
+    private Renderer.Inspection inspect(Scene scene, RenderSettings settings) {
+        try {
+            return Renderer.inspect(scene, settings);
+        } catch (InvalidValueException e) {
+            throw options.blame(e, sceneFile.toString());
+        } catch (SceneException e) {
+            throw Failures.inFile(sceneFile.toString(), e);
+        }
+    }
+
+    private void contents(Scene scene) {
+        line("name", scene.name().isEmpty() ? "(none)" : scene.name());
+        line("size", scene.width() + "x" + scene.height());
+        line("camera", scene.camera().type());
+        Map<String, Integer> shapes = new LinkedHashMap<>();
+        Map<String, Integer> used = new LinkedHashMap<>();
+        for (SceneObject object : scene.objects()) {
+            count(shapes, object.shape().type());
+            List<Material> materials = object.faces().isEmpty() ? List.of(object.material()) : object.faces();
+            for (Material material : materials) {
+                count(used, material.type());
+            }
+        }
+        line("objects", counts(shapes));
+        Map<String, Integer> lights = new LinkedHashMap<>();
+        for (Light light : scene.lights()) {
+            count(lights, light.type());
+        }
+        line("lights", counts(lights));
+        Map<String, Integer> textures = new LinkedHashMap<>();
+        for (Texture texture : scene.textures().values()) {
+            count(textures, kind(texture));
+        }
+        line("named textures", counts(textures));
+        Map<String, Integer> named = new LinkedHashMap<>();
+        for (Material material : scene.materials().values()) {
+            count(named, material.type());
+        }
+        line("named materials", counts(named));
+        line("surfaces", counts(used));
+    }
+
+    private static String kind(Texture texture) {
+        if (texture instanceof Texture.File) {
+            return "file";
+        }
+        return texture instanceof Texture.Checker ? "checker" : "solid";
+    }
+
+    private static void count(Map<String, Integer> counts, String kind) {
+        counts.merge(kind, 1, Integer::sum);
+    }
+
+    /** The sum, and in brackets what it is made of. */
+    private static String counts(Map<String, Integer> counts) {
+        int sum = 0;
+        StringBuilder parts = new StringBuilder();
+        for (Map.Entry<String, Integer> e : counts.entrySet()) {
+            sum += e.getValue();
+            parts.append(parts.isEmpty() ? "" : ", ")
+                    .append(e.getValue())
+                    .append(' ')
+                    .append(e.getKey());
+        }
+        return sum == 0 ? "0" : sum + " (" + parts + ")";
+    }
+
+    private void list(String label, List<String> items) {
+        if (items.isEmpty()) {
+            line(label, "(nothing)");
+        }
+        for (int i = 0; i < items.size(); i++) {
+            line(i == 0 ? label : "", items.get(i));
+        }
+    }
+
+    private void line(String label, String value) {
+        String name = label.isEmpty() ? "" : label + ":";
+        terminal.out().println(String.format(Locale.ROOT, "%-18s%s", name, value));
+    }
+}

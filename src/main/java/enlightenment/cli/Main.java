@@ -1,0 +1,66 @@
+package enlightenment.cli;
+
+import java.io.PrintStream;
+import java.util.Arrays;
+import picocli.CommandLine;
+
+/** The entry point of the command line. */
+public final class Main {
+    private Main() {}
+
+    /** Does what the arguments say and ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used. */
+    public static void main(String[] args) {
+        Stop stop = new Stop();
+        if (args.length > 0 && args[0].equals("render")) {
+            stop.listen();
+        }
+        int code;
+        try {
+            code = run(args, new Terminal(System.out, System.err, stop));
+        } finally {
+            // Only now has everything been said.
+            stop.finished();
+        }
+        System.exit(code);
+    }
+
+    /** Does what the arguments say, within this process; gives the exit code. */
+    static int run(String[] args, PrintStream out, PrintStream err) {
+        return run(args, new Terminal(out, err, new Stop()));
+    }
+
+    static int run(String[] args, Terminal terminal) {
+        int code;
+        try {
+            code = dispatch(args, terminal);
+        } catch (Throwable t) {
+            // The last line of defence: whatever happened becomes a message and an exit code.
+            code = new Failures(terminal).report(t);
+        }
+        if (terminal.out().checkError()) {
+            terminal.say("cannot write to standard output");
+            return Math.max(code, CliException.FAILED);
+        }
+        return code;
+    }
+
+    /** Gives picocli no more than the chosen command: reading the annotations of all of them takes longer than some renders. */
+    private static int dispatch(String[] args, Terminal terminal) throws Exception {
+        if (args.length == 1 && (args[0].equals("--version") || args[0].equals("-V"))) {
+            terminal.out().println(Version.line());
+            return CliException.DONE;
+        }
+        Subcommand command = args.length == 0 ? null : Commands.create(args[0], terminal);
+        if (command == null) {
+            return Commands.executeTree(args, terminal);
+        }
+        CommandLine line = Commands.configure(new CommandLine(command), terminal);
+        line.setCommandName("enlightenment " + args[0]);
+        line.parseArgs(Arrays.copyOfRange(args, 1, args.length));
+        if (command.wantsHelp()) {
+            line.usage(terminal.out());
+            return CliException.DONE;
+        }
+        return command.execute();
+    }
+}

@@ -1,0 +1,37 @@
+package enlightenment.cli;
+
+import enlightenment.image.Image;
+import enlightenment.render.RenderProgress;
+import java.io.PrintStream;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+
+/** Progress as lines of text, for log files: seldom enough not to fill them. */
+final class PlainProgress implements RenderProgress {
+    private static final long SECOND = 1_000_000_000L;
+    private static final long PERIOD = 2 * SECOND;
+
+    private final PrintStream err;
+    private final LongSupplier clock;
+    private final long start;
+    private long last;
+
+    /** @param clock nanoseconds */
+    PlainProgress(PrintStream err, LongSupplier clock) {
+        this.err = err;
+        this.clock = clock;
+        start = clock.getAsLong();
+        last = start;
+    }
+
+    @Override
+    public void progress(long done, long total, Supplier<Image> soFar) {
+        long now = clock.getAsLong();
+        if (now - last < PERIOD || done == total) {
+            return;
+        }
+        last = now;
+        double left = (double) (now - start) * (total - done) / done / SECOND;
+        err.println((int) (100.0 * done / total) + " % done, " + (long) Math.ceil(left) + " s left");
+    }
+}

@@ -1,0 +1,137 @@
+package enlightenment.cli;
+
+import enlightenment.image.ImageFiles;
+import enlightenment.image.PngOptions;
+import enlightenment.math.Check.InvalidValueException;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code enlightenment render}: makes a picture of a scene. */
+@Command(name = "render", description = "Makes a picture of a scene.", sortOptions = false)
+final class RenderCommand extends Subcommand {
+    @Parameters(paramLabel = "SCENE", description = "the scene file")
+    private Path sceneFile;
+
+    @Option(
+            names = {"-o", "--output"},
+            required = true,
+            paramLabel = "FILE",
+            description = "the picture: .png, or .pfm for exact floats")
+    private Path output;
+
+    @Mixin
+    private RenderOptions options = new RenderOptions();
+
+    @Option(names = "--depth", paramLabel = "BITS", description = "bits per component of a PNG file: 8 (default) or 16")
+    private String depth;
+
+    @Option(names = "--report", paramLabel = "FILE", description = "write what was done to this JSON file")
+    private Path report;
+
+    @Option(names = "--stats", description = "show what was done")
+    private boolean stats;
+
+    @Option(names = "--progress", paramLabel = "KIND", description = "auto (default), bar, plain or none")
+    private String progress;
+
+    RenderCommand(Terminal terminal) {
+        super(terminal);
+    }
+
+    @Override
+    int execute() throws IOException {
+        checkOptions();
+        Scene scene = read();
+        RenderSettings settings = options.settings(scene, sceneFile.toString());
+        Target.check(output);
+        if (report != null) {
+            Target.check(report);
+        }
+        RenderResult result = render(scene, settings);
+        if (result.report().pixels() == 0) {
+            terminal.say("stopped before anything was rendered; " + output + " was not written");
+            return CliException.FAILED;
+        }
+        ImageFiles.write(result.image(), output, pngOptions(scene, settings));
+        if (report != null) {
+            Target.write(report, ReportJson.of(result));
+        }
+        if (stats) {
+            terminal.out().print(StatsTable.of(result.report()));
+        }
+        if (!result.complete()) {
+            RenderSettings.Crop region = settings.region();
+            long percent = 100 * result.report().pixels() / ((long) region.width() * region.height());
+            terminal.say("stopped: " + output + " holds " + percent + " % of the picture");
+            return CliException.FAILED;
+        }
+        return CliException.DONE;
+    }
+
+    private void checkOptions() throws IOException {
+        String extension = Target.extension(output);
+        if (!extension.equals(".png") && !extension.equals(".pfm")) {
+            throw CliException.wrongUsage("-o must name a file that ends in .png or .pfm, not \"" + output + "\"");
+        }
+        if (depth != null) {
+            OptionValues.word("--depth", depth, "8", "16");
+            if (extension.equals(".pfm")) {
+                throw CliException.wrongUsage("--depth must not be given for a .pfm file, which holds floats");
+            }
+        }
+        if (progress != null) {
+            OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
+        }
+        if (report != null && (Target.same(report, output) || Target.same(report, sceneFile))) {
+            throw CliException.wrongUsage("--report must name a file of its own, not \"" + report + "\"");
+        }
+        if (Target.same(output, sceneFile)) {
+            throw CliException.wrongUsage("-o must not name the scene itself, \"" + output + "\"");
+        }
+        options.check();
+    }
+
+    private Scene read() {
+        return options.frame().isPresent()
+                ? SceneReader.read(sceneFile, options.frame().get())
+                : SceneReader.read(sceneFile);
+    }
+
+    private RenderResult render(Scene scene, RenderSettings settings) {
+        RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
+        try {
+            return Renderer.render(scene, settings, display, terminal.stop());
+        } catch (InvalidValueException e) {
+            throw options.blame(e, sceneFile.toString());
+        } catch (SceneException e) {
+            throw Failures.inFile(sceneFile.toString(), e);
+        } finally {
+            ProgressDisplay.end(display);
+        }
+    }
+
+    /** What the file says of itself: nothing that differs from run to run. */
+    private PngOptions pngOptions(Scene scene, RenderSettings settings) {
+        Map<String, String> text = new LinkedHashMap<>();
+        if (!scene.name().isEmpty()) {
+            // PNG ends a text at a NUL.
+            text.put("Title", scene.name().replace('\0', ' '));
+        }
+        text.put("Software", "Enlightenment " + Version.number());
+        text.put("Settings", options.canonical(settings));
+        return new PngOptions("16".equals(depth) ? 16 : 8, text);
+    }
+}

@@ -1,0 +1,147 @@
+package enlightenment.cli;
+
+import enlightenment.math.Check.InvalidValueException;
+import enlightenment.render.Renderer;
+import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** The options that change what a scene says about how it is rendered. */
+final class RenderOptions {
+    private static final int MAX_THREADS = 4096;
+
+    @Option(names = "--method", paramLabel = "METHOD", description = "how: raytrace")
+    private String method;
+
+    @Option(names = "--size", paramLabel = "WxH", description = "size of the whole picture in pixels")
+    private String size;
+
+    @Option(names = "--antialias", paramLabel = "N", description = "N x N positions per pixel, 1..256")
+    private String antialias;
+
+    @Option(names = "--shadow-samples", paramLabel = "N", description = "light points per hit and light, 1..1000000")
+    private String shadowSamples;
+
+    @Option(names = "--seed", paramLabel = "N", description = "another choice of random numbers")
+    private String seed;
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "how many threads share the work; the picture does not depend on it")
+    private String threads;
+
+    @Option(
+            names = "--crop",
+            paramLabel = "X,Y,W,H",
+            description = "only this part of the picture, counted from its upper left corner")
+    private String crop;
+
+    @Option(names = "--frame", paramLabel = "N", description = "the frame of an animation, counted from 0")
+    private String frame;
+
+    RenderOptions() {}
+
+    /** Which frame is wanted, if any is named. */
+    Optional<Integer> frame() {
+        return frame == null
+                ? Optional.empty()
+                : Optional.of(OptionValues.integer("--frame", frame, 0, Integer.MAX_VALUE));
+    }
+
+    /** Fails on what is wrong whatever the scene; called before the scene is read. */
+    void check() {
+        frame();
+        if (method != null) {
+            OptionValues.word("--method", method, Renderer.METHODS.toArray(new String[0]));
+        }
+        if (size != null) {
+            OptionValues.size("--size", size);
+        }
+        if (crop != null) {
+            OptionValues.crop("--crop", crop);
+        }
+        applyNumbers(null);
+    }
+
+    /** The settings for a scene: what it asks for, changed by the options. */
+    RenderSettings settings(Scene scene, String sceneFile) {
+        RenderSettings s;
+        try {
+            s = RenderSettings.of(scene);
+        } catch (InvalidValueException e) {
+            throw Failures.inFile(sceneFile, e);
+        }
+        if (method != null) {
+            s = s.withMethod(method);
+        }
+        if (size != null) {
+            int[] sides = OptionValues.size("--size", size);
+            s = s.withSize(sides[0], sides[1]);
+        }
+        s = applyNumbers(s);
+        if (crop != null) {
+            int[] c = OptionValues.crop("--crop", crop);
+            try {
+                s = s.withCrop(new RenderSettings.Crop(c[0], c[1], c[2], c[3]));
+            } catch (InvalidValueException e) {
+                throw CliException.wrongUsage("--crop " + e.getMessage());
+            }
+        }
+        return s;
+    }
+
+    /** Reads all single numbers, and puts them into the settings if there are any yet. */
+    private RenderSettings applyNumbers(RenderSettings settings) {
+        RenderSettings s = settings;
+        if (antialias != null) {
+            int n = OptionValues.integer("--antialias", antialias, 1, RenderDefaults.MAX_ANTIALIAS);
+            s = s == null ? null : s.withAntialias(n);
+        }
+        if (shadowSamples != null) {
+            int n = OptionValues.integer("--shadow-samples", shadowSamples, 1, RenderDefaults.MAX_SHADOW_SAMPLES);
+            s = s == null ? null : s.withShadowSamples(n);
+        }
+        if (seed != null) {
+            long n = OptionValues.wholeNumber("--seed", seed);
+            s = s == null ? null : s.withSeed(n);
+        }
+        if (threads != null) {
+            int n = OptionValues.integer("--threads", threads, 1, MAX_THREADS);
+            s = s == null ? null : s.withThreads(n);
+        }
+        return s;
+    }
+
+    /**
+     * What to tell of a value that the renderer refused: the option's fault where there is one of that name, the scene's
+     * otherwise.
+     */
+    RuntimeException blame(InvalidValueException e, String sceneFile) {
+        if (e.key().equals("size")) {
+            // The message speaks of a picture of so many pixels, which may come from the scene as well.
+            return CliException.wrongUsage((size == null ? "" : "--size: ") + e.getMessage());
+        }
+        return Failures.inFile(sceneFile, e);
+    }
+
+    /** The settings that the picture depends on, in one line that never changes its form. */
+    String canonical(RenderSettings s) {
+        StringBuilder line = new StringBuilder("method=").append(s.method());
+        line.append(" size=").append(s.width()).append('x').append(s.height());
+        line.append(" antialias=").append(s.antialias());
+        line.append(" shadowSamples=").append(s.shadowSamples());
+        line.append(" seed=").append(s.seed());
+        if (s.crop().isPresent()) {
+            RenderSettings.Crop c = s.crop().get();
+            line.append(" crop=").append(c.x()).append(',').append(c.y()).append(',');
+            line.append(c.width()).append(',').append(c.height());
+        }
+        if (frame().isPresent()) {
+            line.append(" frame=").append(frame().get());
+        }
+        return line.toString();
+    }
+}

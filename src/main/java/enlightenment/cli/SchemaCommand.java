@@ -1,0 +1,21 @@
+package enlightenment.cli;
+
+import enlightenment.scene.json.SceneSchema;
+import picocli.CommandLine.Command;
+
+/** {@code enlightenment schema}: prints the JSON Schema of the scene format. */
+@Command(
+        name = "schema",
+        description = "Prints the JSON Schema of scene files, for editors that complete and check them.")
+final class SchemaCommand extends Subcommand {
+    SchemaCommand(Terminal terminal) {
+        super(terminal);
+    }
+
+    @Override
+    int execute() {
+        String text = SceneSchema.text();
+        terminal.out().print(text.endsWith("\n") ? text : text + "\n");
+        return CliException.DONE;
+    }
+}

@@ -1,0 +1,57 @@
+package enlightenment.cli;
+
+import enlightenment.render.RenderReport;
+import java.util.Locale;
+import java.util.Map;
+
+/** A render's report for people. */
+final class StatsTable {
+    private static final double MEBI = 1 << 20;
+
+    private final StringBuilder text = new StringBuilder();
+
+    private StatsTable() {}
+
+    /** Lines of a label, a value and its unit; every line ends with a line feed. */
+    static String of(RenderReport report) {
+        StatsTable table = new StatsTable();
+        table.counts("rays", report.raysByKind());
+        table.row("rays in all", report.rays());
+        table.row("light samples", report.lightSamples());
+        table.row("  without a ray", report.lightSamplesWithoutRay());
+        table.primitives(report.testsByPrimitive(), report.hitsByPrimitive());
+        table.row("texture look-ups", report.textureLookups());
+        table.row("pixels", report.pixels());
+        for (RenderReport.Phase phase : report.phases()) {
+            table.line(
+                    "time: " + phase.name(),
+                    "%,18.3f s   %,.3f s of processors",
+                    phase.wallSeconds(),
+                    phase.cpuSeconds());
+        }
+        table.line("rays per second", "%,18.0f", report.raysPerSecond());
+        table.line("peak memory", "%,18.1f MiB", report.peakMemoryBytes() / MEBI);
+        return table.text.toString();
+    }
+
+    private void counts(String what, Map<String, Long> counts) {
+        for (Map.Entry<String, Long> e : counts.entrySet()) {
+            row(what + ": " + e.getKey(), e.getValue());
+        }
+    }
+
+    private void primitives(Map<String, Long> tests, Map<String, Long> hits) {
+        for (Map.Entry<String, Long> e : tests.entrySet()) {
+            line(e.getKey(), "%,18d tests   %,d hits", e.getValue(), hits.getOrDefault(e.getKey(), 0L));
+        }
+    }
+
+    private void row(String label, long value) {
+        line(label, "%,18d", value);
+    }
+
+    private void line(String label, String format, Object... values) {
+        text.append(String.format(Locale.ROOT, "%-20s", label));
+        text.append(String.format(Locale.ROOT, format, values)).append('\n');
+    }
+}

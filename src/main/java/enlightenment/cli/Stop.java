@@ -1,0 +1,55 @@
+package enlightenment.cli;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The wish to end early. As a shutdown hook it hears SIGINT and SIGTERM, and holds the process until the work that goes on
+ * has been brought to a good end, but not for ever.
+ */
+final class Stop extends Thread implements BooleanSupplier {
+    /** Long enough to write a picture to a slow disk, short enough for whoever waits at the keyboard. */
+    private static final long PATIENCE_SECONDS = 30;
+
+    private final CountDownLatch finished = new CountDownLatch(1);
+    private volatile boolean requested;
+
+    Stop() {
+        super("stop");
+    }
+
+    /** Listens to the signals of the process from now on. */
+    void listen() {
+        try {
+            Runtime.getRuntime().addShutdownHook(this);
+        } catch (IllegalStateException alreadyEnding) {
+            requested = true;
+        }
+    }
+
+    /** Asks the work to end. */
+    void request() {
+        requested = true;
+    }
+
+    /** Tells that there is nothing to wait for any more. */
+    void finished() {
+        finished.countDown();
+    }
+
+    @Override
+    public boolean getAsBoolean() {
+        return requested;
+    }
+
+    @Override
+    public void run() {
+        requested = true;
+        try {
+            finished.await(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,23 @@
+package enlightenment.cli;
+
+import java.lang.module.ModuleDescriptor;
+
+/** Which Enlightenment this is. */
+final class Version {
+    private Version() {}
+
+    /** The version from the jar's manifest or the module, or "development" where classes run without a jar. */
+    static String number() {
+        String manifest = Version.class.getPackage().getImplementationVersion();
+        if (manifest != null) {
+            return manifest;
+        }
+        ModuleDescriptor module = Version.class.getModule().getDescriptor();
+        return module == null ? "development" : module.rawVersion().orElse("development");
+    }
+
+    /** One line for the user, with what it runs on. */
+    static String line() {
+        return "enlightenment " + number() + " (Java " + Runtime.version() + ")";
+    }
+}

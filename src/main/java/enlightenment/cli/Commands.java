@@ -40,6 +40,11 @@ final class Commands {
         tree.addSubcommand("completion", new AutoComplete.GenerateCompletion());
         tree.addSubcommand("help", new CommandLine.HelpCommand());
         configure(tree, terminal);
+        if (args.length > 0
+                && !args[0].startsWith("-")
+                && !tree.getSubcommands().containsKey(args[0])) {
+            throw new CommandLine.ParameterException(tree, "unknown command \"" + args[0] + "\"");
+        }
         CommandLine.ParseResult parsed = tree.parseArgs(args);
         if (!parsed.hasSubcommand() && !parsed.isUsageHelpRequested() && !parsed.isVersionHelpRequested()) {
             throw new CommandLine.ParameterException(tree, "no command given");

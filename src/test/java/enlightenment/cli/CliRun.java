@@ -1,0 +1,76 @@
+package enlightenment.cli;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * One run of the command line within this process.
+ *
+ * @param code its exit code
+ * @param out what it wrote to standard output
+ * @param err what it wrote to standard error
+ */
+record CliRun(int code, String out, String err) {
+    static CliRun of(Object... args) {
+        return of(new Stop(), args);
+    }
+
+    static CliRun of(Stop stop, Object... args) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        String[] texts = new String[args.length];
+        for (int i = 0; i < args.length; i++) {
+            texts[i] = args[i].toString();
+        }
+        int code = Main.run(texts, new Terminal(print(out), print(err), stop));
+        return new CliRun(code, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    private static PrintStream print(ByteArrayOutputStream bytes) {
+        return new PrintStream(bytes, true, StandardCharsets.UTF_8);
+    }
+
+    List<String> errLines() {
+        return err.lines().toList();
+    }
+
+    List<String> outLines() {
+        return out.lines().toList();
+    }
+
+    /** Writes a small scene: a ball above a floor. */
+    static Path scene(Path folder, String size) throws IOException {
+        return Files.writeString(folder.resolve("scene.json"), sceneText(size));
+    }
+
+    /** A scene of two problems. */
+    static Path badScene(Path folder) throws IOException {
+        String text = sceneText("\"width\": 8, \"height\": 8")
+                .replace("\"radius\": 1,", "\"radius\": -1,")
+                .replace("\"radius\": 0.5", "\"radios\": 0.5");
+        return Files.writeString(folder.resolve("bad.json"), text);
+    }
+
+    private static String sceneText(String size) {
+        return """
+                {
+                  "name": "Two balls",
+                  "image": { SIZE },
+                  "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "up": [0, 1, 0],
+                              "fieldOfView": 40 },
+                  "materials": { "white": { "type": "matte", "color": "#ffffff" } },
+                  "lights": [ { "type": "sphere", "center": [2, 3, -2], "radius": 0.5, "color": "#ffffff" } ],
+                  "objects": [
+                    { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white" },
+                    { "type": "sphere", "center": [0, -101, 0], "radius": 100, "material": "white" }
+                  ]
+                }
+                """
+                .replace("SIZE", size);
+    }
+}

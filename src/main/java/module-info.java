@@ -20,6 +20,7 @@ module enlightenment {
     exports enlightenment.camera;
     exports enlightenment.scene;
     exports enlightenment.nff;
+    exports enlightenment.scene.json;
     exports enlightenment.image;
     exports enlightenment.render;
 

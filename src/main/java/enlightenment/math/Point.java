@@ -16,6 +16,9 @@ import java.util.Objects;
 public record Point(BigDecimal x, BigDecimal y, BigDecimal z) {
     public static final Point ORIGIN = new Point(BigDecimal.ZERO, BigDecimal.ZERO, BigDecimal.ZERO);
 
+    /** Whole numbers of fewer digits are kept without an exponent. */
+    private static final int SHORT = 9;
+
     public Point {
         x = canonical(x);
         y = canonical(y);
@@ -27,7 +30,12 @@ public record Point(BigDecimal x, BigDecimal y, BigDecimal z) {
         if (v.signum() == 0) {
             return BigDecimal.ZERO;
         }
-        return v.scale() == 0 && v.precision() < 9 ? v : v.stripTrailingZeros();
+        if (v.scale() == 0 && v.precision() < SHORT) {
+            return v;
+        }
+        BigDecimal s = v.stripTrailingZeros();
+        // Equal numbers must become equal objects: 100.0 is stripped to 1E+2, which does not equal 100.
+        return s.scale() < 0 && (long) s.precision() - s.scale() < SHORT ? s.setScale(0) : s;
     }
 
     /** The point with exactly these coordinates: 0.1 means the double nearest to a tenth, not a tenth. */

@@ -14,6 +14,9 @@ import java.util.Objects;
  * @param maxBounces how many mirrors and glass surfaces a path may follow, 0..1,000,000; beyond them it sees black
  */
 public record ClassicShading(double ambient, double shadow, DisplayRgb background, int maxBounces) {
+    /** The greatest limit on mirrors and glass surfaces that a path may follow. */
+    public static final int MAX_BOUNCES = 1_000_000;
+
     /** The paper's settings: ambient 0.5, shadow 0.5, black background. */
     public static final ClassicShading DEFAULT = new ClassicShading(0.5, 0.5, DisplayRgb.BLACK, 100);
 
@@ -22,8 +25,8 @@ public record ClassicShading(double ambient, double shadow, DisplayRgb backgroun
         Check.range("shadow", shadow, 0, 1);
         Objects.requireNonNull(background, "background");
         Check.that(
-                maxBounces >= 0 && maxBounces <= 1_000_000,
+                maxBounces >= 0 && maxBounces <= MAX_BOUNCES,
                 "maxBounces",
-                "must be a whole number in 0..1000000, not " + maxBounces);
+                "must be a whole number in 0.." + MAX_BOUNCES + ", not " + maxBounces);
     }
 }

@@ -4,168 +4,200 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.math.Check.InvalidValueException;
 import enlightenment.math.Point;
 import enlightenment.math.Vec3;
-import java.util.Arrays;
+import enlightenment.scene.json.Vocabulary.Keys;
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
 
 /**
- * The keys of one object of a document. Records what is missing, unknown or of the wrong type; {@link #sound()} says
- * whether the values that were read may be used.
+ * One part of a scene: an object whose keys are known. Making one reports the keys that are missing or unknown; each
+ * getter reports a value that is not what it should be, and returns something to go on with.
  */
 final class Fields {
-    final Node.Obj object;
+    private final JsonValue.Obj object;
+    private final Place place;
     private final Values values;
-    private final Problems problems;
-    private int failuresBefore;
+    private final int problemsBefore;
 
-    /** @param object what is read; its keys are checked by {@link #only} */
-    Fields(Node.Obj object, Values values) {
+    private Fields(JsonValue.Obj object, Place place, Values values, int problemsBefore) {
         this.object = object;
+        this.place = place;
         this.values = values;
-        this.problems = values.problems;
-        this.failuresBefore = problems.failures();
+        this.problemsBefore = problemsBefore;
     }
 
-    /**
-     * Refuses all keys but these.
-     *
-     * @param what the object in words, with an article: "a sphere"
-     */
-    Fields only(String what, String... keys) {
-        return onlyExcept(new String[0], what, keys);
+    /** A part with these keys; null after a problem where the value is no object. */
+    static Fields of(JsonValue v, Place place, Keys keys, Values values) {
+        return of(v, place, keys, List.of(), values);
     }
 
-    /** Refuses all keys but these, and is silent about some that were dealt with. */
-    Fields onlyExcept(String[] silent, String what, String... keys) {
+    /** A part with these keys; {@code planned} are keys that the format will have. */
+    static Fields of(JsonValue v, Place place, Keys keys, Collection<String> planned, Values values) {
+        int before = values.problems().count();
+        JsonValue.Obj o = values.object(v, place, keys.noun() + ", an object { ... }");
+        if (o == null) {
+            return null;
+        }
+        Fields fields = new Fields(o, place, values, before);
+        fields.checkKeys(keys, planned);
+        return fields;
+    }
+
+    /** What a family of types needs to know about itself for its messages. */
+    record Family(
+            String noun, Map<String, Keys> types, Collection<String> plannedTypes, Collection<String> plannedKeys) {}
+
+    /** A part whose {@code "type"} says which keys it has; null after a problem where it has none. */
+    static Fields of(JsonValue v, Place place, Family family, String typeUnlessGiven, Values values) {
+        int before = values.problems().count();
+        JsonValue.Obj o = values.object(v, place, family.noun() + ", an object { ... }");
+        if (o == null) {
+            return null;
+        }
+        JsonValue type = o.get("type");
+        String name = typeUnlessGiven;
+        if (type != null) {
+            name = values.word(type, place.child("type"), family.types().keySet(), family.plannedTypes());
+        } else if (name == null) {
+            values.problems()
+                    .add(
+                            o,
+                            place.child("type"),
+                            "missing; expected one of "
+                                    + Suggestion.list(family.types().keySet()));
+        }
+        if (name == null) {
+            return null;
+        }
+        Fields fields = new Fields(o, place, values, before);
+        fields.checkKeys(family.types().get(name), family.plannedKeys());
+        return fields;
+    }
+
+    private void checkKeys(Keys keys, Collection<String> planned) {
+        for (String required : keys.required()) {
+            if (!has(required)) {
+                values.problems().add(object, place.child(required), "missing; " + keys.noun() + " needs it");
+            }
+        }
         for (int i = 0; i < object.size(); i++) {
-            if (!contains(keys, object.key(i)) && !contains(silent, object.key(i))) {
-                String found = object.key(i);
-                problems.atKey(
-                        object,
-                        i,
-                        Node.quote(found) + " is no key of " + what + "; its keys are " + Values.list(keys)
-                                + problems.suggestion(found, Arrays.asList(keys)));
+            String key = object.key(i);
+            if (keys.has(key)) {
+                continue;
             }
+            String message = planned.contains(key)
+                    ? "is for physical shading, which is not available yet"
+                    : "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
+            values.problems().add(object.value(i), place.child(key), message);
         }
-        return this;
     }
 
-    private static boolean contains(String[] keys, String key) {
-        for (String k : keys) {
-            if (k.equals(key)) {
-                return true;
-            }
-        }
-        return false;
+    Place at(String key) {
+        return place.child(key);
     }
 
-    /** Whether everything since the beginning or the last {@link #restart} went well. */
-    boolean sound() {
-        return problems.failures() == failuresBefore;
-    }
-
-    void restart() {
-        failuresBefore = problems.failures();
-    }
-
-    boolean has(String key) {
-        return object.indexOf(key) >= 0;
-    }
-
-    /** The value of a key that may be missing, then null. */
-    Node optional(String key) {
+    JsonValue get(String key) {
         return object.get(key);
     }
 
-    /** The value of a key that must not be missing; null, and a problem, where it is. */
-    Node required(String key, String what) {
-        Node node = object.get(key);
-        if (node == null) {
-            problems.at(object, Node.escape(key), "is missing; expected " + what);
-        }
-        return node;
+    boolean has(String key) {
+        return object.get(key) != null;
+    }
+
+    /** The type of a part that has a right one. */
+    String type(String unlessGiven) {
+        return object.get("type") instanceof JsonValue.Str s ? s.text : unlessGiven;
     }
 
     double number(String key) {
-        Node node = required(key, "a number");
-        return node == null ? Double.NaN : values.number(node);
+        return number(key, Double.NaN);
     }
 
-    double number(String key, double fallback) {
-        Node node = object.get(key);
-        return node == null ? fallback : values.number(node);
+    double number(String key, double unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.number(v, at(key));
     }
 
-    /** A whole number that must not be missing. */
-    int whole(String key, int lo, int hi) {
-        Node node = required(key, "a whole number in " + lo + ".." + hi);
-        return node == null ? 0 : (int) values.whole(node, lo, hi);
+    int integer(String key, int min, int max, int unlessGiven) {
+        return (int) whole(key, min, max, unlessGiven);
     }
 
-    /** A whole number, or the fallback where it is missing. */
-    long whole(String key, long lo, long hi, long fallback) {
-        Node node = object.get(key);
-        return node == null ? fallback : values.whole(node, lo, hi);
+    long whole(String key, long min, long max, long unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.integer(v, at(key), min, max);
     }
 
-    boolean truth(String key, boolean fallback) {
-        Node node = object.get(key);
-        return node == null ? fallback : values.truth(node);
+    boolean flag(String key, boolean unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.flag(v, at(key));
     }
 
-    String string(String key, String fallback) {
-        Node node = object.get(key);
-        return node == null ? fallback : values.string(node);
+    /** A text; null where it is missing or wrong. */
+    String text(String key, String expected) {
+        JsonValue v = get(key);
+        return v == null ? null : values.text(v, at(key), expected);
     }
 
-    /** One of a few words, or the first of them where the key is missing; null where it is none of them. */
-    String word(String key, String what, String... words) {
-        Node node = object.get(key);
-        return node == null ? words[0] : values.word(node, what, words);
-    }
-
-    /** One of a few words, for a key that must not be missing; null where it is none of them. */
-    String requiredWord(String key, String what, String... words) {
-        Node node = required(key, what + ": " + Values.list(words));
-        return node == null ? null : values.word(node, what, words);
+    String word(String key, Collection<String> words, Collection<String> planned, String unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.word(v, at(key), words, planned);
     }
 
     Point point(String key) {
-        Node node = required(key, "a point [x, y, z]");
-        return node == null ? null : values.point(node);
+        JsonValue v = get(key);
+        return v == null ? Point.ORIGIN : values.point(v, at(key));
     }
 
-    /** Several points. Never null; without use where {@link #sound()} is false. */
-    Point[] points(String key, int count, String what) {
-        Node node = required(key, what);
-        Point[] points = node == null ? null : values.points(node, count, what);
-        return points == null ? new Point[count] : points;
+    Vec3 direction(String key, Vec3 unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.vector(v, at(key), "a direction [x, y, z]");
     }
 
-    Vec3 direction(String key) {
-        String what = "a direction [x, y, z]";
-        Node node = required(key, what);
-        return node == null ? null : values.vector(node, what);
+    Vec3 angles(String key, Vec3 unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.vector(v, at(key), "three angles [x, y, z] in degrees");
     }
 
-    DisplayRgb color(String key) {
-        Node node = required(key, "a colour, \"#rrggbb\" or [r, g, b] with components in 0..1");
-        return node == null ? null : values.color(node);
+    /** A fixed number of positions; origins after a problem. */
+    List<Point> points(String key, int count, String expected) {
+        List<Point> points = new ArrayList<>(count);
+        JsonValue v = get(key);
+        JsonValue.Arr a = v == null ? null : values.array(v, at(key), count, expected);
+        for (int i = 0; i < count; i++) {
+            points.add(a == null ? Point.ORIGIN : values.point(a.get(i), at(key).child(i)));
+        }
+        return points;
     }
 
-    DisplayRgb color(String key, DisplayRgb fallback) {
-        Node node = object.get(key);
-        return node == null ? fallback : values.color(node);
+    DisplayRgb color(String key, DisplayRgb unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.color(v, at(key));
     }
 
-    /** The values of an array, or none where the key is missing. */
-    List<Node> list(String key, String what) {
-        Node node = object.get(key);
-        List<Node> list = node == null ? null : values.array(node, what);
-        return list == null ? List.of() : list;
+    /** Reports a value of this part. */
+    void problem(String key, String message) {
+        JsonValue v = get(key);
+        values.problems().add(v == null ? object : v, at(key), message);
     }
 
-    /** Turns a value that a constructor refused into a problem at its place. */
-    void refuse(InvalidValueException e) {
-        problems.at(object, e.key(), e.getMessage());
+    /**
+     * Makes a record from values that were all right; what the record itself refuses becomes a problem at its place.
+     *
+     * @return null where there is a problem with this part
+     */
+    <T> T make(Supplier<T> maker) {
+        if (values.problems().count() > problemsBefore) {
+            return null;
+        }
+        try {
+            return maker.get();
+        } catch (InvalidValueException e) {
+            String key = e.key();
+            List<String> tokens = key.isEmpty() ? List.of() : Place.parse("/" + key);
+            values.problems().add(Place.nearest(object, tokens), place.descend(key), e.getMessage());
+            return null;
+        }
     }
 }

@@ -5,208 +5,161 @@ import enlightenment.math.Point;
 import enlightenment.math.Vec3;
 import java.math.BigDecimal;
 import java.math.BigInteger;
-import java.util.Arrays;
-import java.util.List;
+import java.util.Collection;
 
 /**
- * Nodes as values of the wanted type. Where a node is of another type, the problem is recorded and a stand-in returned
- * (NaN, null, 0) that nobody may build on: see {@link Problems#failures()}.
+ * Takes values of wanted kinds out of JSON. What is not of the kind becomes a problem that says what was found and what
+ * was expected; what is returned then only lets the search for further problems go on.
  */
 final class Values {
-    private static final BigInteger LEAST = BigInteger.valueOf(Long.MIN_VALUE);
-    private static final BigInteger MOST = BigInteger.valueOf(Long.MAX_VALUE);
-
-    final Problems problems;
+    private final Problems problems;
 
     Values(Problems problems) {
         this.problems = problems;
     }
 
-    private void expected(Node node, String what) {
-        problems.at(node, "must be " + what + ", not " + node.describe());
+    Problems problems() {
+        return problems;
     }
 
-    private Node.Num num(Node node, String what) {
-        if (!(node instanceof Node.Num)) {
-            expected(node, what);
-            return null;
+    /** A finite double, correctly rounded from the decimal; NaN after a problem. */
+    double number(JsonValue v, Place place) {
+        return isNumber(v, place, "a number") ? Double.parseDouble(((JsonValue.Num) v).text) : Double.NaN;
+    }
+
+    /** An exact number that a double can hold; zero after a problem. */
+    BigDecimal exact(JsonValue v, Place place) {
+        return isNumber(v, place, "a number") ? Numbers.exact(((JsonValue.Num) v).text) : BigDecimal.ZERO;
+    }
+
+    private boolean isNumber(JsonValue v, Place place, String expected) {
+        if (!(v instanceof JsonValue.Num n)) {
+            problems.add(v, place, "must be " + expected + ", not " + v.describe());
+            return false;
         }
-        if (((Node.Num) node).bad) {
-            problems.fail();
-            return null;
+        String objection = Numbers.objection(n.text);
+        if (objection != null) {
+            problems.add(v, place, objection);
         }
-        return (Node.Num) node;
+        return objection == null;
     }
 
-    double number(Node node) {
-        Node.Num n = num(node, "a number");
-        return n == null ? Double.NaN : Double.parseDouble(n.text);
-    }
-
-    BigDecimal decimal(Node node) {
-        Node.Num n = num(node, "a number");
-        return n == null ? null : new BigDecimal(n.text);
-    }
-
-    /** A whole number between lo and hi, both included. */
-    long whole(Node node, long lo, long hi) {
-        boolean anyLong = lo == Long.MIN_VALUE && hi == Long.MAX_VALUE;
-        String what = anyLong ? "a whole number of 64 bits" : "a whole number in " + lo + ".." + hi;
-        Node.Num n = num(node, what);
-        if (n == null) {
-            return 0;
+    /** A whole number between two limits; the lower limit after a problem. */
+    long integer(JsonValue v, Place place, long min, long max) {
+        String expected = "a whole number in " + min + ".." + max;
+        if (!isNumber(v, place, expected)) {
+            return min;
         }
-        BigDecimal d = new BigDecimal(n.text);
-        if (d.stripTrailingZeros().scale() <= 0) {
-            BigInteger i = d.toBigInteger();
-            if (i.compareTo(LEAST) >= 0 && i.compareTo(MOST) <= 0 && i.longValue() >= lo && i.longValue() <= hi) {
-                return i.longValue();
+        BigDecimal exact = Numbers.exact(((JsonValue.Num) v).text);
+        boolean whole = exact.signum() == 0 || exact.stripTrailingZeros().scale() <= 0;
+        if (whole && exact.precision() - exact.scale() <= 20) {
+            BigInteger i = exact.toBigIntegerExact();
+            if (i.compareTo(BigInteger.valueOf(min)) >= 0 && i.compareTo(BigInteger.valueOf(max)) <= 0) {
+                return i.longValueExact();
             }
         }
-        expected(node, what);
-        return 0;
+        problems.add(v, place, "must be " + expected + ", not " + JsonValue.shortened(((JsonValue.Num) v).text));
+        return min;
     }
 
-    String string(Node node) {
-        if (node instanceof Node.Str) {
-            return ((Node.Str) node).text;
+    /** true or false; false after a problem. */
+    boolean flag(JsonValue v, Place place) {
+        if (v instanceof JsonValue.Bool b) {
+            return b.value;
         }
-        expected(node, "a string");
-        return null;
-    }
-
-    boolean truth(Node node) {
-        if (node instanceof Node.Word && ((Node.Word) node).value != null) {
-            return ((Node.Word) node).value;
-        }
-        expected(node, "true or false");
+        problems.add(v, place, "must be true or false, not " + v.describe());
         return false;
     }
 
-    /** One of a few words; null where it is none of them. */
-    String word(Node node, String what, String... words) {
-        if (!(node instanceof Node.Str)) {
-            expected(node, what + ": " + list(words));
-            return null;
+    /** A text; null after a problem. */
+    String text(JsonValue v, Place place, String expected) {
+        if (v instanceof JsonValue.Str s) {
+            return s.text;
         }
-        String found = ((Node.Str) node).text;
-        List<String> known = Arrays.asList(words);
-        if (known.contains(found)) {
-            return found;
-        }
-        problems.at(
-                node,
-                "must be " + what + ": " + list(words) + ", not " + Node.quote(found)
-                        + problems.suggestion(found, known));
+        problems.add(v, place, "must be " + expected + ", not " + v.describe());
         return null;
     }
 
-    /** The words in quotes with commas between. */
-    static String list(String... words) {
-        StringBuilder s = new StringBuilder();
-        for (String word : words) {
-            s.append(s.length() == 0 ? "\"" : ", \"").append(word).append('"');
+    /** One of some words; null after a problem. */
+    String word(JsonValue v, Place place, Collection<String> words, Collection<String> planned) {
+        String text = text(v, place, "one of " + Suggestion.list(words));
+        if (text == null || words.contains(text)) {
+            return text;
         }
-        return s.toString();
-    }
-
-    /** The node as an object, or null. */
-    Node.Obj object(Node node, String what) {
-        if (node instanceof Node.Obj) {
-            return (Node.Obj) node;
+        if (planned.contains(text)) {
+            problems.add(v, place, "\"" + text + "\" is not available yet; expected one of " + Suggestion.list(words));
+        } else {
+            problems.add(
+                    v, place, "unknown: " + JsonValue.quoted(text) + Suggestion.of(text, words, "expected one of"));
         }
-        expected(node, what);
         return null;
     }
 
-    /** The values of an array of any length, or null. */
-    List<Node> array(Node node, String what) {
-        if (node instanceof Node.Arr) {
-            return ((Node.Arr) node).values;
+    /** An array of a certain length; null after a problem. */
+    JsonValue.Arr array(JsonValue v, Place place, int length, String expected) {
+        if (v instanceof JsonValue.Arr a && (length < 0 || a.size() == length)) {
+            return a;
         }
-        expected(node, what);
+        problems.add(v, place, "must be " + expected + ", not " + v.describe());
         return null;
     }
 
-    /** The values of an array of this length, or null. */
-    List<Node> array(Node node, int length, String what) {
-        if (node instanceof Node.Arr && ((Node.Arr) node).values.size() == length) {
-            return ((Node.Arr) node).values;
+    /** An object; null after a problem. */
+    JsonValue.Obj object(JsonValue v, Place place, String expected) {
+        if (v instanceof JsonValue.Obj o) {
+            return o;
         }
-        expected(node, what);
+        problems.add(v, place, "must be " + expected + ", not " + v.describe());
         return null;
     }
 
-    Point point(Node node) {
-        List<Node> v = array(node, 3, "a point [x, y, z]");
-        if (v == null) {
-            return null;
+    /** An exact position; the origin after a problem. */
+    Point point(JsonValue v, Place place) {
+        JsonValue.Arr a = array(v, place, 3, "a position [x, y, z]");
+        if (a == null) {
+            return Point.ORIGIN;
         }
-        BigDecimal x = decimal(v.get(0));
-        BigDecimal y = decimal(v.get(1));
-        BigDecimal z = decimal(v.get(2));
-        return x == null || y == null || z == null ? null : new Point(x, y, z);
+        return new Point(
+                exact(a.get(0), place.child(0)), exact(a.get(1), place.child(1)), exact(a.get(2), place.child(2)));
     }
 
-    /** Several points; entries may be null where they failed. Null where it is no array of that length. */
-    Point[] points(Node node, int count, String what) {
-        List<Node> v = array(node, count, what);
-        if (v == null) {
-            return null;
+    /** Three doubles; zeros after a problem. */
+    Vec3 vector(JsonValue v, Place place, String expected) {
+        JsonValue.Arr a = array(v, place, 3, expected);
+        if (a == null) {
+            return Vec3.ZERO;
         }
-        Point[] points = new Point[count];
-        for (int i = 0; i < count; i++) {
-            points[i] = point(v.get(i));
-        }
-        return points;
+        return new Vec3(
+                number(a.get(0), place.child(0)), number(a.get(1), place.child(1)), number(a.get(2), place.child(2)));
     }
 
-    Vec3 vector(Node node, String what) {
-        List<Node> v = array(node, 3, what);
-        return v == null ? null : new Vec3(number(v.get(0)), number(v.get(1)), number(v.get(2)));
+    /** A colour without texture: {@code "#rrggbb"} or {@code [r, g, b]}; black after a problem. */
+    DisplayRgb color(JsonValue v, Place place) {
+        return color(v, place, "a colour: \"#rrggbb\" or [r, g, b] with components in 0..1");
     }
 
-    DisplayRgb color(Node node) {
-        String what = "a colour, \"#rrggbb\" or [r, g, b] with components in 0..1";
-        if (node instanceof Node.Str) {
-            DisplayRgb color = hexadecimal(((Node.Str) node).text);
-            if (color == null) {
-                expected(node, what);
+    /** The same, where more than that is allowed and the message is to say so. */
+    DisplayRgb color(JsonValue v, Place place, String expected) {
+        if (v instanceof JsonValue.Str s) {
+            if (s.text.matches("#[0-9a-fA-F]{6}")) {
+                int rgb = Integer.parseInt(s.text.substring(1), 16);
+                return DisplayRgb.ofBytes(rgb >> 16, rgb >> 8 & 255, rgb & 255);
             }
-            return color;
+            problems.add(v, place, "must be " + expected + ", not " + v.describe());
+            return DisplayRgb.BLACK;
         }
-        List<Node> v = array(node, 3, what);
-        if (v == null) {
-            return null;
+        JsonValue.Arr a = array(v, place, 3, expected);
+        if (a == null) {
+            return DisplayRgb.BLACK;
         }
-        double r = component(v.get(0));
-        double g = component(v.get(1));
-        double b = component(v.get(2));
-        return r >= 0 && g >= 0 && b >= 0 ? new DisplayRgb(r, g, b) : null;
+        return new DisplayRgb(component(a, 0, place), component(a, 1, place), component(a, 2, place));
     }
 
-    private double component(Node node) {
-        double c = number(node);
-        if (c >= 0 && c <= 1 || Double.isNaN(c)) {
-            return c;
+    private double component(JsonValue.Arr a, int i, Place place) {
+        double c = number(a.get(i), place.child(i));
+        if (c < 0 || c > 1) {
+            problems.add(a.get(i), place.child(i), "must be a colour component in 0..1, not " + c);
         }
-        expected(node, "a colour component in 0..1");
-        return Double.NaN;
-    }
-
-    private static DisplayRgb hexadecimal(String text) {
-        if (text.length() != 7 || text.charAt(0) != '#') {
-            return null;
-        }
-        int value = 0;
-        for (int i = 1; i < 7; i++) {
-            char c = text.charAt(i);
-            int digit = c < 128 ? Character.digit(c, 16) : -1;
-            if (digit < 0) {
-                return null;
-            }
-            value = 16 * value + digit;
-        }
-        return DisplayRgb.ofBytes(value >> 16, value >> 8 & 255, value & 255);
+        return c >= 0 && c <= 1 ? c : 0;
     }
 }

@@ -27,6 +27,10 @@ public final class RectanglePrimitive extends Primitive {
     /** The axis that the rectangle is perpendicular to, or -1 if it is not parallel to two axes. */
     private final int axis;
 
+    /** The other two axes. */
+    private final int axis1;
+
+    private final int axis2;
     private final double plane;
     private final double lo1;
     private final double hi1;
@@ -47,8 +51,8 @@ public final class RectanglePrimitive extends Primitive {
         n = up.cross(right);
         nn = n.lengthSquared();
         axis = alignedAxis(up, right);
-        int axis1 = axis == 0 ? 1 : 0;
-        int axis2 = axis == 2 ? 1 : 2;
+        axis1 = axis == 0 ? 1 : 0;
+        axis2 = axis == 2 ? 1 : 2;
         Bounds box = Bounds.of(a, b, c, d);
         plane = axis < 0 ? 0 : a.component(axis);
         lo1 = box.min().component(axis1);
@@ -90,29 +94,11 @@ public final class RectanglePrimitive extends Primitive {
         if (ray.start == this) {
             return MISS;
         }
-        double t;
-        if (axis == 2) {
-            t = (plane - ray.oz) / ray.dz;
-            if (!(t >= ray.tMin && t <= tMax) || !insideAligned(ray, ray.ox, ray.dx, ray.oy, ray.dy, t)) {
-                return MISS;
-            }
-        } else if (axis == 1) {
-            t = (plane - ray.oy) / ray.dy;
-            if (!(t >= ray.tMin && t <= tMax) || !insideAligned(ray, ray.ox, ray.dx, ray.oz, ray.dz, t)) {
-                return MISS;
-            }
-        } else if (axis == 0) {
-            t = (plane - ray.ox) / ray.dx;
-            if (!(t >= ray.tMin && t <= tMax) || !insideAligned(ray, ray.oy, ray.dy, ray.oz, ray.dz, t)) {
-                return MISS;
-            }
-        } else {
-            t = planeDistance(ray);
-            if (!(t >= ray.tMin && t <= tMax) || !insideEdges(ray)) {
-                return MISS;
-            }
+        double t = axis < 0 ? planeDistance(ray) : (plane - ray.o(axis)) / ray.d(axis);
+        if (!(t >= ray.tMin && t <= tMax)) {
+            return MISS;
         }
-        return t;
+        return (axis < 0 ? insideEdges(ray) : insideAligned(ray, t)) ? t : MISS;
     }
 
     private double planeDistance(Ray ray) {
@@ -120,7 +106,11 @@ public final class RectanglePrimitive extends Primitive {
         return Products.accurateDot(n.x(), n.y(), n.z(), a.x() - ray.ox, a.y() - ray.oy, a.z() - ray.oz) / denominator;
     }
 
-    private boolean insideAligned(Ray ray, double o1, double d1, double o2, double d2, double t) {
+    private boolean insideAligned(Ray ray, double t) {
+        double o1 = ray.o(axis1);
+        double d1 = ray.d(axis1);
+        double o2 = ray.o(axis2);
+        double d2 = ray.d(axis2);
         double p1 = Math.fma(t, d1, o1);
         double p2 = Math.fma(t, d2, o2);
         double e1 = QUICK_TEST_ERROR * (Math.abs(t * d1) + Math.abs(o1) + edgeMagnitude);

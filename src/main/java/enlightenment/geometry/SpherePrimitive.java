@@ -11,6 +11,9 @@ import enlightenment.math.Vec3;
  * "Precision improvements for ray/sphere intersection", Ray Tracing Gems ch. 7, taken one step further).
  */
 public final class SpherePrimitive extends Primitive {
+    /** Up to this ratio of the two, a difference of b and s keeps all but two of its bits. */
+    private static final double SAFE_RATIO = 0.75;
+
     private static final double TWO_PI = 2 * Math.PI;
 
     private final double cx;
@@ -64,20 +67,26 @@ public final class SpherePrimitive extends Primitive {
         }
         double b = -(fx * ray.dx + fy * ray.dy + fz * ray.dz);
         double s = Math.sqrt(discriminant);
-        double c = Products.distanceSquaredMinus(fx, fy, fz, radius);
-        double near;
-        double far;
-        if (b > 0) {
-            double q = b + s;
-            near = c / q;
-            far = q / ray.dd;
-        } else {
-            double q = b - s;
-            near = q / ray.dd;
-            far = q == 0 ? 0 : c / q;
-        }
-        double t = near >= ray.tMin ? near : far;
+        double near = near(ray, fx, fy, fz, b, s);
+        double t = near >= ray.tMin ? near : far(ray, fx, fy, fz, b, s);
         return t >= ray.tMin && t <= tMax ? t : MISS;
+    }
+
+    /**
+     * The smaller root of dd·t² − 2b·t + c = 0, s² = b² − dd·c. Where b and s are close, their difference has lost digits
+     * and c/(b + s) is taken, with c in twice the working precision.
+     */
+    private double near(Ray ray, double fx, double fy, double fz, double b, double s) {
+        return b > 0 && s > b * SAFE_RATIO
+                ? Products.distanceSquaredMinus(fx, fy, fz, radius) / (b + s)
+                : (b - s) / ray.dd;
+    }
+
+    /** The greater root. */
+    private double far(Ray ray, double fx, double fy, double fz, double b, double s) {
+        return b < 0 && s > -b * SAFE_RATIO
+                ? Products.distanceSquaredMinus(fx, fy, fz, radius) / (b - s)
+                : (b + s) / ray.dd;
     }
 
     private double farEnd(Ray ray, double fx, double fy, double fz, double discriminant, double tMax) {
@@ -98,8 +107,7 @@ public final class SpherePrimitive extends Primitive {
         double b = -(fx * ray.dx + fy * ray.dy + fz * ray.dz);
         // The two crossings lie at the foot of the perpendicular ∓ a half chord; the same comparison as in nearest.
         double s = Math.sqrt(discriminant);
-        double near = b > 0 ? Products.distanceSquaredMinus(fx, fy, fz, radius) / (b + s) : (b - s) / ray.dd;
-        boolean entering = ray.start != this && near >= ray.tMin;
+        boolean entering = ray.start != this && near(ray, fx, fy, fz, b, s) >= ray.tMin;
         double half = (entering ? -s : s) / ray.dd;
         double vx = Math.fma(half, ray.dx, Products.difference(ray.dy, mz, ray.dz, my) / ray.dd);
         double vy = Math.fma(half, ray.dy, Products.difference(ray.dz, mx, ray.dx, mz) / ray.dd);

@@ -17,7 +17,7 @@ import enlightenment.math.Vec3;
  * it is convex and the ray travels outside; if the ray travels inside a convex primitive it meets the far end of its
  * interval, always.
  */
-public abstract sealed class Primitive permits SpherePrimitive, RectanglePrimitive {
+public abstract sealed class Primitive permits SpherePrimitive, RectanglePrimitive, DiskPrimitive, AxialPrimitive {
 
     /** "No crossing". */
     public static final double MISS = Double.POSITIVE_INFINITY;

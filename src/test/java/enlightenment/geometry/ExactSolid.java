@@ -107,6 +107,15 @@ final class ExactSolid {
     }
 
     private void addLateral(BigDecimal[] f, BigDecimal[] d, List<BigDecimal> crossings) {
+        for (BigDecimal t : lateralRoots(f, d)) {
+            BigDecimal s = fraction(plus(f, d, t));
+            if (withinEnds(s) && radiusAt(s).signum() >= 0) {
+                crossings.add(t);
+            }
+        }
+    }
+
+    private List<BigDecimal> lateralRoots(BigDecimal[] f, BigDecimal[] d) {
         BigDecimal aa = dot(axis, axis);
         BigDecimal[] w = cross(f, axis);
         BigDecimal[] u = cross(d, axis);
@@ -116,12 +125,7 @@ final class ExactSolid {
         BigDecimal a = dot(u, u).subtract(aa.multiply(c1.multiply(c1)));
         BigDecimal b = dot(u, w).subtract(aa.multiply(c0.multiply(c1)));
         BigDecimal c = dot(w, w).subtract(aa.multiply(c0.multiply(c0)));
-        for (BigDecimal t : roots(a, b, c)) {
-            BigDecimal s = fraction(plus(f, d, t));
-            if (withinEnds(s) && radiusAt(s).signum() >= 0) {
-                crossings.add(t);
-            }
-        }
+        return roots(a, b, c);
     }
 
     private void addEnds(BigDecimal[] f, BigDecimal[] d, List<BigDecimal> crossings) {
@@ -140,6 +144,34 @@ final class ExactSolid {
                 crossings.add(t);
             }
         }
+    }
+
+    /**
+     * The crossings with the lateral surface between the ends, in order and from the origin on; null if one is so close
+     * to an end, to the origin or to the other one that roundings may decide.
+     */
+    List<BigDecimal> lateralCrossings(Vec3 origin, Vec3 direction) {
+        BigDecimal[] f = minus(vector(origin), reference);
+        BigDecimal[] d = vector(direction);
+        List<BigDecimal> result = new ArrayList<>();
+        BigDecimal previous = null;
+        double close = 1e-9;
+        for (BigDecimal t : lateralRoots(f, d)) {
+            BigDecimal s = fraction(plus(f, d, t));
+            double height = s.doubleValue();
+            if (Math.abs(height) < close || Math.abs(height - 1) < close || Math.abs(t.doubleValue()) < close) {
+                return null;
+            }
+            if (previous != null && Math.abs(t.subtract(previous).doubleValue()) < 1e-3 * (1 + t.doubleValue())) {
+                return null;
+            }
+            if (height > 0 && height < 1 && t.signum() > 0) {
+                result.add(t);
+            }
+            previous = t;
+        }
+        Collections.sort(result);
+        return result;
     }
 
     /** The roots of at² + 2bt + c. */

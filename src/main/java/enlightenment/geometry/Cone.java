@@ -28,7 +28,8 @@ public record Cone(Point base, Point apex, double radius, double topRadius, bool
 
     @Override
     public Primitive place(SceneFrame frame) {
-        throw new UnsupportedOperationException("not placed yet");
+        return new ConePrimitive(
+                frame.toFrame(base), frame.toFrame(apex), frame.toFrame(radius), frame.toFrame(topRadius), capped);
     }
 
     @Override

@@ -26,7 +26,7 @@ public record Cylinder(Point base, Point top, double radius, boolean capped) imp
 
     @Override
     public Primitive place(SceneFrame frame) {
-        throw new UnsupportedOperationException("not placed yet");
+        return new CylinderPrimitive(frame.toFrame(base), frame.toFrame(top), frame.toFrame(radius), capped);
     }
 
     @Override

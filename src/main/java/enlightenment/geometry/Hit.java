@@ -36,6 +36,9 @@ public final class Hit {
 
     public double v;
 
+    /** Work space of a primitive between finding its crossing and completing the hit. */
+    double along;
+
     /** An empty result. */
     public Hit() {}
 

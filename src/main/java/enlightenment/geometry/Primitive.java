@@ -18,7 +18,14 @@ import enlightenment.math.Vec3;
  * interval, always.
  */
 public abstract sealed class Primitive
-        permits SpherePrimitive, RectanglePrimitive, TorusPrimitive, BoxPrimitive, CubePrimitive, TrianglePrimitive {
+        permits SpherePrimitive,
+                RectanglePrimitive,
+                DiskPrimitive,
+                AxialPrimitive,
+                TorusPrimitive,
+                BoxPrimitive,
+                CubePrimitive,
+                TrianglePrimitive {
 
     /** "No crossing". */
     public static final double MISS = Double.POSITIVE_INFINITY;

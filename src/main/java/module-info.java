@@ -11,6 +11,7 @@ module enlightenment {
     exports enlightenment.light;
     exports enlightenment.camera;
     exports enlightenment.scene;
+    exports enlightenment.scene.json;
     exports enlightenment.image;
     exports enlightenment.render;
 }

@@ -1,0 +1,203 @@
+package enlightenment.scene.json;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.Point;
+import enlightenment.math.Vec3;
+import enlightenment.scene.json.Vocabulary.Keys;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+
+/**
+ * One part of a scene: an object whose keys are known. Making one reports the keys that are missing or unknown; each
+ * getter reports a value that is not what it should be, and returns something to go on with.
+ */
+final class Fields {
+    private final JsonValue.Obj object;
+    private final Place place;
+    private final Values values;
+    private final int problemsBefore;
+
+    private Fields(JsonValue.Obj object, Place place, Values values, int problemsBefore) {
+        this.object = object;
+        this.place = place;
+        this.values = values;
+        this.problemsBefore = problemsBefore;
+    }
+
+    /** A part with these keys; null after a problem where the value is no object. */
+    static Fields of(JsonValue v, Place place, Keys keys, Values values) {
+        return of(v, place, keys, List.of(), values);
+    }
+
+    /** A part with these keys; {@code planned} are keys that the format will have. */
+    static Fields of(JsonValue v, Place place, Keys keys, Collection<String> planned, Values values) {
+        int before = values.problems().count();
+        JsonValue.Obj o = values.object(v, place, keys.noun() + ", an object { ... }");
+        if (o == null) {
+            return null;
+        }
+        Fields fields = new Fields(o, place, values, before);
+        fields.checkKeys(keys, planned);
+        return fields;
+    }
+
+    /** What a family of types needs to know about itself for its messages. */
+    record Family(
+            String noun, Map<String, Keys> types, Collection<String> plannedTypes, Collection<String> plannedKeys) {}
+
+    /** A part whose {@code "type"} says which keys it has; null after a problem where it has none. */
+    static Fields of(JsonValue v, Place place, Family family, String typeUnlessGiven, Values values) {
+        int before = values.problems().count();
+        JsonValue.Obj o = values.object(v, place, family.noun() + ", an object { ... }");
+        if (o == null) {
+            return null;
+        }
+        JsonValue type = o.get("type");
+        String name = typeUnlessGiven;
+        if (type != null) {
+            name = values.word(type, place.child("type"), family.types().keySet(), family.plannedTypes());
+        } else if (name == null) {
+            values.problems()
+                    .add(
+                            o,
+                            place.child("type"),
+                            "missing; expected one of "
+                                    + Suggestion.list(family.types().keySet()));
+        }
+        if (name == null) {
+            return null;
+        }
+        Fields fields = new Fields(o, place, values, before);
+        fields.checkKeys(family.types().get(name), family.plannedKeys());
+        return fields;
+    }
+
+    private void checkKeys(Keys keys, Collection<String> planned) {
+        for (String required : keys.required()) {
+            if (!has(required)) {
+                values.problems().add(object, place.child(required), "missing; " + keys.noun() + " needs it");
+            }
+        }
+        for (int i = 0; i < object.size(); i++) {
+            String key = object.key(i);
+            if (keys.has(key)) {
+                continue;
+            }
+            String message = planned.contains(key)
+                    ? "is for physical shading, which is not available yet"
+                    : "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
+            values.problems().add(object.value(i), place.child(key), message);
+        }
+    }
+
+    Place at(String key) {
+        return place.child(key);
+    }
+
+    JsonValue get(String key) {
+        return object.get(key);
+    }
+
+    boolean has(String key) {
+        return object.get(key) != null;
+    }
+
+    /** The type of a part that has a right one. */
+    String type(String unlessGiven) {
+        return object.get("type") instanceof JsonValue.Str s ? s.text : unlessGiven;
+    }
+
+    double number(String key) {
+        return number(key, Double.NaN);
+    }
+
+    double number(String key, double unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.number(v, at(key));
+    }
+
+    int integer(String key, int min, int max, int unlessGiven) {
+        return (int) whole(key, min, max, unlessGiven);
+    }
+
+    long whole(String key, long min, long max, long unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.integer(v, at(key), min, max);
+    }
+
+    boolean flag(String key, boolean unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.flag(v, at(key));
+    }
+
+    /** A text; null where it is missing or wrong. */
+    String text(String key, String expected) {
+        JsonValue v = get(key);
+        return v == null ? null : values.text(v, at(key), expected);
+    }
+
+    String word(String key, Collection<String> words, Collection<String> planned, String unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.word(v, at(key), words, planned);
+    }
+
+    Point point(String key) {
+        JsonValue v = get(key);
+        return v == null ? Point.ORIGIN : values.point(v, at(key));
+    }
+
+    Vec3 direction(String key, Vec3 unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.vector(v, at(key), "a direction [x, y, z]");
+    }
+
+    Vec3 angles(String key, Vec3 unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.vector(v, at(key), "three angles [x, y, z] in degrees");
+    }
+
+    /** A fixed number of positions; origins after a problem. */
+    List<Point> points(String key, int count, String expected) {
+        List<Point> points = new ArrayList<>(count);
+        JsonValue v = get(key);
+        JsonValue.Arr a = v == null ? null : values.array(v, at(key), count, expected);
+        for (int i = 0; i < count; i++) {
+            points.add(a == null ? Point.ORIGIN : values.point(a.get(i), at(key).child(i)));
+        }
+        return points;
+    }
+
+    DisplayRgb color(String key, DisplayRgb unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.color(v, at(key));
+    }
+
+    /** Reports a value of this part. */
+    void problem(String key, String message) {
+        JsonValue v = get(key);
+        values.problems().add(v == null ? object : v, at(key), message);
+    }
+
+    /**
+     * Makes a record from values that were all right; what the record itself refuses becomes a problem at its place.
+     *
+     * @return null where there is a problem with this part
+     */
+    <T> T make(Supplier<T> maker) {
+        if (values.problems().count() > problemsBefore) {
+            return null;
+        }
+        try {
+            return maker.get();
+        } catch (InvalidValueException e) {
+            String key = e.key();
+            List<String> tokens = key.isEmpty() ? List.of() : Place.parse("/" + key);
+            values.problems().add(Place.nearest(object, tokens), place.descend(key), e.getMessage());
+            return null;
+        }
+    }
+}

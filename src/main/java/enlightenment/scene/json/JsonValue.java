@@ -1,0 +1,182 @@
+package enlightenment.scene.json;
+
+import java.util.List;
+
+/**
+ * A parsed JSON value that knows where it stood, kept as small as millions of values ask for.
+ *
+ * <p>Numbers keep their text: what it is worth is decided by whoever wants the number, exactly or as a double.
+ */
+abstract sealed class JsonValue {
+    /** Line of the value's first character, counted from 1; 0 where the value comes from no file. */
+    final int line;
+
+    /** Its column, counted from 1. */
+    final int column;
+
+    private JsonValue(int line, int column) {
+        this.line = line;
+        this.column = column;
+    }
+
+    /** What the value is, for messages: {@code the text "abc"}. */
+    abstract String describe();
+
+    /** An object; the keys keep their order, and of a duplicate key the last value counts. */
+    static final class Obj extends JsonValue {
+        private final String[] keys;
+        private final JsonValue[] values;
+
+        Obj(int line, int column, String[] keys, JsonValue[] values) {
+            super(line, column);
+            this.keys = keys;
+            this.values = values;
+        }
+
+        int size() {
+            return keys.length;
+        }
+
+        String key(int i) {
+            return keys[i];
+        }
+
+        JsonValue value(int i) {
+            return values[i];
+        }
+
+        /** The keys, shared: not to be changed. */
+        String[] keys() {
+            return keys;
+        }
+
+        /** The value of a key, or null. */
+        JsonValue get(String key) {
+            int i = indexOf(key);
+            return i < 0 ? null : values[i];
+        }
+
+        private int indexOf(String key) {
+            for (int i = keys.length - 1; i >= 0; i--) {
+                if (keys[i].equals(key)) {
+                    return i;
+                }
+            }
+            return -1;
+        }
+
+        /** Puts another value in place of an existing one; only animation does so, before anything else looks. */
+        void replace(String key, JsonValue value) {
+            values[indexOf(key)] = value;
+        }
+
+        @Override
+        String describe() {
+            return "an object";
+        }
+    }
+
+    /** An array. */
+    static final class Arr extends JsonValue {
+        private final JsonValue[] items;
+
+        Arr(int line, int column, JsonValue[] items) {
+            super(line, column);
+            this.items = items;
+        }
+
+        static Arr of(List<JsonValue> items) {
+            return new Arr(0, 0, items.toArray(JsonValue[]::new));
+        }
+
+        int size() {
+            return items.length;
+        }
+
+        JsonValue get(int i) {
+            return items[i];
+        }
+
+        void replace(int i, JsonValue value) {
+            items[i] = value;
+        }
+
+        @Override
+        String describe() {
+            return items.length == 1 ? "an array of 1 value" : "an array of " + items.length + " values";
+        }
+    }
+
+    /** A number as it was written; also NaN and the infinities, so that they can be refused at their place. */
+    static final class Num extends JsonValue {
+        final String text;
+
+        Num(int line, int column, String text) {
+            super(line, column);
+            this.text = text;
+        }
+
+        @Override
+        String describe() {
+            return "the number " + shortened(text);
+        }
+    }
+
+    /** A text. */
+    static final class Str extends JsonValue {
+        final String text;
+
+        Str(int line, int column, String text) {
+            super(line, column);
+            this.text = text;
+        }
+
+        @Override
+        String describe() {
+            return "the text " + quoted(text);
+        }
+    }
+
+    /** true or false. */
+    static final class Bool extends JsonValue {
+        final boolean value;
+
+        Bool(int line, int column, boolean value) {
+            super(line, column);
+            this.value = value;
+        }
+
+        @Override
+        String describe() {
+            return Boolean.toString(value);
+        }
+    }
+
+    /** null, which no part of a scene may be. */
+    static final class Null extends JsonValue {
+        Null(int line, int column) {
+            super(line, column);
+        }
+
+        @Override
+        String describe() {
+            return "null";
+        }
+    }
+
+    /** A text in quotes, cut where it is long, for messages. */
+    static String quoted(String text) {
+        return '"' + shortened(text) + '"';
+    }
+
+    private static final int LONGEST_IN_A_MESSAGE = 60;
+
+    /** A text for messages: long ones cut, control characters replaced. */
+    static String shortened(String text) {
+        String s = text.length() <= LONGEST_IN_A_MESSAGE ? text : text.substring(0, LONGEST_IN_A_MESSAGE - 3) + "...";
+        return s.codePoints()
+                .map(c -> Character.isISOControl(c) ? '?' : c)
+                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
+                .toString();
+    }
+}

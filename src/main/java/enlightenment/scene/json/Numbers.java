@@ -1,0 +1,113 @@
+package enlightenment.scene.json;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
+/** Between the text of JSON numbers and their values. */
+final class Numbers {
+    /** Twice the range of doubles and a little: what lies beyond can only be a mistake, or an attack. */
+    static final int LARGEST_EXPONENT = 400;
+
+    /** More digits than the longest exact double has (767). */
+    static final int MOST_DIGITS = 1200;
+
+    private static final int LEAST_PLAIN_EXPONENT = -7;
+    private static final int GREATEST_PLAIN_EXPONENT = 20;
+
+    private Numbers() {}
+
+    /**
+     * What keeps a number's text from being used, or null. Looks only at the characters: a short text that stands for
+     * a number of a billion digits costs nothing.
+     */
+    static String objection(String text) {
+        int e = exponentIndex(text);
+        int digits = 0;
+        boolean zero = true;
+        for (int i = 0; i < e; i++) {
+            char c = text.charAt(i);
+            if (c >= '0' && c <= '9') {
+                digits++;
+                zero &= c == '0';
+            } else if (c != '.' && !(c == '-' && i == 0)) {
+                return "must be a finite number, not " + JsonValue.shortened(text);
+            }
+        }
+        if (digits > MOST_DIGITS) {
+            return "has " + digits + " digits; a number may have at most " + MOST_DIGITS;
+        }
+        if (!exponentIsModest(text, e)) {
+            return "must be a number that a double can hold, not " + JsonValue.shortened(text)
+                    + ": its exponent is beyond " + LARGEST_EXPONENT;
+        }
+        double d = Double.parseDouble(text);
+        if (Double.isInfinite(d)) {
+            return "must be a number that a double can hold (at most 1.8e308), not " + JsonValue.shortened(text);
+        }
+        if (d == 0 && !zero) {
+            return "must be 0 or a number that a double can hold (at least 4.9e-324), not " + JsonValue.shortened(text);
+        }
+        return null;
+    }
+
+    private static int exponentIndex(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            if (text.charAt(i) == 'e' || text.charAt(i) == 'E') {
+                return i;
+            }
+        }
+        return text.length();
+    }
+
+    private static boolean exponentIsModest(String text, int e) {
+        int value = 0;
+        for (int i = e + 1; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (c >= '0' && c <= '9') {
+                value = 10 * value + (c - '0');
+                if (value > LARGEST_EXPONENT) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** The exact value of a text without {@linkplain #objection objections}. */
+    static BigDecimal exact(String text) {
+        return new BigDecimal(text);
+    }
+
+    /**
+     * The shortest text whose nearest double is v; of several, the one nearest to v. Unlike {@code Double.toString} it
+     * is the same on every version of Java.
+     */
+    static String text(double v) {
+        if (v == Math.rint(v) && Math.abs(v) < 1e15) {
+            return v == 0 && 1 / v < 0 ? "-0.0" : Long.toString((long) v);
+        }
+        BigDecimal exact = new BigDecimal(v);
+        for (int digits = 1; ; digits++) {
+            BigDecimal rounded = exact.round(new MathContext(digits, RoundingMode.HALF_EVEN));
+            if (rounded.doubleValue() == v) {
+                return text(rounded);
+            }
+        }
+    }
+
+    /** The text of exactly this number: plain where that is short, else with an exponent. */
+    static String text(BigDecimal v) {
+        if (v.signum() == 0) {
+            return "0";
+        }
+        BigDecimal s = v.stripTrailingZeros();
+        int exponent = s.precision() - s.scale() - 1;
+        if (exponent >= LEAST_PLAIN_EXPONENT && exponent <= GREATEST_PLAIN_EXPONENT) {
+            return s.toPlainString();
+        }
+        String digits = s.unscaledValue().abs().toString();
+        String fraction = digits.length() == 1 ? "" : "." + digits.substring(1);
+        return (s.signum() < 0 ? "-" : "") + digits.charAt(0) + fraction + "e" + exponent;
+    }
+}

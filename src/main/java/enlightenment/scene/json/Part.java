@@ -1,0 +1,152 @@
+package enlightenment.scene.json;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.math.Point;
+import enlightenment.math.Vec3;
+import enlightenment.scene.SceneException;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableSet;
+
+/** One part of a scene on its way to JSON: what {@link Fields} is on the way back. */
+final class Part {
+    private final Place place;
+    private final NavigableSet<String> targets;
+    private final Map<String, JsonValue> values = new LinkedHashMap<>();
+
+    /**
+     * @param targets the JSON pointers of animated numbers, which must be written as numbers at just these places
+     */
+    Part(Place place, NavigableSet<String> targets) {
+        this.place = place;
+        this.targets = targets;
+    }
+
+    Part child(String key) {
+        return new Part(place.child(key), targets);
+    }
+
+    Part child(String key, int index) {
+        return new Part(place.child(key).child(index), targets);
+    }
+
+    /** Whether a value, or something inside of it, is animated. */
+    boolean animated(String key) {
+        if (targets.isEmpty()) {
+            return false;
+        }
+        String p = place.child(key).toString();
+        String inside = targets.ceiling(p + "/");
+        return targets.contains(p) || inside != null && inside.startsWith(p + "/");
+    }
+
+    JsonValue json() {
+        return new JsonValue.Obj(
+                0, 0, values.keySet().toArray(String[]::new), values.values().toArray(JsonValue[]::new));
+    }
+
+    boolean isEmpty() {
+        return values.isEmpty();
+    }
+
+    Part put(String key, JsonValue v) {
+        values.put(key, v);
+        return this;
+    }
+
+    Part text(String key, String v) {
+        return put(key, new JsonValue.Str(0, 0, v));
+    }
+
+    Part whole(String key, long v) {
+        return put(key, new JsonValue.Num(0, 0, Long.toString(v)));
+    }
+
+    Part wholeUnless(long usual, String key, long v) {
+        return v == usual && !animated(key) ? this : whole(key, v);
+    }
+
+    Part number(String key, double v) {
+        return put(key, number(v));
+    }
+
+    Part numberUnless(double usual, String key, double v) {
+        return Double.compare(v, usual) == 0 && !animated(key) ? this : number(key, v);
+    }
+
+    Part flagUnless(boolean usual, String key, boolean v) {
+        return v == usual ? this : put(key, new JsonValue.Bool(0, 0, v));
+    }
+
+    Part vector(String key, Vec3 v) {
+        return put(key, JsonValue.Arr.of(List.of(number(v.x()), number(v.y()), number(v.z()))));
+    }
+
+    Part vectorUnless(Vec3 usual, String key, Vec3 v) {
+        return v.equals(usual) && !animated(key) ? this : vector(key, v);
+    }
+
+    Part point(String key, Point p) {
+        return put(key, json(place.child(key), p));
+    }
+
+    Part points(String key, Point... points) {
+        List<JsonValue> items = new ArrayList<>();
+        for (Point p : points) {
+            items.add(json(place.child(key).child(items.size()), p));
+        }
+        return put(key, JsonValue.Arr.of(items));
+    }
+
+    Part color(String key, DisplayRgb c) {
+        return put(key, color(c, animated(key)));
+    }
+
+    Part colorUnless(DisplayRgb usual, String key, DisplayRgb c) {
+        return c.equals(usual) && !animated(key) ? this : color(key, c);
+    }
+
+    Part colors(String key, List<DisplayRgb> colors) {
+        boolean asNumbers = animated(key);
+        return put(
+                key,
+                JsonValue.Arr.of(colors.stream().map(c -> color(c, asNumbers)).toList()));
+    }
+
+    private static JsonValue color(DisplayRgb c, boolean asNumbers) {
+        int r = (int) Math.rint(c.r() * 255);
+        int g = (int) Math.rint(c.g() * 255);
+        int b = (int) Math.rint(c.b() * 255);
+        if (!asNumbers && DisplayRgb.ofBytes(r, g, b).equals(c)) {
+            String hex = Integer.toHexString(1 << 24 | r << 16 | g << 8 | b).substring(1);
+            return new JsonValue.Str(0, 0, "#" + hex);
+        }
+        return JsonValue.Arr.of(List.of(number(c.r()), number(c.g()), number(c.b())));
+    }
+
+    private static JsonValue number(double v) {
+        return new JsonValue.Num(0, 0, Numbers.text(v));
+    }
+
+    private static JsonValue json(Place place, Point p) {
+        List<JsonValue> items = new ArrayList<>(3);
+        for (int k = 0; k < 3; k++) {
+            items.add(exact(place.child(k), p.component(k)));
+        }
+        return JsonValue.Arr.of(items);
+    }
+
+    private static JsonValue exact(Place place, BigDecimal v) {
+        long exponent = (long) v.precision() - v.scale();
+        boolean hopeless = Math.abs(exponent) > 2L * Numbers.LARGEST_EXPONENT;
+        String text = hopeless ? v.toString() : Numbers.text(v);
+        String objection = Numbers.objection(text);
+        if (objection != null) {
+            throw SceneException.of(place.toString(), objection);
+        }
+        return new JsonValue.Num(0, 0, text);
+    }
+}

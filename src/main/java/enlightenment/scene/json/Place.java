@@ -1,0 +1,106 @@
+package enlightenment.scene.json;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Where in a document something is: a JSON pointer (RFC 6901) that is only spelled out when somebody asks.
+ */
+final class Place {
+    static final Place ROOT = new Place(null, null, -1);
+
+    private final Place parent;
+    private final String key;
+    private final int index;
+
+    private Place(Place parent, String key, int index) {
+        this.parent = parent;
+        this.key = key;
+        this.index = index;
+    }
+
+    Place child(String name) {
+        return new Place(this, name, -1);
+    }
+
+    Place child(int i) {
+        return new Place(this, null, i);
+    }
+
+    /** The place at a relative pointer without leading slash, such as {@code corners/2}; "" is here. */
+    Place descend(String relativePointer) {
+        Place p = this;
+        for (String token : relativePointer.isEmpty() ? new String[0] : relativePointer.split("/", -1)) {
+            p = p.child(unescape(token));
+        }
+        return p;
+    }
+
+    /** The JSON pointer; "" for the whole document. */
+    @Override
+    public String toString() {
+        if (parent == null) {
+            return "";
+        }
+        return parent + "/" + (key == null ? Integer.toString(index) : escape(key));
+    }
+
+    /** The parts of a JSON pointer, or null if it is not one. */
+    static List<String> parse(String pointer) {
+        List<String> tokens = new ArrayList<>();
+        if (pointer.isEmpty()) {
+            return tokens;
+        }
+        if (pointer.charAt(0) != '/') {
+            return null;
+        }
+        for (String token : pointer.substring(1).split("/", -1)) {
+            if (token.matches("(?s).*~(?![01]).*")) {
+                return null;
+            }
+            tokens.add(unescape(token));
+        }
+        return tokens;
+    }
+
+    static String escape(String token) {
+        return token.replace("~", "~0").replace("/", "~1");
+    }
+
+    private static String unescape(String token) {
+        return token.replace("~1", "/").replace("~0", "~");
+    }
+
+    /** The value that a pointer's parts lead to, or null. */
+    static JsonValue resolve(JsonValue root, List<String> tokens) {
+        JsonValue v = root;
+        for (String token : tokens) {
+            v = step(v, token);
+        }
+        return v;
+    }
+
+    private static JsonValue step(JsonValue v, String token) {
+        if (v instanceof JsonValue.Obj o) {
+            return o.get(token);
+        }
+        if (v instanceof JsonValue.Arr a && token.matches("0|[1-9][0-9]{0,8}")) {
+            int i = Integer.parseInt(token);
+            return i < a.size() ? a.get(i) : null;
+        }
+        return null;
+    }
+
+    /** The value at the pointer's parts, or the nearest one around it; never null if root is not. */
+    static JsonValue nearest(JsonValue root, List<String> tokens) {
+        JsonValue v = root;
+        for (String token : tokens) {
+            JsonValue next = step(v, token);
+            if (next == null) {
+                return v;
+            }
+            v = next;
+        }
+        return v;
+    }
+}

@@ -1,0 +1,55 @@
+package enlightenment.scene.json;
+
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneException.Problem;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Collects what is wrong with a file, so that all of it is told at once. */
+final class Problems {
+    /** More than anybody reads; keeps a wrong file of a million objects from filling the memory with messages. */
+    static final int MOST_KEPT = 1000;
+
+    private final String file;
+    private final String remark;
+    private final List<Problem> kept = new ArrayList<>();
+    private int count;
+
+    /**
+     * @param file name for messages
+     * @param remark appended to each message: what else is to be known, such as the frame, or ""
+     */
+    Problems(String file, String remark) {
+        this.file = file;
+        this.remark = remark;
+    }
+
+    /** How many problems were found so far: unchanged means that what was done in between went well. */
+    int count() {
+        return count;
+    }
+
+    void add(JsonValue at, Place place, String message) {
+        add(at.line, at.column, place.toString(), message);
+    }
+
+    void add(int line, int column, String pointer, String message) {
+        if (count++ < MOST_KEPT) {
+            kept.add(new Problem(file, line, column, pointer, message + remark));
+        }
+    }
+
+    /** Fails if anything was wrong. */
+    void throwIfAny() {
+        if (count == 0) {
+            return;
+        }
+        List<Problem> sorted = new ArrayList<>(kept);
+        sorted.sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
+        if (count > MOST_KEPT) {
+            sorted.add(new Problem(file, 0, 0, "", "and " + (count - MOST_KEPT) + " more problems"));
+        }
+        throw new SceneException(sorted);
+    }
+}

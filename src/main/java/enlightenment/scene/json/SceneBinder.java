@@ -1,0 +1,117 @@
+package enlightenment.scene.json;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayRgb;
+import enlightenment.light.Light;
+import enlightenment.scene.Animation;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/** Makes a scene of a document, or says all that is wrong with it. */
+final class SceneBinder {
+    private final Values values;
+    private final Path folder;
+
+    SceneBinder(Problems problems, Path folder) {
+        this.values = new Values(problems);
+        this.folder = folder;
+    }
+
+    /** The scene at a frame, or as it is written; null after a problem. */
+    Scene bind(JsonValue root, OptionalInt frame) {
+        Fields f = Fields.of(root, Place.ROOT, Vocabulary.SCENE, values);
+        if (f == null) {
+            return null;
+        }
+        Animation animation =
+                f.has("animation") ? new Tracks(root, values).read(f.get("animation"), f.at("animation")) : null;
+        if (frame.isPresent()) {
+            setFrame(f, animation, frame.getAsInt(), root);
+        }
+        return scene(f, animation);
+    }
+
+    private static void setFrame(Fields f, Animation animation, int frame, JsonValue root) {
+        if (!f.has("animation")) {
+            f.problem("animation", "missing: the scene has no animation, so it has no frame " + frame);
+        } else if (animation != null && (frame < 0 || frame >= animation.frames())) {
+            f.problem("animation", "there is no frame " + frame + "; the frames are 0.." + (animation.frames() - 1));
+        } else if (animation != null) {
+            Tracks.apply(animation, frame, root);
+        }
+    }
+
+    private Scene scene(Fields f, Animation animation) {
+        f.text("$schema", "the address of the schema");
+        String name = f.text("name", "a text");
+        Fields image = f.has("image") ? Fields.of(f.get("image"), f.at("image"), Vocabulary.IMAGE, values) : null;
+        int width = image == null ? 1 : image.integer("width", 1, Scene.MAX_SIDE, 1);
+        int height = image == null ? 1 : image.integer("height", 1, Scene.MAX_SIDE, 1);
+        Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
+        ClassicShading shading = shading(f);
+        Textures textures = new Textures(values, folder);
+        if (f.has("textures")) {
+            textures.readNamed(f.get("textures"), f.at("textures"));
+        }
+        Materials materials = new Materials(values, textures);
+        if (f.has("materials")) {
+            materials.readNamed(f.get("materials"), f.at("materials"));
+        }
+        List<Light> lights = f.has("lights") ? Lights.read(f.get("lights"), f.at("lights"), values) : List.of();
+        List<SceneObject> objects = f.has("objects")
+                ? new SceneObjects(values, materials).read(f.get("objects"), f.at("objects"))
+                : List.of();
+        RenderDefaults render = render(f);
+        return f.make(() -> new Scene(
+                name == null ? "" : name,
+                width,
+                height,
+                camera,
+                shading,
+                textures.named(),
+                materials.named(),
+                lights,
+                objects,
+                render,
+                Optional.ofNullable(animation)));
+    }
+
+    private ClassicShading shading(Fields scene) {
+        if (!scene.has("shading")) {
+            return ClassicShading.DEFAULT;
+        }
+        Fields f = Fields.of(
+                scene.get("shading"), scene.at("shading"), Vocabulary.SHADING, Vocabulary.PLANNED_SHADING_KEYS, values);
+        if (f == null) {
+            return null;
+        }
+        f.word("model", Vocabulary.SHADING_MODELS, Vocabulary.PLANNED_SHADING_MODELS, "classic");
+        ClassicShading d = ClassicShading.DEFAULT;
+        double ambient = f.number("ambient", d.ambient());
+        double shadow = f.number("shadow", d.shadow());
+        DisplayRgb background = f.color("background", d.background());
+        return f.make(() -> new ClassicShading(ambient, shadow, background));
+    }
+
+    private RenderDefaults render(Fields scene) {
+        if (!scene.has("render")) {
+            return RenderDefaults.DEFAULT;
+        }
+        Fields f = Fields.of(scene.get("render"), scene.at("render"), Vocabulary.RENDER, values);
+        if (f == null) {
+            return null;
+        }
+        RenderDefaults d = RenderDefaults.DEFAULT;
+        String method = f.word("method", Vocabulary.METHODS, List.of(), d.method());
+        int antialias = f.integer("antialias", 1, RenderDefaults.MAX_ANTIALIAS, d.antialias());
+        int shadowSamples = f.integer("shadowSamples", 1, RenderDefaults.MAX_SHADOW_SAMPLES, d.shadowSamples());
+        long seed = f.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, d.seed());
+        return f.make(() -> new RenderDefaults(method, antialias, shadowSamples, seed));
+    }
+}

@@ -1,0 +1,103 @@
+package enlightenment.scene.json;
+
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.io.StringReader;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.OptionalInt;
+
+/**
+ * Reads scene files (see {@code docs/scene-format.md}).
+ *
+ * <p>The reader is strict, and tells all that is wrong with a file at once: whatever it cannot take as it stands becomes
+ * a {@link SceneException.Problem} with line, column and JSON pointer. Coordinates are read exactly; other numbers become
+ * the nearest double. Image files of textures are looked at (they exist and begin like an image), not read.
+ */
+public final class SceneReader {
+    private static final int BYTE_ORDER_MARK = 0xfeff;
+
+    private SceneReader() {}
+
+    /**
+     * Reads a file. An animated scene is as its file's own numbers say; see {@link #read(Path, int)}.
+     *
+     * @throws SceneException if the file cannot be read or is not a scene
+     */
+    public static Scene read(Path file) {
+        return read(file, OptionalInt.empty());
+    }
+
+    /**
+     * Reads one frame of an animated scene: the numbers that its tracks lead to are replaced by those of the frame,
+     * which are exact or rounded to 40 digits.
+     *
+     * @param frame the frame, counted from 0
+     * @throws SceneException if the file cannot be read or is not a scene, or the scene has no such frame
+     */
+    public static Scene read(Path file, int frame) {
+        return read(file, OptionalInt.of(frame));
+    }
+
+    /**
+     * Reads a text.
+     *
+     * @param baseFolder what paths of texture files are relative to
+     * @param displayName what problems call the text; may be ""
+     * @throws SceneException if the text is not a scene
+     */
+    public static Scene readString(String json, Path baseFolder, String displayName) {
+        return read(() -> new StringReader(json), baseFolder, new Problems(displayName, ""), OptionalInt.empty());
+    }
+
+    private static Scene read(Path file, OptionalInt frame) {
+        Problems problems =
+                new Problems(file.toString(), frame.isPresent() ? " (in frame " + frame.getAsInt() + ")" : "");
+        if (!Files.exists(file)) {
+            problems.add(0, 0, "", "there is no such file");
+        } else if (Files.isDirectory(file)) {
+            problems.add(0, 0, "", "is a folder; expected a scene file");
+        } else if (!Files.isRegularFile(file)) {
+            problems.add(0, 0, "", "is not a regular file; expected a scene file");
+        } else if (!Files.isReadable(file)) {
+            problems.add(0, 0, "", "cannot be read: permission denied");
+        }
+        problems.throwIfAny();
+        return read(() -> open(file), file.toAbsolutePath().getParent(), problems, frame);
+    }
+
+    private static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame) {
+        JsonValue root = JsonTree.parse(source, problems);
+        Scene scene = root == null ? null : new SceneBinder(problems, folder).bind(root, frame);
+        problems.throwIfAny();
+        return scene;
+    }
+
+    /** A reader that refuses what is not UTF-8, and skips the mark that some editors begin files with. */
+    private static Reader open(Path file) throws IOException {
+        BufferedReader reader = new BufferedReader(
+                new InputStreamReader(
+                        Files.newInputStream(file),
+                        StandardCharsets.UTF_8
+                                .newDecoder()
+                                .onMalformedInput(CodingErrorAction.REPORT)
+                                .onUnmappableCharacter(CodingErrorAction.REPORT)),
+                1 << 16);
+        reader.mark(1);
+        try {
+            if (reader.read() != BYTE_ORDER_MARK) {
+                reader.reset();
+            }
+        } catch (IOException e) {
+            reader.close();
+            throw e;
+        }
+        return reader;
+    }
+}

@@ -1,0 +1,59 @@
+package enlightenment.scene.json;
+
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import java.io.IOException;
+import java.io.StringReader;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * Writes scene files that {@link SceneReader} reads back as an equal scene.
+ *
+ * <p>Equal means all that a {@link Scene} holds: numbers are written as the shortest decimals that are exactly what they
+ * were. It does not hold what a file may have beside that: comments, and which of several equal materials an object
+ * named. A texture that is used but has no name gets one, which then is in the scene that is read.
+ */
+public final class SceneWriter {
+    private SceneWriter() {}
+
+    /**
+     * Writes a scene to a file, replacing what is there; paths of textures become relative to the file's folder.
+     *
+     * @throws SceneException if the scene holds something that the format cannot say, such as a coordinate of 1e-500
+     * @throws UncheckedIOException if the file cannot be written
+     */
+    public static void write(Scene scene, Path file) {
+        String json = toJson(scene, file.toAbsolutePath().getParent());
+        try {
+            Files.writeString(file, json);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /**
+     * The text of a scene.
+     *
+     * @param baseFolder what paths of textures are made relative to
+     * @throws SceneException if the scene holds something that the format cannot say
+     */
+    public static String toJson(Scene scene, Path baseFolder) {
+        String json = JsonPrinter.print(new SceneToJson(scene, baseFolder).json());
+        if (scene.animation().isPresent()) {
+            checkAnimation(json);
+        }
+        return json;
+    }
+
+    /** Tracks of scenes made in code may lead anywhere: those that lead to no number of the text are refused. */
+    private static void checkAnimation(String json) {
+        Problems problems = new Problems("", "");
+        JsonValue root = JsonTree.parse(() -> new StringReader(json), problems);
+        problems.throwIfAny();
+        new Tracks(root, new Values(problems))
+                .read(((JsonValue.Obj) root).get("animation"), Place.ROOT.child("animation"));
+        problems.throwIfAny();
+    }
+}

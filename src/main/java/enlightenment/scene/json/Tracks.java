@@ -1,0 +1,127 @@
+package enlightenment.scene.json;
+
+import enlightenment.scene.Animation;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Set;
+import java.util.TreeMap;
+
+/** Reads the animation, and puts the numbers of one of its frames into the document. */
+final class Tracks {
+    /** Numbers between keys are exact, or rounded to this many digits: far more than a double's 17. */
+    static final MathContext DIGITS = new MathContext(40, RoundingMode.HALF_EVEN);
+
+    private final JsonValue root;
+    private final Values values;
+    private final Set<List<String>> targets = new HashSet<>();
+
+    Tracks(JsonValue root, Values values) {
+        this.root = root;
+        this.values = values;
+    }
+
+    /** The animation; null after a problem. */
+    Animation read(JsonValue v, Place place) {
+        Fields f = Fields.of(v, place, Vocabulary.ANIMATION, values);
+        if (f == null) {
+            return null;
+        }
+        int frames = f.integer("frames", 1, Integer.MAX_VALUE, 1);
+        double framesPerSecond = f.number("framesPerSecond");
+        List<Animation.Track> tracks = new ArrayList<>();
+        JsonValue t = f.get("tracks");
+        JsonValue.Arr a = t == null ? null : values.array(t, f.at("tracks"), -1, "an array of tracks");
+        for (int i = 0; a != null && i < a.size(); i++) {
+            Fields track = Fields.of(a.get(i), f.at("tracks").child(i), Vocabulary.TRACK, values);
+            if (track != null) {
+                tracks.add(track(track));
+            }
+        }
+        return f.make(() -> new Animation(frames, framesPerSecond, tracks));
+    }
+
+    private Animation.Track track(Fields f) {
+        String target = f.text("target", "a JSON pointer such as \"/objects/0/center/1\"");
+        if (target != null) {
+            checkTarget(f, target);
+        }
+        NavigableMap<Integer, BigDecimal> keys = new TreeMap<>();
+        JsonValue v = f.get("keys");
+        JsonValue.Obj o = v == null ? null : values.object(v, f.at("keys"), "an object { FRAME: VALUE, ... }");
+        for (int i = 0; o != null && i < o.size(); i++) {
+            Place place = f.at("keys").child(o.key(i));
+            if (isFrame(o.key(i))) {
+                keys.put(Integer.parseInt(o.key(i)), values.exact(o.value(i), place));
+            } else {
+                values.problems()
+                        .add(
+                                o.value(i),
+                                place,
+                                "the key must be the number of a frame, such as \"0\" or \"25\", not "
+                                        + JsonValue.quoted(o.key(i)));
+            }
+        }
+        return f.make(() -> new Animation.Track(target, keys));
+    }
+
+    private static boolean isFrame(String key) {
+        return key.matches("0|[1-9][0-9]{0,9}") && Long.parseLong(key) <= Integer.MAX_VALUE;
+    }
+
+    private void checkTarget(Fields f, String target) {
+        List<String> tokens = Place.parse(target);
+        if (tokens == null) {
+            f.problem(
+                    "target",
+                    "must be a JSON pointer such as \"/objects/0/center/1\", not " + JsonValue.quoted(target));
+            return;
+        }
+        JsonValue found = Place.resolve(root, tokens);
+        if (!(found instanceof JsonValue.Num)) {
+            String what = found == null ? "there is nothing" : "there is " + found.describe();
+            f.problem("target", "must lead to a number of this file, but at " + JsonValue.quoted(target) + " " + what);
+        } else if (tokens.get(0).equals("animation")) {
+            f.problem("target", "must lead to a number outside the animation");
+        } else if (!targets.add(tokens)) {
+            f.problem("target", JsonValue.quoted(target) + " is the target of another track too");
+        }
+    }
+
+    /** Puts the numbers of a frame in place of those that are written. */
+    static void apply(Animation animation, int frame, JsonValue root) {
+        for (Animation.Track track : animation.tracks()) {
+            List<String> tokens = Place.parse(track.target());
+            String last = tokens.get(tokens.size() - 1);
+            JsonValue parent = Place.resolve(root, tokens.subList(0, tokens.size() - 1));
+            JsonValue old = Place.resolve(root, tokens);
+            String text = valueAt(track.keys(), frame).toString();
+            JsonValue number = new JsonValue.Num(old.line, old.column, text);
+            if (parent instanceof JsonValue.Obj o) {
+                o.replace(last, number);
+            } else {
+                ((JsonValue.Arr) parent).replace(Integer.parseInt(last), number);
+            }
+        }
+    }
+
+    /** The value at a frame: linear between keys, constant before the first and after the last. */
+    static BigDecimal valueAt(NavigableMap<Integer, BigDecimal> keys, int frame) {
+        Map.Entry<Integer, BigDecimal> before = keys.floorEntry(frame);
+        Map.Entry<Integer, BigDecimal> after = keys.ceilingEntry(frame);
+        if (before == null || after == null || before.getKey().equals(after.getKey())) {
+            return before == null ? after.getValue() : before.getValue();
+        }
+        BigDecimal length = BigDecimal.valueOf(after.getKey() - before.getKey());
+        BigDecimal late = BigDecimal.valueOf(frame - before.getKey());
+        return before.getValue()
+                .multiply(length.subtract(late))
+                .add(after.getValue().multiply(late))
+                .divide(length, DIGITS);
+    }
+}

@@ -1,0 +1,165 @@
+package enlightenment.scene.json;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.math.Point;
+import enlightenment.math.Vec3;
+import java.math.BigDecimal;
+import java.math.BigInteger;
+import java.util.Collection;
+
+/**
+ * Takes values of wanted kinds out of JSON. What is not of the kind becomes a problem that says what was found and what
+ * was expected; what is returned then only lets the search for further problems go on.
+ */
+final class Values {
+    private final Problems problems;
+
+    Values(Problems problems) {
+        this.problems = problems;
+    }
+
+    Problems problems() {
+        return problems;
+    }
+
+    /** A finite double, correctly rounded from the decimal; NaN after a problem. */
+    double number(JsonValue v, Place place) {
+        return isNumber(v, place, "a number") ? Double.parseDouble(((JsonValue.Num) v).text) : Double.NaN;
+    }
+
+    /** An exact number that a double can hold; zero after a problem. */
+    BigDecimal exact(JsonValue v, Place place) {
+        return isNumber(v, place, "a number") ? Numbers.exact(((JsonValue.Num) v).text) : BigDecimal.ZERO;
+    }
+
+    private boolean isNumber(JsonValue v, Place place, String expected) {
+        if (!(v instanceof JsonValue.Num n)) {
+            problems.add(v, place, "must be " + expected + ", not " + v.describe());
+            return false;
+        }
+        String objection = Numbers.objection(n.text);
+        if (objection != null) {
+            problems.add(v, place, objection);
+        }
+        return objection == null;
+    }
+
+    /** A whole number between two limits; the lower limit after a problem. */
+    long integer(JsonValue v, Place place, long min, long max) {
+        String expected = "a whole number in " + min + ".." + max;
+        if (!isNumber(v, place, expected)) {
+            return min;
+        }
+        BigDecimal exact = Numbers.exact(((JsonValue.Num) v).text);
+        boolean whole = exact.signum() == 0 || exact.stripTrailingZeros().scale() <= 0;
+        if (whole && exact.precision() - exact.scale() <= 20) {
+            BigInteger i = exact.toBigIntegerExact();
+            if (i.compareTo(BigInteger.valueOf(min)) >= 0 && i.compareTo(BigInteger.valueOf(max)) <= 0) {
+                return i.longValueExact();
+            }
+        }
+        problems.add(v, place, "must be " + expected + ", not " + JsonValue.shortened(((JsonValue.Num) v).text));
+        return min;
+    }
+
+    /** true or false; false after a problem. */
+    boolean flag(JsonValue v, Place place) {
+        if (v instanceof JsonValue.Bool b) {
+            return b.value;
+        }
+        problems.add(v, place, "must be true or false, not " + v.describe());
+        return false;
+    }
+
+    /** A text; null after a problem. */
+    String text(JsonValue v, Place place, String expected) {
+        if (v instanceof JsonValue.Str s) {
+            return s.text;
+        }
+        problems.add(v, place, "must be " + expected + ", not " + v.describe());
+        return null;
+    }
+
+    /** One of some words; null after a problem. */
+    String word(JsonValue v, Place place, Collection<String> words, Collection<String> planned) {
+        String text = text(v, place, "one of " + Suggestion.list(words));
+        if (text == null || words.contains(text)) {
+            return text;
+        }
+        if (planned.contains(text)) {
+            problems.add(v, place, "\"" + text + "\" is not available yet; expected one of " + Suggestion.list(words));
+        } else {
+            problems.add(
+                    v, place, "unknown: " + JsonValue.quoted(text) + Suggestion.of(text, words, "expected one of"));
+        }
+        return null;
+    }
+
+    /** An array of a certain length; null after a problem. */
+    JsonValue.Arr array(JsonValue v, Place place, int length, String expected) {
+        if (v instanceof JsonValue.Arr a && (length < 0 || a.size() == length)) {
+            return a;
+        }
+        problems.add(v, place, "must be " + expected + ", not " + v.describe());
+        return null;
+    }
+
+    /** An object; null after a problem. */
+    JsonValue.Obj object(JsonValue v, Place place, String expected) {
+        if (v instanceof JsonValue.Obj o) {
+            return o;
+        }
+        problems.add(v, place, "must be " + expected + ", not " + v.describe());
+        return null;
+    }
+
+    /** An exact position; the origin after a problem. */
+    Point point(JsonValue v, Place place) {
+        JsonValue.Arr a = array(v, place, 3, "a position [x, y, z]");
+        if (a == null) {
+            return Point.ORIGIN;
+        }
+        return new Point(
+                exact(a.get(0), place.child(0)), exact(a.get(1), place.child(1)), exact(a.get(2), place.child(2)));
+    }
+
+    /** Three doubles; zeros after a problem. */
+    Vec3 vector(JsonValue v, Place place, String expected) {
+        JsonValue.Arr a = array(v, place, 3, expected);
+        if (a == null) {
+            return Vec3.ZERO;
+        }
+        return new Vec3(
+                number(a.get(0), place.child(0)), number(a.get(1), place.child(1)), number(a.get(2), place.child(2)));
+    }
+
+    /** A colour without texture: {@code "#rrggbb"} or {@code [r, g, b]}; black after a problem. */
+    DisplayRgb color(JsonValue v, Place place) {
+        return color(v, place, "a colour: \"#rrggbb\" or [r, g, b] with components in 0..1");
+    }
+
+    /** The same, where more than that is allowed and the message is to say so. */
+    DisplayRgb color(JsonValue v, Place place, String expected) {
+        if (v instanceof JsonValue.Str s) {
+            if (s.text.matches("#[0-9a-fA-F]{6}")) {
+                int rgb = Integer.parseInt(s.text.substring(1), 16);
+                return DisplayRgb.ofBytes(rgb >> 16, rgb >> 8 & 255, rgb & 255);
+            }
+            problems.add(v, place, "must be " + expected + ", not " + v.describe());
+            return DisplayRgb.BLACK;
+        }
+        JsonValue.Arr a = array(v, place, 3, expected);
+        if (a == null) {
+            return DisplayRgb.BLACK;
+        }
+        return new DisplayRgb(component(a, 0, place), component(a, 1, place), component(a, 2, place));
+    }
+
+    private double component(JsonValue.Arr a, int i, Place place) {
+        double c = number(a.get(i), place.child(i));
+        if (c < 0 || c > 1) {
+            problems.add(a.get(i), place.child(i), "must be a colour component in 0..1, not " + c);
+        }
+        return c >= 0 && c <= 1 ? c : 0;
+    }
+}

@@ -113,7 +113,8 @@ final class SceneToJson {
 
     private static JsonValue shading(ClassicShading s, Part p) {
         p.text("model", "classic").number("ambient", s.ambient()).number("shadow", s.shadow());
-        return p.colorUnless(ClassicShading.DEFAULT.background(), "background", s.background())
+        p.colorUnless(ClassicShading.DEFAULT.background(), "background", s.background());
+        return p.wholeUnless(ClassicShading.DEFAULT.maxBounces(), "maxBounces", s.maxBounces())
                 .json();
     }
 

@@ -156,45 +156,6 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     }
 
     /**
-     * m·A = F·(d × A), the moment of the line about the axis, by the order of evaluation with the smaller bound. Given
-     * are the three products of each order; F carries roundings of its own, as large as those of the products.
-     */
-    static double axialMoment(double m1, double m2, double m3, double f1, double f2, double f3) {
-        double boundM = Math.abs(m1) + Math.abs(m2) + Math.abs(m3);
-        double boundF = Math.abs(f1) + Math.abs(f2) + Math.abs(f3);
-        return boundM <= 2 * boundF ? m1 + m2 + m3 : f1 + f2 + f3;
-    }
-
-    /**
-     * The lower end of the stretch where aτ² + 2bτ + c ≤ 0 on the proper nappe; above {@link #upper} if there is none.
-     *
-     * @param s the root of b² − ac, at least 0
-     * @param e d·A: its sign says which end of a line within the cone's directions is on the proper nappe
-     */
-    static double lower(double a, double b, double c, double s, double e) {
-        double q = b > 0 ? -b - s : -b + s;
-        if (a < 0) {
-            return e < 0 ? Double.NEGATIVE_INFINITY : q == 0 ? 0 : Math.max(q / a, c / q);
-        }
-        if (q == 0) {
-            return a > 0 ? 0 : c > 0 ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
-        }
-        return b > 0 ? q / a : c / q;
-    }
-
-    /** The upper end of the stretch of {@link #lower}. */
-    static double upper(double a, double b, double c, double s, double e) {
-        double q = b > 0 ? -b - s : -b + s;
-        if (a < 0) {
-            return e > 0 ? Double.POSITIVE_INFINITY : q == 0 ? 0 : Math.min(q / a, c / q);
-        }
-        if (q == 0) {
-            return a > 0 ? 0 : c > 0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
-        }
-        return b > 0 ? c / q : q / a;
-    }
-
-    /**
      * Cuts the stretch within the lateral surface with that between the planes, and takes the first bound that counts.
      *
      * @param foot the ray parameter of the foot F; the other parameters are relative to it
@@ -226,25 +187,28 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
             }
             double t = lateral ? foot + lo : planeParameter(ray, foot + near, e > 0);
             if (t >= ray.tMin) {
-                return found(hit, t, tMax, lateral ? lo : Double.NaN, Ray.OUTSIDE, e > 0);
+                return found(hit, t, tMax, lateral ? lo : Double.NaN, Ray.OUTSIDE, lateral ? LATERAL : end(e > 0));
             }
         }
         boolean lateral = hi <= far;
         double t = lateral ? foot + hi : planeParameter(ray, foot + far, e < 0);
-        if (started) {
-            t = Math.max(t, ray.tMin);
+        double along = lateral ? hi : Double.NaN;
+        if (started && !(t >= ray.tMin)) {
+            // The exit is never lost: where rounding puts it before the start, it is the start.
+            t = ray.tMin;
+            along = t - foot;
         }
-        return t >= ray.tMin ? found(hit, t, tMax, lateral ? hi : Double.NaN, Ray.INSIDE, e < 0) : MISS;
+        return t >= ray.tMin ? found(hit, t, tMax, along, Ray.INSIDE, lateral ? LATERAL : end(e < 0)) : MISS;
     }
 
     private double cutOpen(Ray ray, double tMax, Hit hit, double foot, double lo, double hi, double near, double far) {
         boolean started = ray.start == this;
         if (!started && lo >= near && lo <= far && lo <= hi && foot + lo >= ray.tMin) {
-            return found(hit, foot + lo, tMax, lo, Ray.OUTSIDE, false);
+            return found(hit, foot + lo, tMax, lo, Ray.OUTSIDE, LATERAL);
         }
-        if (hi >= near && hi <= far && (started || lo <= hi)) {
-            double t = started ? Math.max(foot + hi, ray.tMin) : foot + hi;
-            return t >= ray.tMin ? found(hit, t, tMax, hi, Ray.INSIDE, false) : MISS;
+        double exit = started ? Math.max(hi, ray.tMin - foot) : hi;
+        if (exit >= near && exit <= far && (started || lo <= hi) && (started || foot + exit >= ray.tMin)) {
+            return found(hit, Math.max(foot + exit, ray.tMin), tMax, exit, Ray.INSIDE, LATERAL);
         }
         return MISS;
     }
@@ -259,21 +223,26 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         };
     }
 
-    private Vec3 wide() {
-        return narrowIsTop ? base : top;
+    /** The face that closes the narrower or the wider end. */
+    private int end(boolean narrow) {
+        return narrow == narrowIsTop ? TOP : BASE;
     }
 
-    /** @param along the crossing's parameter relative to the foot; not a number if the crossing is an end's plane */
-    private double found(Hit hit, double t, double tMax, double along, int side, boolean narrow) {
+    /** @param along the crossing's parameter relative to the foot; not a number where the ray crosses an end's plane */
+    private static double found(Hit hit, double t, double tMax, double along, int side, int face) {
         if (!(t <= tMax)) {
             return MISS;
         }
         if (hit != null) {
             hit.along = along;
             hit.side = side;
-            hit.face = along == along ? LATERAL : narrow == narrowIsTop ? TOP : BASE;
+            hit.face = face;
         }
         return t;
+    }
+
+    private Vec3 wide() {
+        return narrowIsTop ? base : top;
     }
 
     @Override
@@ -329,20 +298,27 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     private void completeEnd(Ray ray, double mx, double my, double mz, Hit hit) {
         boolean narrow = (hit.face == TOP) == narrowIsTop;
+        double sign = narrow ? -1 : 1;
+        hit.nx = sign * unitAxis.x();
+        hit.ny = sign * unitAxis.y();
+        hit.nz = sign * unitAxis.z();
+        Vec3 center = narrow ? new Vec3(cx, cy, cz) : wide();
+        if (hit.along == hit.along) {
+            // The ray leaves where it starts: that point, put into the plane.
+            Vec3 p = new Vec3(ray.ox, ray.oy, ray.oz).minus(center);
+            Vec3 q = p.minus(unitAxis.times(p.dot(unitAxis)));
+            hit.setPoint(center.x() + q.x(), center.y() + q.y(), center.z() + q.z());
+            return;
+        }
         double e = Products.dot(ray.dx, ray.dy, ray.dz, ax, ay, az);
         // The moment about the centre of this end; the line meets the end's plane at A × moment / (d·A) from there.
         double kx = narrow ? mx : mx + Products.difference(ray.dy, az, ray.dz, ay);
         double ky = narrow ? my : my + Products.difference(ray.dz, ax, ray.dx, az);
         double kz = narrow ? mz : mz + Products.difference(ray.dx, ay, ray.dy, ax);
-        Vec3 center = narrow ? new Vec3(cx, cy, cz) : wide();
         hit.setPoint(
                 center.x() + Products.difference(ay, kz, az, ky) / e,
                 center.y() + Products.difference(az, kx, ax, kz) / e,
                 center.z() + Products.difference(ax, ky, ay, kx) / e);
-        double sign = narrow ? -1 : 1;
-        hit.nx = sign * unitAxis.x();
-        hit.ny = sign * unitAxis.y();
-        hit.nz = sign * unitAxis.z();
     }
 
     @Override

@@ -62,7 +62,7 @@ public final class ConePrimitive extends AxialPrimitive {
         double e = Products.dot(dx, dy, dz, ax, ay, az);
         double widening = slope * e;
         double a = uu - widening * widening;
-        double moment = axialMoment(mx * ax, my * ay, mz * az, px * ux, py * uy, pz * uz);
+        double moment = LateralStretch.axialMoment(mx * ax, my * ay, mz * az, px * ux, py * uy, pz * uz);
         double discriminant = discriminant(moment, mx, my, mz, ux, uy, uz);
         if (!(discriminant >= 0)) {
             // A line within the cone's directions always meets it.
@@ -80,7 +80,9 @@ public final class ConePrimitive extends AxialPrimitive {
         double c = Products.distanceSquaredMinus(wx, wy, wz, radius);
         double s = length * Math.sqrt(discriminant);
         double foot = -(fx * dx + fy * dy + fz * dz) * inv;
-        return cut(ray, tMax, hit, foot, lower(a, b, c, s, e), upper(a, b, c, s, e), h, e);
+        double lo = LateralStretch.lower(a, b, c, s, e);
+        double hi = LateralStretch.upper(a, b, c, s, e);
+        return cut(ray, tMax, hit, foot, lo, hi, h, e);
     }
 
     private double discriminant(double moment, double mx, double my, double mz, double ux, double uy, double uz) {

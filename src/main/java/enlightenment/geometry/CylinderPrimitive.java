@@ -51,7 +51,7 @@ public final class CylinderPrimitive extends AxialPrimitive {
         double uy = Products.difference(dz, ax, dx, az);
         double uz = Products.difference(dx, ay, dy, ax);
         double uu = ux * ux + uy * uy + uz * uz;
-        double moment = axialMoment(mx * ax, my * ay, mz * az, px * ux, py * uy, pz * uz);
+        double moment = LateralStretch.axialMoment(mx * ax, my * ay, mz * az, px * ux, py * uy, pz * uz);
         double discriminant = Products.difference(radiusSquared, uu, moment, moment);
         if (!(discriminant >= 0)) {
             if (!started) {
@@ -68,7 +68,9 @@ public final class CylinderPrimitive extends AxialPrimitive {
         double foot = -(fx * dx + fy * dy + fz * dz) * inv;
         double h = Products.dot(px, py, pz, ax, ay, az);
         double e = Products.dot(dx, dy, dz, ax, ay, az);
-        return cut(ray, tMax, hit, foot, lower(uu, b, c, s, e), upper(uu, b, c, s, e), h, e);
+        double lo = LateralStretch.lower(uu, b, c, s, e);
+        double hi = LateralStretch.upper(uu, b, c, s, e);
+        return cut(ray, tMax, hit, foot, lo, hi, h, e);
     }
 
     @Override

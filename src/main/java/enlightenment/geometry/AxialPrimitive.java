@@ -216,9 +216,9 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     /** Where the ray meets an end's plane: by the expression that any plane across a coordinate axis is met with. */
     private double planeParameter(Ray ray, double t, boolean narrow) {
         return switch (aligned) {
-            case 0 -> ((narrow ? cx : wide().x()) - ray.ox) * ray.invX;
-            case 1 -> ((narrow ? cy : wide().y()) - ray.oy) * ray.invY;
-            case 2 -> ((narrow ? cz : wide().z()) - ray.oz) * ray.invZ;
+            case 0 -> ((narrow ? cx : wide().x()) - ray.ox) / ray.dx;
+            case 1 -> ((narrow ? cy : wide().y()) - ray.oy) / ray.dy;
+            case 2 -> ((narrow ? cz : wide().z()) - ray.oz) / ray.dz;
             default -> t;
         };
     }

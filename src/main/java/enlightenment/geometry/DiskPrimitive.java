@@ -81,9 +81,9 @@ public final class DiskPrimitive extends Primitive {
         double e = Products.accurateDot(nx, ny, nz, ray.dx, ray.dy, ray.dz);
         double t =
                 switch (aligned) {
-                    case 0 -> (cx - ray.ox) * ray.invX;
-                    case 1 -> (cy - ray.oy) * ray.invY;
-                    case 2 -> (cz - ray.oz) * ray.invZ;
+                    case 0 -> (cx - ray.ox) / ray.dx;
+                    case 1 -> (cy - ray.oy) / ray.dy;
+                    case 2 -> (cz - ray.oz) / ray.dz;
                     default -> -Products.accurateDot(nx, ny, nz, fx, fy, fz) / e;
                 };
         if (!(t >= ray.tMin && t <= tMax) || e == 0) {

@@ -34,7 +34,7 @@ class RenderCommandTest {
 
     @Test
     void aPictureHasTheSceneSizeAndSaysWhatItIs() throws IOException {
-        CliRun run = CliRun.of("render", scene, "-o", picture, "--antialias", "1", "--frame", "0");
+        CliRun run = CliRun.of("render", scene, "-o", picture, "--antialias", "1");
         assertEquals(new CliRun(0, "", ""), run);
         BufferedImage image = ImageIO.read(picture.toFile());
         assertEquals(20, image.getWidth());
@@ -42,8 +42,7 @@ class RenderCommandTest {
         String bytes = Files.readString(picture, StandardCharsets.ISO_8859_1);
         assertTrue(bytes.contains("Two balls"), "title");
         assertTrue(bytes.contains("Enlightenment " + Version.number()), "software");
-        assertTrue(
-                bytes.contains("method=raytrace size=20x12 antialias=1 shadowSamples=10 seed=0 frame=0"), "settings");
+        assertTrue(bytes.contains("method=raytrace size=20x12 antialias=1 shadowSamples=10 seed=0"), "settings");
     }
 
     @Test

@@ -18,7 +18,8 @@ public final class BoxPrimitive extends Primitive {
     private final double z1;
 
     BoxPrimitive(Vec3 min, Vec3 max) {
-        super(Math.max(min.maxAbs(), max.maxAbs()), max.minus(min).maxAbs());
+        // Slabs take no squares: a box may be as thin as it likes, as long as its coordinates are ordinary.
+        super(Math.max(min.maxAbs(), max.maxAbs()), Math.max(min.maxAbs(), max.maxAbs()));
         x0 = min.x();
         y0 = min.y();
         z0 = min.z();
@@ -29,36 +30,50 @@ public final class BoxPrimitive extends Primitive {
 
     @Override
     double nearestOrdinary(Ray ray, double tMax) {
-        if (ray.start == this && ray.startSide == Ray.OUTSIDE) {
+        return nearest(ray, tMax, ray.start == this);
+    }
+
+    /** {@link #nearest}, for a ray of which the caller knows whether it starts on this box. */
+    double nearest(Ray ray, double tMax, boolean own) {
+        if (own && ray.startSide == Ray.OUTSIDE) {
             return MISS;
         }
         double far = Slabs.least(
                 Slabs.exit(ray.ox, ray.dx, x0, x1),
                 Slabs.exit(ray.oy, ray.dy, y0, y1),
                 Slabs.exit(ray.oz, ray.dz, z0, z1));
-        if (ray.start == this) {
+        if (own) {
             double t = far >= ray.tMin ? far : ray.tMin;
             return t <= tMax ? t : MISS;
         }
-        double near = Slabs.greatest(
-                Slabs.entry(ray.ox, ray.dx, x0, x1),
-                Slabs.entry(ray.oy, ray.dy, y0, y1),
-                Slabs.entry(ray.oz, ray.dz, z0, z1));
-        if (!(near <= far)) {
+        double near = entry(ray);
+        if (!Slabs.meet(near, far)) {
             return MISS;
         }
         double t = near >= ray.tMin ? near : far;
         return t >= ray.tMin && t <= tMax ? t : MISS;
     }
 
+    private double entry(Ray ray) {
+        return Slabs.greatest(
+                Slabs.entry(ray.ox, ray.dx, x0, x1),
+                Slabs.entry(ray.oy, ray.dy, y0, y1),
+                Slabs.entry(ray.oz, ray.dz, z0, z1));
+    }
+
     @Override
     void completeOrdinary(Ray ray, double t, Hit hit) {
-        double ex = Slabs.entry(ray.ox, ray.dx, x0, x1);
-        double ey = Slabs.entry(ray.oy, ray.dy, y0, y1);
-        double ez = Slabs.entry(ray.oz, ray.dz, z0, z1);
-        boolean entering = ray.start != this && Slabs.greatest(ex, ey, ez) >= ray.tMin;
+        complete(ray, t, hit, ray.start == this);
+    }
+
+    /** {@link #complete}, for a ray of which the caller knows whether it starts on this box. */
+    void complete(Ray ray, double t, Hit hit, boolean own) {
+        boolean entering = !own && entry(ray) >= ray.tMin;
         int axis = entering
-                ? Slabs.last(ex, ey, ez)
+                ? Slabs.last(
+                        Slabs.entry(ray.ox, ray.dx, x0, x1),
+                        Slabs.entry(ray.oy, ray.dy, y0, y1),
+                        Slabs.entry(ray.oz, ray.dz, z0, z1))
                 : Slabs.first(
                         Slabs.exit(ray.ox, ray.dx, x0, x1),
                         Slabs.exit(ray.oy, ray.dy, y0, y1),
@@ -72,18 +87,27 @@ public final class BoxPrimitive extends Primitive {
         hit.ny = axis == 1 ? sign : 0;
         hit.nz = axis == 2 ? sign : 0;
         hit.setPoint(
-                axis == 0 ? (upper ? x1 : x0) : clamp(Math.fma(t, ray.dx, ray.ox), x0, x1),
-                axis == 1 ? (upper ? y1 : y0) : clamp(Math.fma(t, ray.dy, ray.oy), y0, y1),
-                axis == 2 ? (upper ? z1 : z0) : clamp(Math.fma(t, ray.dz, ray.oz), z0, z1));
-    }
-
-    private static double clamp(double v, double lo, double hi) {
-        return v < lo ? lo : v > hi ? hi : v;
+                axis == 0 ? (upper ? x1 : x0) : Slabs.clamp(Math.fma(t, ray.dx, ray.ox), x0, x1),
+                axis == 1 ? (upper ? y1 : y0) : Slabs.clamp(Math.fma(t, ray.dy, ray.oy), y0, y1),
+                axis == 2 ? (upper ? z1 : z0) : Slabs.clamp(Math.fma(t, ray.dz, ray.oz), z0, z1));
     }
 
     @Override
     public void textureCoordinates(Hit hit) {
-        Slabs.textureCoordinates(hit, fraction(hit.px, x0, x1), fraction(hit.py, y0, y1), fraction(hit.pz, z0, z1));
+        Slabs.textureCoordinates(hit, fractionX(hit), fractionY(hit), fractionZ(hit));
+    }
+
+    /** Where the hit lies between the faces -x and +x, 0..1. */
+    double fractionX(Hit hit) {
+        return fraction(hit.px, x0, x1);
+    }
+
+    double fractionY(Hit hit) {
+        return fraction(hit.py, y0, y1);
+    }
+
+    double fractionZ(Hit hit) {
+        return fraction(hit.pz, z0, z1);
     }
 
     private static double fraction(double v, double lo, double hi) {

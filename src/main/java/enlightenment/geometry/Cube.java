@@ -31,11 +31,7 @@ public record Cube(Point center, double radius, Vec3 rotation) implements Shape 
         // The diagonal of a cube is sqrt(3) times its edge.
         double half = frame.toFrame(radius) / Math.sqrt(3);
         Rotation turn = Rotation.ofDegrees(rotation);
-        if (turn.isIdentity()) {
-            Vec3 h = new Vec3(half, half, half);
-            return new BoxPrimitive(middle.minus(h), middle.plus(h));
-        }
-        return new CubePrimitive(middle, half, turn);
+        return CubePrimitive.isUpright(turn) ? CubePrimitive.box(middle, half) : new CubePrimitive(middle, half, turn);
     }
 
     @Override

@@ -1,11 +1,24 @@
 package enlightenment.geometry;
 
+import enlightenment.math.Scale;
+
 /**
  * The parameter interval in which a ray is between two parallel planes, axis by axis. Comparisons drop NaN: a ray that
  * lies in a face counts as inside (closed-box rule), whatever the sign of its zero components.
  */
 final class Slabs {
+    /** Bounds the rounding of the ends of two intervals, each made by one subtraction and one division. */
+    private static final double INTERVAL_ERROR = 2 * Scale.gamma(3);
+
     private Slabs() {}
+
+    /**
+     * Whether an interval whose ends have been rounded may hold a point: a ray through an edge, where it holds exactly
+     * one, is not lost (Ize, "Robust BVH ray traversal", JCGT 2013).
+     */
+    static boolean meet(double near, double far) {
+        return near <= far + Math.abs(far) * INTERVAL_ERROR;
+    }
 
     /** Where the ray o + t·d comes between lo and hi on one axis; −∞ if it always is, +∞ if it never is. */
     static double entry(double o, double d, double lo, double hi) {
@@ -27,6 +40,10 @@ final class Slabs {
             return (lo - o) / d;
         }
         return o < lo || o > hi ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+    }
+
+    static double clamp(double v, double lo, double hi) {
+        return v < lo ? lo : v > hi ? hi : v;
     }
 
     /** The axis of the last entry: where the ray comes into the box. */

@@ -5,16 +5,16 @@ import enlightenment.math.Products;
 import enlightenment.math.Vec3;
 
 /**
- * A triangle, tested by sheared edge functions whose signs are exact for the sheared vertices (Woop, Benthin and Wald,
- * "Watertight ray/triangle intersection", JCGT 2013, with Kahan's difference of products): triangles that share edges and
- * vertices leave no gap.
+ * A triangle, tested by sheared edge functions whose signs are exact for the sheared vertices ({@link Watertight}):
+ * triangles that share edges and vertices leave no gap.
+ *
+ * <p>The normal that points to {@link Ray#OUTSIDE} is (b − a) × (c − a).
  */
 public final class TrianglePrimitive extends Primitive {
     private final Vec3 a;
     private final Vec3 b;
     private final Vec3 c;
-    private final Vec3 n;
-    private final double nn;
+    private final Plane plane;
 
     TrianglePrimitive(Vec3 a, Vec3 b, Vec3 c) {
         super(
@@ -25,22 +25,14 @@ public final class TrianglePrimitive extends Primitive {
         this.a = a;
         this.b = b;
         this.c = c;
-        n = b.minus(a).cross(c.minus(a));
-        nn = n.lengthSquared();
+        plane = new Plane(a, b.minus(a), c.minus(a), b, c);
     }
 
     @Override
     double nearestOrdinary(Ray ray, double tMax) {
-        if (ray.start == this || !isInside(ray)) {
+        if (ray.start == this) {
             return MISS;
         }
-        double denominator = Products.accurateDot(n.x(), n.y(), n.z(), ray.dx, ray.dy, ray.dz);
-        double t =
-                Products.accurateDot(n.x(), n.y(), n.z(), a.x() - ray.ox, a.y() - ray.oy, a.z() - ray.oz) / denominator;
-        return t >= ray.tMin && t <= tMax ? t : MISS;
-    }
-
-    private boolean isInside(Ray ray) {
         ray.shear();
         double ax = Watertight.x(ray, a);
         double ay = Watertight.y(ray, a);
@@ -51,31 +43,22 @@ public final class TrianglePrimitive extends Primitive {
         double e0 = Products.difference(ax, by, ay, bx);
         double e1 = Products.difference(bx, cy, by, cx);
         double e2 = Products.difference(cx, ay, cy, ax);
-        boolean anyNegative = e0 < 0 || e1 < 0 || e2 < 0;
-        boolean anyPositive = e0 > 0 || e1 > 0 || e2 > 0;
-        return anyNegative != anyPositive;
+        if (!Watertight.covers(e0, e1, e2)) {
+            return MISS;
+        }
+        double t = Watertight.settle(ray, plane.distance(ray), a, b, c, e0, e1, e2);
+        return t <= tMax ? t : MISS;
     }
 
     @Override
     void completeOrdinary(Ray ray, double t, Hit hit) {
-        double x = Math.fma(t, ray.dx, ray.ox);
-        double y = Math.fma(t, ray.dy, ray.oy);
-        double z = Math.fma(t, ray.dz, ray.oz);
-        double off = Products.accurateDot(n.x(), n.y(), n.z(), x - a.x(), y - a.y(), z - a.z()) / nn;
-        hit.setPoint(Math.fma(-off, n.x(), x), Math.fma(-off, n.y(), y), Math.fma(-off, n.z(), z));
-        hit.setNormal(n.x(), n.y(), n.z());
-        hit.side = Products.dot(n.x(), n.y(), n.z(), ray.dx, ray.dy, ray.dz) < 0 ? Ray.OUTSIDE : Ray.INSIDE;
-        hit.face = 0;
+        plane.complete(ray, t, hit);
     }
 
     /** The first vertex is the texture's lower left corner, the second its upper left, the third its lower right. */
     @Override
     public void textureCoordinates(Hit hit) {
-        Vec3 up = b.minus(a);
-        Vec3 right = c.minus(a);
-        Vec3 p = hit.point().minus(a);
-        hit.u = Watertight.clamp01(up.cross(p).dot(n) / nn);
-        hit.v = Watertight.clamp01(1 - p.cross(right).dot(n) / nn);
+        plane.textureCoordinates(hit, b.minus(a), c.minus(a));
     }
 
     @Override

@@ -1,9 +1,19 @@
 package enlightenment.geometry;
 
+import enlightenment.math.Products;
+import enlightenment.math.Scale;
 import enlightenment.math.Vec3;
 
-/** Vertices in the sheared coordinates of a ray (Woop, Benthin and Wald 2013): every primitive rounds them alike. */
+/**
+ * Vertices in the sheared coordinates of a ray (Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT
+ * 2013): every primitive rounds them alike, and the signs of edge functions are exact for the rounded vertices
+ * ({@link Products#difference} keeps signs). So what a ray meets is decided on one planar drawing that all primitives
+ * share, and closed surfaces of triangles cover it without gaps.
+ */
 final class Watertight {
+    /** Bounds the rounding of an edge function, relative to the squared distance of its vertices from the origin. */
+    private static final double EDGE_ERROR = Scale.gamma(64);
+
     private Watertight() {}
 
     /** First sheared coordinate of a vertex; {@link Ray#shear} has been called. */
@@ -14,6 +24,65 @@ final class Watertight {
     /** Second sheared coordinate of a vertex. */
     static double y(Ray ray, Vec3 v) {
         return Math.fma(-ray.shearY, v.component(ray.kz) - ray.o(ray.kz), v.component(ray.ky) - ray.o(ray.ky));
+    }
+
+    /** Where on the ray the vertex lies, measured along the main axis of the direction. */
+    private static double parameter(Ray ray, Vec3 v) {
+        return (v.component(ray.kz) - ray.o(ray.kz)) / ray.d(ray.kz);
+    }
+
+    /** Whether the ray's line passes through the closed triangle with these edge functions; never if it is seen edge-on. */
+    static boolean covers(double e0, double e1, double e2) {
+        boolean anyNegative = e0 < 0 || e1 < 0 || e2 < 0;
+        boolean anyPositive = e0 > 0 || e1 > 0 || e2 > 0;
+        return anyNegative != anyPositive;
+    }
+
+    /**
+     * Makes the distance to a triangle's plane agree with the edge functions.
+     *
+     * <p>The two are rounded differently. That is harmless unless the ray all but grazes the plane: then the edge
+     * functions may say that the ray meets this triangle (and not its neighbour) while the plane says that it does so
+     * behind the origin, or beyond the triangle, and the ray would slip through the edge between them. In that case the
+     * distance is interpolated between the vertices with the edge functions as weights, which agrees with them always.
+     *
+     * @param t distance to the plane
+     * @param e0 edge function of a and b
+     * @param e1 edge function of b and c
+     * @param e2 edge function of c and a
+     * @return the distance, or {@link Primitive#MISS} if the crossing lies before {@link Ray#tMin}
+     */
+    static double settle(Ray ray, double t, Vec3 a, Vec3 b, Vec3 c, double e0, double e1, double e2) {
+        double ta = parameter(ray, a);
+        double tb = parameter(ray, b);
+        double tc = parameter(ray, c);
+        double lo = ta < tb ? ta : tb;
+        lo = tc < lo ? tc : lo;
+        double hi = ta > tb ? ta : tb;
+        hi = tc > hi ? tc : hi;
+        if (t >= lo && t <= hi && t >= ray.tMin) {
+            return t;
+        }
+        if (t < ray.tMin && lo < ray.tMin && !nearEdge(ray, a, b, c, e0, e1, e2)) {
+            return Primitive.MISS;
+        }
+        double between = (e1 * ta + e2 * tb + e0 * tc) / (e0 + e1 + e2);
+        between = between < lo ? lo : between > hi ? hi : between;
+        return between >= ray.tMin ? between : Primitive.MISS;
+    }
+
+    /** Whether rounding may have decided on which side of an edge the ray passes. */
+    private static boolean nearEdge(Ray ray, Vec3 a, Vec3 b, Vec3 c, double e0, double e1, double e2) {
+        double m = Math.max(distance(ray, a), Math.max(distance(ray, b), distance(ray, c)));
+        double error = EDGE_ERROR * m * m;
+        return Math.abs(e0) <= error || Math.abs(e1) <= error || Math.abs(e2) <= error;
+    }
+
+    /** The largest difference of a coordinate between the ray's origin and a vertex. */
+    private static double distance(Ray ray, Vec3 v) {
+        double x = Math.abs(v.x() - ray.ox);
+        double y = Math.abs(v.y() - ray.oy);
+        return Math.max(x, Math.max(y, Math.abs(v.z() - ray.oz)));
     }
 
     static double clamp01(double v) {

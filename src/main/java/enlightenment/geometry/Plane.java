@@ -1,0 +1,87 @@
+package enlightenment.geometry;
+
+import enlightenment.math.Products;
+import enlightenment.math.Vec3;
+
+/** The plane of a flat primitive: the distance to it, and what a hit on it says. */
+final class Plane {
+    private final Vec3 a;
+
+    /** The unnormalised normal. */
+    final Vec3 n;
+
+    /** Its squared length. */
+    final double nn;
+
+    /** The axis that the plane is perpendicular to, or -1. */
+    final int axis;
+
+    /** The coordinate on that axis, the same for every vertex. */
+    private final double coordinate;
+
+    /** The plane through a and the further vertices, which is seen from the outside where up × right points. */
+    Plane(Vec3 a, Vec3 up, Vec3 right, Vec3... others) {
+        this.a = a;
+        n = up.cross(right);
+        nn = n.lengthSquared();
+        axis = axis(a, others);
+        coordinate = axis < 0 ? 0 : a.component(axis);
+    }
+
+    private static int axis(Vec3 a, Vec3... others) {
+        for (int k = 0; k < 3; k++) {
+            boolean flat = true;
+            for (Vec3 v : others) {
+                flat &= v.component(k) == a.component(k);
+            }
+            if (flat) {
+                return k;
+            }
+        }
+        return -1;
+    }
+
+    /** The ray parameter at which the ray's line meets the plane; infinite or NaN where they are parallel. */
+    double distance(Ray ray) {
+        if (axis == 0) {
+            return (coordinate - ray.ox) / ray.dx;
+        }
+        if (axis == 1) {
+            return (coordinate - ray.oy) / ray.dy;
+        }
+        if (axis == 2) {
+            return (coordinate - ray.oz) / ray.dz;
+        }
+        return Products.accurateDot(n.x(), n.y(), n.z(), a.x() - ray.ox, a.y() - ray.oy, a.z() - ray.oz)
+                / Products.accurateDot(n.x(), n.y(), n.z(), ray.dx, ray.dy, ray.dz);
+    }
+
+    /** Fills the hit's point, normal, side and face for a crossing at t. */
+    void complete(Ray ray, double t, Hit hit) {
+        double x = Math.fma(t, ray.dx, ray.ox);
+        double y = Math.fma(t, ray.dy, ray.oy);
+        double z = Math.fma(t, ray.dz, ray.oz);
+        if (axis < 0) {
+            double off = Products.accurateDot(n.x(), n.y(), n.z(), x - a.x(), y - a.y(), z - a.z()) / nn;
+            hit.setPoint(Math.fma(-off, n.x(), x), Math.fma(-off, n.y(), y), Math.fma(-off, n.z(), z));
+            hit.setNormal(n.x(), n.y(), n.z());
+        } else {
+            // The coordinate of a named plane is assigned, not computed, so that coincident planes tie exactly.
+            hit.setPoint(axis == 0 ? coordinate : x, axis == 1 ? coordinate : y, axis == 2 ? coordinate : z);
+            hit.nx = axis == 0 ? Math.signum(n.x()) : 0;
+            hit.ny = axis == 1 ? Math.signum(n.y()) : 0;
+            hit.nz = axis == 2 ? Math.signum(n.z()) : 0;
+        }
+        double towards = Products.accurateDot(n.x(), n.y(), n.z(), ray.dx, ray.dy, ray.dz);
+        hit.side = towards < 0 ? Ray.OUTSIDE : Ray.INSIDE;
+        hit.face = 0;
+    }
+
+    /** Sets u and v so that the point a + u·right + (1 − v)·up is the hit's point. */
+    void textureCoordinates(Hit hit, Vec3 up, Vec3 right) {
+        Vec3 p = hit.point().minus(a);
+        // p = s·right + r·up, solved by cross products with the normal.
+        hit.u = Watertight.clamp01(up.cross(p).dot(n) / nn);
+        hit.v = Watertight.clamp01(1 - p.cross(right).dot(n) / nn);
+    }
+}

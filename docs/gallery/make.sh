@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Renders the pictures of the gallery: docs/gallery/make.sh, after a build.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+run() { java -jar target/enlightenment.jar render "scenes/$1.json" -o "docs/gallery/$2.png" --progress none "${@:3}"; }
+run fire-and-ice fire-and-ice --antialias 6 --shadow-samples 32
+run fire-and-ice-tween tween --frame 120 --size 400x200
+run primitives primitives --size 400x225 --antialias 6
+run glass glass --size 400x200 --antialias 6
+run torus torus --size 400x225 --antialias 6
+run cylinders cylinders --size 400x200
+run cone cone --size 400x200
+run cube cube --size 212x300

@@ -9,11 +9,14 @@ import java.util.Objects;
  * <p>Coordinates are kept as the decimals that were written, because the picture must not depend on where the scene's
  * origin lies: the compiler subtracts the eye exactly and rounds once ({@link SceneFrame}).
  *
- * @param x exact first coordinate, trailing zeros stripped
+ * @param x exact first coordinate; equal numbers are equal however they were written
  * @param y exact second coordinate
  * @param z exact third coordinate
  */
 public record Point(BigDecimal x, BigDecimal y, BigDecimal z) {
+    /** Whole numbers of fewer digits are kept as they are: stripping their zeros would cost more than it saves. */
+    private static final int PLAIN_DIGITS = 9;
+
     public static final Point ORIGIN = new Point(BigDecimal.ZERO, BigDecimal.ZERO, BigDecimal.ZERO);
 
     public Point {
@@ -27,7 +30,12 @@ public record Point(BigDecimal x, BigDecimal y, BigDecimal z) {
         if (v.signum() == 0) {
             return BigDecimal.ZERO;
         }
-        return v.scale() == 0 && v.precision() < 9 ? v : v.stripTrailingZeros();
+        if (v.scale() == 0 && v.precision() < PLAIN_DIGITS) {
+            return v;
+        }
+        BigDecimal s = v.stripTrailingZeros();
+        // 1E+5 and 100000 are the same coordinate, and must be equal.
+        return s.scale() < 0 && (long) s.precision() - s.scale() < PLAIN_DIGITS ? s.setScale(0) : s;
     }
 
     /** The point with exactly these coordinates: 0.1 means the double nearest to a tenth, not a tenth. */

@@ -118,17 +118,13 @@ final class JsonPrinter {
         out.append('"');
         for (int i = 0; i < s.length(); i++) {
             char c = s.charAt(i);
-            boolean pair =
-                    Character.isHighSurrogate(c) && i + 1 < s.length() && Character.isLowSurrogate(s.charAt(i + 1));
-            if (pair) {
-                out.append(c).append(s.charAt(++i));
-            } else if (c == '"' || c == '\\') {
+            if (c == '"' || c == '\\') {
                 out.append('\\').append(c);
             } else if (c == '\n') {
                 out.append("\\n");
             } else if (c == '\t') {
                 out.append("\\t");
-            } else if (Character.isISOControl(c) || Character.isSurrogate(c) || c == '\ufeff') {
+            } else if (Character.isISOControl(c) || c == '\ufeff') {
                 out.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
             } else {
                 out.append(c);

@@ -29,8 +29,8 @@ final class JsonTree {
     static final int DEEPEST_NESTING = 100;
     static final int LONGEST_NUMBER = 5000;
 
-    private static final int LONGEST_TEXT = 1_000_000;
-    private static final int LONGEST_KEY = 10_000;
+    static final int LONGEST_TEXT = 1_000_000;
+    static final int LONGEST_KEY = 10_000;
     private static final int LONGEST_SHARED_TEXT = 64;
     private static final int MOST_SHARED_TEXTS = 10_000;
     private static final int FEW_KEYS = 16;

@@ -53,12 +53,27 @@ final class Part {
     }
 
     Part put(String key, JsonValue v) {
-        values.put(key, v);
+        values.put(wellFormed(key, key), v);
         return this;
     }
 
     Part text(String key, String v) {
-        return put(key, new JsonValue.Str(0, 0, v));
+        return put(key, new JsonValue.Str(0, 0, wellFormed(v, key)));
+    }
+
+    /** Half of a surrogate pair cannot be said in UTF-8. */
+    private String wellFormed(String text, String key) {
+        for (int i = 0; i < text.length(); i++) {
+            boolean pair = Character.isHighSurrogate(text.charAt(i))
+                    && i + 1 < text.length()
+                    && Character.isLowSurrogate(text.charAt(i + 1));
+            if (pair) {
+                i++;
+            } else if (Character.isSurrogate(text.charAt(i))) {
+                throw SceneException.of(place.child(key).toString(), "is not a text: it holds half a character");
+            }
+        }
+        return text;
     }
 
     Part whole(String key, long v) {

@@ -2,50 +2,100 @@ package enlightenment.scene.json;
 
 import java.io.IOException;
 import java.io.Reader;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.exc.StreamConstraintsException;
 
 /** Says what is wrong with a text that is not JSON: what stands there, and what could. */
 final class SyntaxError {
     private static final int CONTEXT = 80;
     private static final String DELIMITERS = ",:[]{}\"'";
+    private static final Pattern JSON_WORD =
+            Pattern.compile("-?(0|[1-9][0-9]*)(\\.[0-9]+)?([eE][-+]?[0-9]+)?|true|false|null");
+    private static final Pattern UNEXPECTED = Pattern.compile("Unexpected character \\('(.)'.*", Pattern.DOTALL);
+    private static final Pattern BRACKET = Pattern.compile(".*close marker '(.)'(: expected '(.)')?.*", Pattern.DOTALL);
 
     private SyntaxError() {}
+
+    /** What stands at the place of an error, between blanks and punctuation; text "" where there is nothing. */
+    private record Word(String text, int column) {}
 
     static void report(JsonParser parser, JacksonException e, JsonTree.Source source, Problems problems)
             throws IOException {
         TokenStreamLocation at = e.getLocation() == null ? parser.currentLocation() : e.getLocation();
         String pointer = parser.streamReadContext().pathAsPointer().toString();
-        String word = wordAt(source, at.getLineNr(), at.getColumnNr());
-        problems.add(at.getLineNr(), at.getColumnNr(), pointer, message(e.getOriginalMessage(), word));
+        int line = at.getLineNr();
+        if (e instanceof StreamConstraintsException) {
+            problems.add(line, at.getColumnNr(), pointer, tooMuch(e.getOriginalMessage()));
+            return;
+        }
+        if (e.getOriginalMessage().contains("end-of-input")) {
+            String message = "the text ends too early; a closing bracket, brace or quote is missing";
+            problems.add(line, at.getColumnNr(), pointer, message);
+            return;
+        }
+        Word word = wordAt(source, line, at.getColumnNr());
+        String wrongWord = wrongWord(word.text());
+        if (wrongWord == null) {
+            problems.add(line, at.getColumnNr(), pointer, "is not JSON: " + reason(e.getOriginalMessage()));
+        } else {
+            problems.add(line, word.column(), pointer, "is not JSON: " + wrongWord);
+        }
     }
 
-    private static String message(String theirs, String word) {
-        if (theirs.contains("end-of-input") || theirs.contains("end of input")) {
-            return "the text ends too early; a closing bracket, brace or quote is missing";
-        }
-        if (theirs.contains("nesting depth")) {
-            return "is nested more than " + JsonTree.DEEPEST_NESTING + " levels deep";
-        }
-        if (theirs.contains("Number value length")) {
-            return "is a number of more than " + JsonTree.LONGEST_NUMBER + " characters";
+    private static String tooMuch(String theirs) {
+        return theirs.contains("nesting")
+                ? "is nested more than " + JsonTree.DEEPEST_NESTING + " levels deep"
+                : "is too long: a number may have " + JsonTree.LONGEST_NUMBER + " characters, a text "
+                        + JsonTree.LONGEST_TEXT + ", a key " + JsonTree.LONGEST_KEY;
+    }
+
+    /** What is wrong with a word, or null if the word is not what is wrong. */
+    private static String wrongWord(String word) {
+        if (word.isEmpty() || JSON_WORD.matcher(word).matches()) {
+            return null;
         }
         String found = JsonValue.quoted(word);
-        if (word.matches("[-+.]?[0-9.].*|[-+].*")) {
-            return "is not JSON: " + found + " is not a number; expected a decimal number such as 8, -0.5 or 1e-3";
+        if (word.matches("[-+.0-9].*")) {
+            return found + " is not a number; expected a decimal number such as 8, -0.5 or 1e-3";
         }
-        if (word.matches("[\\p{L}_$].*")) {
-            return "is not JSON: " + found + " needs double quotes, if it is meant as a text or a key";
-        }
-        String reason = theirs.replaceAll("\\s*\\(from `[^`]*`\\)|, from `[^`]*`", "")
-                .replaceAll("\\s*\\(code \\d+[^)]*\\)", "")
-                .replaceAll("[;:] enable `[^`]*` to allow", "");
-        return "is not JSON: " + reason;
+        return word.matches("[\\p{L}_$].*") ? found + " needs double quotes, if it is meant as a text or a key" : null;
     }
 
-    /** The word around a place: the longest run of characters that are neither blank nor punctuation of JSON. */
-    private static String wordAt(JsonTree.Source source, int line, int column) throws IOException {
+    /** The parser's reason in the words of people who write scenes. */
+    private static String reason(String theirs) {
+        if (theirs.contains("has to be escaped")) {
+            return "a text does not end in its line; a double quote is missing";
+        }
+        Matcher bracket = BRACKET.matcher(theirs);
+        if (bracket.matches()) {
+            String expected = bracket.group(3) == null ? "nothing is open" : "expected '" + bracket.group(3) + "'";
+            return "found '" + bracket.group(1) + "', " + expected;
+        }
+        Matcher unexpected = UNEXPECTED.matcher(theirs);
+        if (unexpected.matches()) {
+            String found = "found '" + unexpected.group(1) + "'";
+            if (theirs.contains("expecting comma")) {
+                return found + ", expected a comma or a closing bracket";
+            }
+            if (theirs.contains("expecting a colon")) {
+                return found + ", expected a colon";
+            }
+            if (theirs.contains("start property name")) {
+                return found + ", expected a key in double quotes";
+            }
+            if (theirs.contains("expected a valid value")) {
+                String hint = unexpected.group(1).equals("'") ? "; a text needs double quotes" : "";
+                return found + " where a value should stand" + hint;
+            }
+        }
+        return theirs.replaceAll("\\[Source:[^\\]]*\\]", "the text").replaceAll("\\s*\\(code \\d+[^)]*\\)", "");
+    }
+
+    private static Word wordAt(JsonTree.Source source, int line, int column) throws IOException {
         String text = around(source, line, column);
         int at = Math.min(column, CONTEXT + 1) - 1;
         for (int i = Math.min(at, text.length() - 1); i >= Math.max(0, at - 1); i--) {
@@ -58,10 +108,13 @@ final class SyntaxError {
                 while (to < text.length() && isWord(text.charAt(to))) {
                     to++;
                 }
-                return text.substring(from, to);
+                // Beside a quote it is part of a text that began or ended at the wrong place.
+                boolean quoted =
+                        from > 0 && text.charAt(from - 1) == '"' || to < text.length() && text.charAt(to) == '"';
+                return new Word(quoted ? "" : text.substring(from, to), column - at + from);
             }
         }
-        return "";
+        return new Word("", column);
     }
 
     private static boolean isWord(char c) {
@@ -76,8 +129,9 @@ final class SyntaxError {
             int c = 1;
             int previous = 0;
             for (int ch = reader.read(); ch >= 0 && l <= line; ch = reader.read()) {
-                if (ch == '\n' && previous == '\r') {
-                    previous = ch;
+                boolean secondOfLineEnd = ch == '\n' && previous == '\r';
+                previous = ch;
+                if (secondOfLineEnd) {
                     continue;
                 }
                 if (ch == '\n' || ch == '\r') {
@@ -89,7 +143,6 @@ final class SyntaxError {
                     }
                     c++;
                 }
-                previous = ch;
             }
         }
         return kept.toString();

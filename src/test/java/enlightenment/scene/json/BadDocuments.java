@@ -1,0 +1,237 @@
+package enlightenment.scene.json;
+
+import java.util.List;
+
+/** Edits of {@link Documents#EVERYTHING} that break it, each in one place. */
+final class BadDocuments {
+    /**
+     * One edit.
+     *
+     * @param part what is replaced
+     * @param replacement by what
+     * @param pointer where the reader sees the problem
+     * @param says what its message contains
+     */
+    record Edit(String part, String replacement, String pointer, String says) {
+        String document() {
+            return Documents.edited(part, replacement);
+        }
+    }
+
+    private static Edit edit(String part, String replacement, String pointer, String says) {
+        return new Edit(part, replacement, pointer, says);
+    }
+
+    /** What reader and schema both refuse. */
+    static final List<Edit> FOR_THE_SCHEMA_TOO = List.of(
+            // Unknown keys, in each part.
+            edit("\"name\": \"everything\"", "\"nam\": \"x\"", "/nam", "did you mean \"name\"?"),
+            edit(
+                    "\"height\": 20",
+                    "\"height\": 20, \"depth\": 3",
+                    "/image/depth",
+                    "an image has \"width\", \"height\""),
+            edit("\"pupilRadius\"", "\"pupil\"", "/camera/pupil", "unknown key; a window camera has"),
+            edit("\"ambient\"", "\"ambience\"", "/shading/ambience", "did you mean \"ambient\"?"),
+            edit("\"filter\"", "\"filters\"", "/textures/ice/filters", "did you mean \"filter\"?"),
+            edit("\"scale\": 8", "\"scale\": 8, \"size\": 3", "/textures/checks/size", "a checker texture has"),
+            edit("\"transparency\"", "\"transparancy\"", "/materials/glass/transparancy", "\"transparency\"?"),
+            edit(
+                    "\"position\": [0, 5, 5]",
+                    "\"position\": [0, 5, 5], \"radius\": 1",
+                    "/lights/2/radius",
+                    "a point light"),
+            edit("\"rotation\": 200", "\"rotatoin\": 200", "/objects/0/rotatoin", "did you mean \"rotation\"?"),
+            edit(
+                    "{ \"texture\": \"checks\" }",
+                    "{ \"texture\": \"checks\", \"x\": 1 }",
+                    "/objects/3/material/color/x",
+                    "unknown key"),
+            edit("\"seed\"", "\"Seed\"", "/render/Seed", "did you mean \"seed\"?"),
+            edit("\"frames\": 11", "\"frames\": 11, \"loop\": true", "/animation/loop", "an animation has"),
+            edit("\"keys\": {", "\"colour\": 1, \"keys\": {", "/animation/tracks/0/colour", "a track has"),
+            // Missing keys.
+            edit("\"image\": { \"width\": 40, \"height\": 20 },", "", "/image", "missing; a scene needs it"),
+            edit("\"width\": 40, ", "", "/image/width", "missing; an image needs it"),
+            edit("\"eye\": [0, 1, -3], ", "", "/camera/eye", "missing; a window camera needs it"),
+            edit("\"type\": \"window\", ", "", "/camera/type", "expected one of \"window\", \"perspective\""),
+            edit(" \"file\": \"ice.png\",", "", "/textures/ice/file", "missing; a file texture needs it"),
+            edit("\"color\": [0.1, 0.2, 0.3], ", "", "/materials/chrome/color", "missing; a mirror material"),
+            edit("\"indexOfRefraction\": 1.5, ", "", "/materials/glass/indexOfRefraction", "missing"),
+            edit(", \"color\": [1, 1, 1]", "", "/lights/2/color", "missing; a point light needs it"),
+            edit("\"radius\": 1.5, ", "", "/objects/0/radius", "missing; a sphere needs it"),
+            edit("\"normal\": [0, 2, 0], ", "", "/objects/2/normal", "missing; a disk needs it"),
+            edit("\"framesPerSecond\": 25,", "", "/animation/framesPerSecond", "missing"),
+            edit("\"target\": \"/objects/0/center/1\", ", "", "/animation/tracks/0/target", "missing"),
+            // Wrong types.
+            edit("\"name\": \"everything\"", "\"name\": 3", "/name", "must be a text, not the number 3"),
+            edit(
+                    "{ \"width\": 40, \"height\": 20 }",
+                    "[40, 20]",
+                    "/image",
+                    "must be an image, an object { ... }, not an array"),
+            edit("\"width\": 40", "\"width\": 40.5", "/image/width", "must be a whole number in 1..65536, not 40.5"),
+            edit(
+                    "\"radius\": 1.5",
+                    "\"radius\": \"1.5\"",
+                    "/objects/0/radius",
+                    "must be a number, not the text \"1.5\""),
+            edit("\"radius\": 1.5", "\"radius\": null", "/objects/0/radius", "must be a number, not null"),
+            edit("\"radius\": 1.5", "\"radius\": true", "/objects/0/radius", "must be a number, not true"),
+            edit("\"radius\": 1.5", "\"radius\": [1]", "/objects/0/radius", "not an array of 1 value"),
+            edit("\"radius\": 1.5", "\"radius\": {}", "/objects/0/radius", "must be a number, not an object"),
+            edit("\"radius\": 1.5", "\"radius\": \"NaN\"", "/objects/0/radius", "not the text \"NaN\""),
+            edit("[-2, 1.10, 4]", "[-2, 4]", "/objects/0/center", "must be a position [x, y, z], not an array of 2"),
+            edit("[-2, 1.10, 4]", "[\"-2\", 1.10, 4]", "/objects/0/center/0", "must be a number, not the text"),
+            edit("[3, 0, 3]", "4", "/objects/5/center", "must be a position [x, y, z], not the number 4"),
+            edit("[0, 2, 0]", "\"up\"", "/objects/2/normal", "must be a direction [x, y, z], not the text"),
+            edit("[10, 20, 30]", "30", "/objects/5/rotation", "must be three angles [x, y, z] in degrees"),
+            edit(
+                    "[[0, 0, 9], [1, 0, 9], [0, 1, 9]]",
+                    "[[0, 0, 9], [1, 0, 9]]",
+                    "/objects/8/vertices",
+                    "three vertices"),
+            edit("\"#010203\" }]", "\"#010203\" }, \"ice\"]", "/objects/5/faces", "six materials"),
+            edit(
+                    "\"radius\": 0.3, \"capped\": false",
+                    "\"radius\": 0.3, \"capped\": 0",
+                    "/objects/3/capped",
+                    "must be true or false, not the number 0"),
+            edit("\"method\": \"cluster\"", "\"method\": 1", "/render/method", "must be one of"),
+            edit("\"seed\": 99", "\"seed\": 0.5", "/render/seed", "must be a whole number"),
+            edit("{ \"0\": 1, \"10\": 2 }", "[1, 2]", "/animation/tracks/0/keys", "must be an object { FRAME: VALUE"),
+            edit("\"10\": 2 }", "\"10\": \"2\" }", "/animation/tracks/0/keys/10", "must be a number"),
+            edit("\"10\": 2 }", "\"ten\": 2 }", "/animation/tracks/0/keys/ten", "must be the number of a frame"),
+            // Unknown words.
+            edit("\"type\": \"window\"", "\"type\": \"windows\"", "/camera/type", "did you mean \"window\"?"),
+            edit("\"type\": \"torus\"", "\"type\": \"donut\"", "/objects/7/type", "expected one of \"sphere\""),
+            edit("\"type\": \"mirror\"", "\"type\": \"miror\"", "/materials/chrome/type", "did you mean \"mirror\"?"),
+            edit(
+                    "\"type\": \"point\"",
+                    "\"type\": \"spot\"",
+                    "/lights/2/type",
+                    "expected one of \"sphere\", \"rectangle\", \"point\""),
+            edit("\"type\": \"checker\"", "\"type\": \"noise\"", "/textures/checks/type", "expected one of"),
+            edit("\"nearest\"", "\"neares\"", "/textures/ice/filter", "did you mean \"nearest\"?"),
+            edit("\"encoding\": \"linear\"", "\"encoding\": \"gamma\"", "/textures/ice/encoding", "expected one of"),
+            edit("\"method\": \"cluster\"", "\"method\": \"path\"", "/render/method", "expected one of \"raytrace\""),
+            edit("\"model\": \"classic\"", "\"model\": \"classical\"", "/shading/model", "did you mean \"classic\"?"),
+            // What is planned.
+            edit("\"model\": \"classic\"", "\"model\": \"physical\"", "/shading/model", "not available yet"),
+            edit("\"model\": \"classic\"", "\"maxBounces\": 3", "/shading/maxBounces", "not available yet"),
+            edit("\"type\": \"triangle\"", "\"type\": \"mesh\"", "/objects/8/type", "not available yet"),
+            edit("\"type\": \"mirror\"", "\"type\": \"glossy\"", "/materials/chrome/type", "not available yet"),
+            edit("\"type\": \"mirror\"", "\"type\": \"scattering\"", "/materials/chrome/type", "not available yet"),
+            edit("\"type\": \"mirror\"", "\"type\": \"fluorescent\"", "/materials/chrome/type", "not available yet"),
+            edit("[0, 5, 5],", "[0, 5, 5], \"intensity\": 3,", "/lights/2/intensity", "not available yet"),
+            edit("\"radius\": 0.15,", "\"radius\": 0.15, \"power\": 3,", "/lights/0/power", "not available yet"),
+            edit("\"radius\": 0.15,", "\"radius\": 0.15, \"radiance\": 3,", "/lights/0/radiance", "not available yet"),
+            // Out of range.
+            edit("\"width\": 40", "\"width\": 0", "/image/width", "must be a whole number in 1..65536, not 0"),
+            edit("\"height\": 20", "\"height\": -1", "/image/height", "must be a whole number in 1..65536, not -1"),
+            edit("\"width\": 40", "\"width\": 65537", "/image/width", "not 65537"),
+            edit("\"radius\": 1.5", "\"radius\": 0", "/objects/0/radius", "must be a number greater than 0, not 0.0"),
+            edit("\"radius\": 1.5", "\"radius\": -1", "/objects/0/radius", "must be a number greater than 0, not -1.0"),
+            edit("\"topRadius\": 0.1", "\"topRadius\": -0.1", "/objects/4/topRadius", "at least 0, not -0.1"),
+            edit("\"minorRadius\": 0.35", "\"minorRadius\": 0", "/objects/7/minorRadius", "greater than 0"),
+            edit("\"pupilRadius\": 0.5", "\"pupilRadius\": -0.5", "/camera/pupilRadius", "at least 0"),
+            edit("\"ambient\": 0.25", "\"ambient\": 1.25", "/shading/ambient", "must lie in 0.0..1.0, not 1.25"),
+            edit("\"transparency\": 0.875", "\"transparency\": 2", "/materials/glass/transparency", "not 2.0"),
+            edit(
+                    "\"indexOfRefraction\": 1.5",
+                    "\"indexOfRefraction\": 0",
+                    "/materials/glass/indexOfRefraction",
+                    "not 0.0"),
+            edit("\"priority\": -2", "\"priority\": 3e9", "/materials/glass/priority", "whole number in -2147483648.."),
+            edit("\"scale\": 8", "\"scale\": 0", "/textures/checks/scale", "greater than 0"),
+            edit("[0, 0.5, 1]]", "[0, 0.5, 1], \"#000000\"]", "/textures/checks/colors", "an array of two colours"),
+            edit("[0.1, 0.2, 0.3]", "[0.1, 1.2, 0.3]", "/materials/chrome/color/1", "in 0..1, not 1.2"),
+            edit("[0.1, 0.2, 0.3]", "[0.1, 0.3]", "/materials/chrome/color", "must be a colour"),
+            edit("\"#102030\"", "\"#12345\"", "/shading/background", "must be a colour: \"#rrggbb\""),
+            edit("\"#102030\"", "\"red\"", "/shading/background", "not the text \"red\""),
+            edit("\"#102030\"", "{ \"texture\": \"ice\" }", "/shading/background", "must be a colour"),
+            edit("\"antialias\": 3", "\"antialias\": 0", "/render/antialias", "in 1..256, not 0"),
+            edit("\"shadowSamples\": 7", "\"shadowSamples\": 1000001", "/render/shadowSamples", "in 1..1000000"),
+            edit("\"seed\": 99", "\"seed\": 9223372036854775808", "/render/seed", "not 9223372036854775808"),
+            edit("\"frames\": 11", "\"frames\": 0", "/animation/frames", "not 0"),
+            edit("\"framesPerSecond\": 25", "\"framesPerSecond\": 0", "/animation/framesPerSecond", "greater than 0"),
+            edit("{ \"0\": 1, \"10\": 2 }", "{}", "/animation/tracks/0/keys", "must hold at least one frame"));
+
+    /** What only the reader can know. */
+    static final List<Edit> FOR_THE_READER = List.of(
+            edit("\"width\": 40", "\"width\": 1e30", "/image/width", "in 1..65536, not 1e30"),
+            // Numbers that no double can hold.
+            edit("\"radius\": 1.5", "\"radius\": 1e-400", "/objects/0/radius", "not 1e-400"),
+            edit("\"radius\": 1.5", "\"radius\": 1e999", "/objects/0/radius", "not 1e999"),
+            edit("\"radius\": 1.5", "\"radius\": NaN", "/objects/0/radius", "must be a finite number, not NaN"),
+            edit(
+                    "\"radius\": 1.5",
+                    "\"radius\": -Infinity",
+                    "/objects/0/radius",
+                    "must be a finite number, not -Infinity"),
+            edit("[-2, 1.10, 4]", "[-2, 2e308, 4]", "/objects/0/center/1", "not 2e308"),
+            edit("\"10\": 2 }", "\"10\": 1e-330 }", "/animation/tracks/0/keys/10", "not 1e-330"),
+            // Names.
+            edit(
+                    "\"vertices\": [[0, 0, 9], [1, 0, 9], [0, 1, 9]], \"material\": \"ice\"",
+                    "\"vertices\": [[0, 0, 9], [1, 0, 9], [0, 1, 9]], \"material\": \"crome\"",
+                    "/objects/8/material",
+                    "unknown material \"crome\"; did you mean \"chrome\"?"),
+            edit(
+                    "\"vertices\": [[0, 0, 9], [1, 0, 9], [0, 1, 9]], \"material\": \"ice\"",
+                    "\"vertices\": [[0, 0, 9], [1, 0, 9], [0, 1, 9]], \"material\": \"water\"",
+                    "/objects/8/material",
+                    "there are \"ice\", \"chrome\", \"glass\""),
+            edit(
+                    "{ \"texture\": \"checks\" }",
+                    "{ \"texture\": \"check\" }",
+                    "/objects/3/material/color/texture",
+                    "unknown texture \"check\"; did you mean \"checks\"?"),
+            edit("\"name\": \"ring\"", "\"name\": \"ball\"", "/objects/7/name", "is used twice; first in line 24"),
+            // Degenerate shapes.
+            edit("\"top\": [1, 2, 0]", "\"top\": [1.0, 0, 0]", "/objects/3/top", "must differ from \"base\""),
+            edit("\"apex\": [2, 3, 0]", "\"apex\": [2, 0, 0]", "/objects/4/apex", "must differ from \"base\""),
+            edit("\"minorRadius\": 0.35", "\"minorRadius\": 1.76", "/objects/7/minorRadius", "at most \"majorRadius\""),
+            edit("\"axis\": [0, 0, 1]", "\"axis\": [0, 0, 0]", "/objects/7/axis", "other than (0, 0, 0)"),
+            edit("\"max\": [1, 2, 8]", "\"max\": [1, 0, 8]", "/objects/6/max/1", "greater than the same coordinate"),
+            edit("[0, 1, 9]]", "[2, 0, 9]]", "/objects/8/vertices", "must not lie in one line"),
+            edit("[6, 6, 8], [6, -6, 8]]", "[6, 6, 8], [-6, 6, 8]]", "/objects/1/corners", "must span an area"),
+            edit(
+                    "[6, 6, 8], [6, -6, 8]]",
+                    "[6, 6, 8.00001], [6, -6, 8]]",
+                    "/objects/1/corners/2",
+                    "must close the parallelogram"),
+            edit("[1, 9, 1], [1, 9, 0]]", "[1, 9, 1], [0, 9, 2]]", "/lights/1/corners", "must span an area"),
+            edit("\"eye\": [0, 1, -3]", "\"eye\": [9, 9, 0]", "/camera/eye", "must not lie in the window's plane"),
+            edit(
+                    "\"upperRight\": [3, 3, 0]",
+                    "\"upperRight\": [3, 4, 0]",
+                    "/camera/upperRight",
+                    "must close the parallelogram"),
+            edit("\"upperLeft\": [-3, 3, 0]", "\"upperLeft\": [9, 0, 0]", "/camera", "must span an area"),
+            // Tracks that lead nowhere.
+            edit("/objects/0/center/1", "/objects/0/center/3", "/animation/tracks/0/target", "there is nothing"),
+            edit("/objects/0/center/1", "/objects/9/center/1", "/animation/tracks/0/target", "there is nothing"),
+            edit(
+                    "/objects/0/center/1",
+                    "/objects/0/center",
+                    "/animation/tracks/0/target",
+                    "there is an array of 3 values"),
+            edit("/objects/0/center/1", "/objects/0/name", "/animation/tracks/0/target", "there is the text \"ball\""),
+            edit("/objects/0/center/1", "/animation/frames", "/animation/tracks/0/target", "outside the animation"),
+            edit("/objects/0/center/1", "/objects/~2", "/animation/tracks/0/target", "must be a JSON pointer"),
+            edit(
+                    "\"keys\": { \"0\": 1, \"10\": 2 } }",
+                    "\"keys\": { \"0\": 1 } }, { \"target\": \"/objects/0/center/1\", \"keys\": { \"0\": 1 } }",
+                    "/animation/tracks/1/target",
+                    "is the target of another track too"),
+            // Files.
+            edit("\"ice.png\"", "\"nice.png\"", "/textures/ice/file", "there is no file \"nice.png\""),
+            edit("\"ice.png\"", "\".\"", "/textures/ice/file", "is not a file"),
+            edit("\"ice.png\"", "\"a\\u0000b\"", "/textures/ice/file", "is not a path"),
+            // Keys that are there twice.
+            edit("\"radius\": 1.5", "\"radius\": 1.5, \"radius\": 2", "/objects/0/radius", "written twice"),
+            edit("\"width\": 40", "\"width\": 41, \"width\": 40", "/image/width", "written twice"));
+
+    private BadDocuments() {}
+}

@@ -1,0 +1,136 @@
+package enlightenment.scene.json;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneException.Problem;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Documents for tests: one that has everything, edits of it, and the shipped scenes beside stand-ins for their images. */
+final class Documents {
+    static final byte[] PNG_START = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+    /** A right scene with every part, every type and every key but {@code $schema}. */
+    static final String EVERYTHING =
+            """
+            {
+              "name": "everything",
+              "image": { "width": 40, "height": 20 },
+              "camera": { "type": "window", "eye": [0, 1, -3], "lowerLeft": [-3, 0, 0], "upperLeft": [-3, 3, 0],
+                "upperRight": [3, 3, 0], "lowerRight": [3, 0, 0], "pupilRadius": 0.5 },
+              "shading": { "model": "classic", "ambient": 0.25, "shadow": 0.75, "background": "#102030" },
+              "textures": {
+                "ice": { "type": "file", "file": "ice.png", "filter": "nearest", "encoding": "linear" },
+                "checks": { "type": "checker", "colors": ["#ffffff", [0, 0.5, 1]], "scale": 8 },
+                "plain": { "type": "color", "color": "#0000ff" }
+              },
+              "materials": {
+                "ice": { "type": "matte", "color": { "texture": "ice" }, "receivesShadows": false },
+                "chrome": { "type": "mirror", "color": [0.1, 0.2, 0.3], "receivesShadows": true },
+                "glass": { "type": "glass", "color": "#fefefe", "indexOfRefraction": 1.5, "transparency": 0.875,
+                  "priority": -2, "receivesShadows": true }
+              },
+              "lights": [
+                { "type": "sphere", "center": [0, 1, 1], "radius": 0.15, "color": "#ffffff" },
+                { "type": "rectangle", "corners": [[0, 9, 0], [0, 9, 1], [1, 9, 1], [1, 9, 0]], "color": "#ffffee" },
+                { "type": "point", "position": [0, 5, 5], "color": [1, 1, 1] }
+              ],
+              "objects": [
+                { "name": "ball", "type": "sphere", "center": [-2, 1.10, 4], "radius": 1.5, "rotation": 200, "material": "ice" },
+                { "name": "wall", "type": "rectangle", "corners": [[-6, -6, 8], [-6, 6, 8], [6, 6, 8], [6, -6, 8]], "material": "chrome" },
+                { "name": "dish", "type": "disk", "center": [0, 0, 5], "normal": [0, 2, 0], "radius": 2.5, "material": "glass" },
+                { "name": "rod", "type": "cylinder", "base": [1, 0, 0], "top": [1, 2, 0], "radius": 0.3, "capped": false, "material": { "type": "matte", "color": { "texture": "checks" } } },
+                { "name": "hat", "type": "cone", "base": [2, 0, 0], "apex": [2, 3, 0], "radius": 0.7, "topRadius": 0.1, "capped": false, "material": "ice" },
+                { "name": "die", "type": "cube", "center": [3, 0, 3], "radius": 1.25, "rotation": [10, 20, 30], "faces": ["ice", "ice", "chrome", "chrome", "glass", { "type": "matte", "color": "#010203" }], "material": "ice" },
+                { "name": "brick", "type": "box", "min": [0, 0, 7], "max": [1, 2, 8], "material": "ice" },
+                { "name": "ring", "type": "torus", "center": [0, 4, 4], "axis": [0, 0, 1], "majorRadius": 1.75, "minorRadius": 0.35, "material": "chrome" },
+                { "name": "sail", "type": "triangle", "vertices": [[0, 0, 9], [1, 0, 9], [0, 1, 9]], "material": "ice" }
+              ],
+              "render": { "method": "cluster", "antialias": 3, "shadowSamples": 7, "seed": 99 },
+              "animation": { "frames": 11, "framesPerSecond": 25,
+                "tracks": [{ "target": "/objects/0/center/1", "keys": { "0": 1, "10": 2 } }] }
+            }
+            """;
+
+    private Documents() {}
+
+    /** {@link #EVERYTHING} with one part of its text, which must occur exactly once, replaced. */
+    static String edited(String part, String replacement) {
+        int at = EVERYTHING.indexOf(part);
+        if (at < 0 || EVERYTHING.indexOf(part, at + 1) >= 0) {
+            throw new IllegalArgumentException("not exactly once in the document: " + part);
+        }
+        return EVERYTHING.replace(part, replacement);
+    }
+
+    /** A scene of nothing but these objects. */
+    static String withObjects(String objects) {
+        return "{\"image\": {\"width\": 4, \"height\": 2}, \"camera\": {\"type\": \"isometric\", \"lookAt\": [0, 0, 0],"
+                + " \"height\": 5}, \"objects\": [" + objects + "]}";
+    }
+
+    /** Puts what begins like an image where {@link #EVERYTHING} looks for one. */
+    static Path withImage(Path folder) {
+        try {
+            Files.write(folder.resolve("ice.png"), PNG_START);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return folder;
+    }
+
+    static Scene read(String json, Path folder) {
+        return SceneReader.readString(json, folder, "scene.json");
+    }
+
+    static List<Problem> problems(String json, Path folder) {
+        return assertThrows(SceneException.class, () -> read(json, folder)).problems();
+    }
+
+    /** The one problem of a document that has one. */
+    static Problem problem(String json, Path folder) {
+        List<Problem> problems = problems(json, folder);
+        assertEquals(1, problems.size(), () -> problems.toString());
+        return problems.get(0);
+    }
+
+    static Path projectFolder() {
+        return Path.of(System.getProperty("project.directory"));
+    }
+
+    /** The files in {@code scenes}. */
+    static List<String> shippedNames() {
+        try (var files = Files.list(projectFolder().resolve("scenes"))) {
+            return files.map(f -> f.getFileName().toString())
+                    .filter(n -> n.endsWith(".json"))
+                    .sorted()
+                    .toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Copies the shipped scenes to {@code folder/scenes}, with images of no content in {@code folder/textures}. */
+    static Path shippedScenes(Path folder) {
+        List<String> images = List.of("ice", "fire", "wall-back", "wall-right", "wall-left", "floor", "sky", "earth");
+        try {
+            Path scenes = Files.createDirectories(folder.resolve("scenes"));
+            Path textures = Files.createDirectories(folder.resolve("textures"));
+            for (String image : images) {
+                Files.write(textures.resolve(image + ".png"), PNG_START);
+            }
+            for (String name : shippedNames()) {
+                Files.copy(projectFolder().resolve("scenes").resolve(name), scenes.resolve(name));
+            }
+            return scenes;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,276 @@
+package enlightenment.scene.json;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayRgb;
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Torus;
+import enlightenment.geometry.Triangle;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.Point;
+import enlightenment.math.Vec3;
+import enlightenment.scene.Animation;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import java.math.BigDecimal;
+import java.math.BigInteger;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+
+/** Scenes of all types with awkward numbers and names. */
+final class RandomScenes {
+    private static final String[] NAMES = {
+        "a", "b/c", "d~e", "f \"g\"", "h\\i", "j\nk", "\u00e4\u00f6", "\ud83c\udf0d", "", "texture 1"
+    };
+
+    private final Random random;
+    private final Path imageFolder;
+    private final Map<String, Texture> textures = new LinkedHashMap<>();
+    private final Map<String, Material> materials = new LinkedHashMap<>();
+
+    RandomScenes(long seed, Path imageFolder) {
+        this.random = new Random(seed);
+        this.imageFolder = imageFolder;
+    }
+
+    Scene next() {
+        textures.clear();
+        materials.clear();
+        for (int i = random.nextInt(NAMES.length); i > 0; i--) {
+            textures.put(NAMES[i], texture());
+        }
+        for (int i = random.nextInt(NAMES.length); i > 0; i--) {
+            materials.put(NAMES[i], newMaterial());
+        }
+        List<Light> lights = new ArrayList<>();
+        for (int i = random.nextInt(6); i > 0; i--) {
+            lights.add(retry(this::light));
+        }
+        List<SceneObject> objects = new ArrayList<>();
+        for (int i = random.nextInt(20); i > 0; i--) {
+            objects.add(object(random.nextBoolean() ? "" : "object " + i));
+        }
+        return new Scene(
+                NAMES[random.nextInt(NAMES.length)],
+                1 + random.nextInt(Scene.MAX_SIDE),
+                1 + random.nextInt(Scene.MAX_SIDE),
+                retry(this::camera),
+                random.nextBoolean() ? ClassicShading.DEFAULT : new ClassicShading(unit(), unit(), color()),
+                textures,
+                materials,
+                lights,
+                objects,
+                random.nextBoolean()
+                        ? RenderDefaults.DEFAULT
+                        : new RenderDefaults(
+                                "cluster", 1 + random.nextInt(256), 1 + random.nextInt(1_000_000), random.nextLong()),
+                random.nextBoolean() ? Optional.empty() : Optional.of(animation(objects)));
+    }
+
+    /** Some random values make no shape: then others do. */
+    private static <T> T retry(Supplier<T> maker) {
+        while (true) {
+            try {
+                return maker.get();
+            } catch (IllegalArgumentException e) {
+                // Degenerate; the next one.
+            }
+        }
+    }
+
+    private Animation animation(List<SceneObject> objects) {
+        List<Animation.Track> tracks = new ArrayList<>();
+        tracks.add(new Animation.Track("/shading/background/" + random.nextInt(3), keys()));
+        tracks.add(new Animation.Track("/render/seed", keys()));
+        for (int i = 0; i < objects.size(); i++) {
+            SceneObject o = objects.get(i);
+            if (o.shape() instanceof Sphere) {
+                tracks.add(new Animation.Track("/objects/" + i + "/rotation", keys()));
+                tracks.add(new Animation.Track("/objects/" + i + "/center/" + random.nextInt(3), keys()));
+            } else if (o.shape() instanceof Cube) {
+                tracks.add(new Animation.Track("/objects/" + i + "/rotation/1", keys()));
+            } else if (o.material().color() instanceof Texture.Solid) {
+                tracks.add(new Animation.Track("/objects/" + i + "/material/color/2", keys()));
+            }
+        }
+        return new Animation(1 + random.nextInt(1000), positive(), tracks);
+    }
+
+    private TreeMap<Integer, BigDecimal> keys() {
+        TreeMap<Integer, BigDecimal> keys = new TreeMap<>();
+        for (int i = random.nextInt(4); i >= 0; i--) {
+            keys.put(random.nextInt(i + 1) * 1000, decimal());
+        }
+        return keys;
+    }
+
+    private Camera camera() {
+        Point o = point();
+        Vec3 up = vector();
+        Vec3 right = vector();
+        switch (random.nextInt(4)) {
+            case 0:
+                return new Camera.Window(
+                        point(), o, o.plus(up), o.plus(up).plus(right), o.plus(right), Math.abs(number()));
+            case 1:
+                return new Camera.Perspective(o, point(), up, 180 * unit());
+            case 2:
+                return new Camera.Orthographic(o, point(), up, positive());
+            default:
+                return new Camera.Isometric(o, positive());
+        }
+    }
+
+    private Light light() {
+        Point o = point();
+        Vec3 u = vector();
+        Vec3 v = vector();
+        switch (random.nextInt(3)) {
+            case 0:
+                return new Light.Sphere(o, positive(), color());
+            case 1:
+                return new Light.Rectangle(o, o.plus(u), o.plus(u).plus(v), o.plus(v), color());
+            default:
+                return new Light.Point(o, color());
+        }
+    }
+
+    private SceneObject object(String name) {
+        Shape shape = retry(this::shape);
+        List<Material> faces = new ArrayList<>();
+        if (shape instanceof Cube && random.nextBoolean()) {
+            for (int i = 0; i < 6; i++) {
+                faces.add(material());
+            }
+        }
+        Material material = !faces.isEmpty() && random.nextBoolean() ? faces.get(0) : material();
+        return new SceneObject(name, shape, material, faces);
+    }
+
+    private Shape shape() {
+        Point o = point();
+        Vec3 u = vector();
+        Vec3 v = vector();
+        switch (random.nextInt(9)) {
+            case 0:
+                return new Sphere(o, positive(), random.nextBoolean() ? 0 : number());
+            case 1:
+                return new Rectangle(o, o.plus(u), o.plus(u).plus(v), o.plus(v));
+            case 2:
+                return new Disk(o, u, positive());
+            case 3:
+                return new Cylinder(o, point(), positive(), random.nextBoolean());
+            case 4:
+                return new Cone(o, point(), positive(), random.nextBoolean() ? 0 : positive(), random.nextBoolean());
+            case 5:
+                return new Cube(o, positive(), random.nextBoolean() ? Vec3.ZERO : u);
+            case 6:
+                return new Box(o, point());
+            case 7:
+                return new Torus(o, u, positive(), positive());
+            default:
+                return new Triangle(o, point(), point());
+        }
+    }
+
+    private Material material() {
+        List<Material> named = new ArrayList<>(materials.values());
+        return named.isEmpty() || random.nextBoolean() ? newMaterial() : named.get(random.nextInt(named.size()));
+    }
+
+    private Material newMaterial() {
+        List<Texture> named = new ArrayList<>(textures.values());
+        Texture color =
+                named.isEmpty() || random.nextBoolean() ? Texture.of(color()) : named.get(random.nextInt(named.size()));
+        switch (random.nextInt(3)) {
+            case 0:
+                return new Material.Matte(color, random.nextBoolean());
+            case 1:
+                return new Material.Mirror(color, random.nextBoolean());
+            default:
+                return new Material.Glass(
+                        color,
+                        positive(),
+                        random.nextBoolean() ? 1 : unit(),
+                        random.nextBoolean() ? 0 : random.nextInt(),
+                        random.nextBoolean());
+        }
+    }
+
+    private Texture texture() {
+        switch (random.nextInt(3)) {
+            case 0:
+                return new Texture.File(
+                        imageFolder.resolve("ice.png"),
+                        Texture.Filter.values()[random.nextInt(2)],
+                        Texture.Encoding.values()[random.nextInt(2)]);
+            case 1:
+                return new Texture.Checker(List.of(color(), color()), positive());
+            default:
+                return Texture.of(color());
+        }
+    }
+
+    private DisplayRgb color() {
+        if (random.nextBoolean()) {
+            return DisplayRgb.ofBytes(random.nextInt(256), random.nextInt(256), random.nextInt(256));
+        }
+        return DisplayRgb.of(unit(), random.nextInt(5) == 0 ? -0.0 : unit(), unit());
+    }
+
+    private double unit() {
+        return random.nextInt(4) == 0 ? Math.scalb(random.nextDouble(), -random.nextInt(1000)) : random.nextDouble();
+    }
+
+    private double positive() {
+        return Math.max(Math.abs(number()), Double.MIN_VALUE);
+    }
+
+    private double number() {
+        switch (random.nextInt(5)) {
+            case 0:
+                return random.nextInt(2001) - 1000;
+            case 1:
+                return (random.nextInt(200_001) - 100_000) / 1000.0;
+            case 2:
+                return Math.scalb(random.nextDouble() - 0.5, random.nextInt(600) - 300);
+            case 3:
+                return random.nextInt(20) == 0 ? -0.0 : random.nextGaussian();
+            default:
+                return Math.scalb(random.nextDouble() - 0.5, random.nextInt(8));
+        }
+    }
+
+    private Vec3 vector() {
+        return new Vec3(number(), number(), number());
+    }
+
+    private Point point() {
+        return random.nextBoolean()
+                ? Point.of(number(), number(), number())
+                : new Point(decimal(), decimal(), decimal());
+    }
+
+    private BigDecimal decimal() {
+        int digits = random.nextInt(10) == 0 ? 300 : 60;
+        return new BigDecimal(new BigInteger(1 + random.nextInt(digits), random), random.nextInt(40) - 10)
+                .multiply(BigDecimal.valueOf(random.nextBoolean() ? 1 : -1));
+    }
+}

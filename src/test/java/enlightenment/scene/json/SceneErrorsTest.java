@@ -1,0 +1,177 @@
+package enlightenment.scene.json;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.scene.SceneException.Problem;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class SceneErrorsTest {
+    @TempDir
+    Path folder;
+
+    static Stream<BadDocuments.Edit> edits() {
+        return Stream.of(BadDocuments.FOR_THE_SCHEMA_TOO, BadDocuments.FOR_THE_READER)
+                .flatMap(List::stream);
+    }
+
+    @ParameterizedTest
+    @MethodSource("edits")
+    void eachMistakeIsToldOnceAtItsPlace(BadDocuments.Edit edit) {
+        List<Problem> problems = Documents.problems(edit.document(), Documents.withImage(folder));
+        Problem problem = problems.stream()
+                .filter(p -> p.pointer().equals(edit.pointer()))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError(problems.toString()));
+        assertTrue(problem.message().contains(edit.says()), problem.message());
+        assertTrue(problem.line() >= 1 && problem.column() >= 1, problem.toString());
+        // A key with a wrong name is also one that is missing, if it must be there; nothing else causes more.
+        assertEquals(1, problems.size(), problems::toString);
+    }
+
+    @Test
+    void theUneditedDocumentHasNoProblems() {
+        Documents.read(Documents.EVERYTHING, Documents.withImage(folder));
+    }
+
+    @Test
+    void aPlaceIsTheFirstCharacterOfTheValue() {
+        String json = Documents.EVERYTHING.replace("\"radius\": 1.25", "\"radius\": -1.25");
+        Problem problem = Documents.problem(json, Documents.withImage(folder));
+        String[] lines = json.split("\n");
+        assertTrue(lines[problem.line() - 1].startsWith("-1.25", problem.column() - 1), problem.toString());
+        assertEquals(
+                "scene.json:" + problem.line() + ":" + problem.column()
+                        + ": /objects/5/radius: must be a number greater than 0, not -1.25",
+                problem.toString());
+    }
+
+    @Test
+    void placesAreRightInEveryKindOfValueAndWithEveryKindOfLineEnd() {
+        for (String end : new String[] {"\n", "\r\n", "\r"}) {
+            for (String value : new String[] {"\"text\"", "true", "null", "{}", "[1, 2]"}) {
+                String json = Documents.withObjects(
+                        end + "// comment" + end + "  {\"type\": \"box\", \"min\": [0, 0, 0]," + end + "\t \"max\": "
+                                + value + "," + end + "\"material\": {\"type\": \"matte\", \"color\": \"#000000\"}}");
+                Problem problem = Documents.problem(json, folder);
+                assertEquals("/objects/0/max", problem.pointer());
+                assertEquals(4, problem.line());
+                assertEquals(10, problem.column(), value);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "\"radius\": 0x1p3 | `\"0x1p3\" is not a number; expected a decimal number`",
+                "\"radius\": 1d | `\"1d\" is not a number`",
+                "\"radius\": 01 | `\"01\" is not a number`",
+                "\"radius\": .5 | `\".5\" is not a number`",
+                "\"radius\": 5. | `\"5.\" is not a number`",
+                "\"radius\": +5 | `\"+5\" is not a number`",
+                "\"radius\": 1e | `\"1e\" is not a number`",
+                "\"radius\": --1 | `\"--1\" is not a number`",
+                "\"radius\": nan | `\"nan\" needs double quotes`",
+                "\"radius\": True | `\"True\" needs double quotes`",
+                "radius: 1.5 | `\"radius\" needs double quotes`",
+                "\"radius\" 1.5 | `found '1', expected a colon`",
+                "\"radius\": , \"x\": 1 | `found ',' where a value should stand`",
+                "\"radius\": 'a' | `where a value should stand; a text needs double quotes`",
+                "\"radius\": \"a | `found 'r', expected a comma`",
+                "\"radius\": 1 \"x\": 2 | `found '\"', expected a comma`",
+                "\"radius\": 1 2 | `found '2', expected a comma`",
+                "\"radius\": [1, ] | `found ']' where a value should stand`",
+                "\"radius\": [1 } | `found '}', expected ']'`",
+                "\"radius\": 1, } | `found '}', expected a key in double quotes`",
+            })
+    void whatIsNotJsonIsShown(String replacement, String says) {
+        Problem problem = Documents.problem(Documents.edited("\"radius\": 1.25", replacement), folder);
+        assertTrue(problem.message().contains(says), problem.message());
+        assertTrue(problem.pointer().startsWith("/objects/5"), problem.toString());
+        assertTrue(!problem.message().contains("Jackson") && !problem.message().contains("Feature"), problem.message());
+        assertEquals(29, problem.line(), problem.toString());
+    }
+
+    @Test
+    void textsThatEndTooEarlyOrTooLateAreRefused() {
+        String whole = Documents.withObjects("");
+        for (int length = 1; length < whole.length(); length++) {
+            String cut = whole.substring(0, length);
+            Problem problem = Documents.problem(cut, folder);
+            assertTrue(
+                    problem.message().contains("ends too early")
+                            || problem.message().contains("needs double quotes"),
+                    () -> cut + ": " + problem);
+        }
+        assertTrue(Documents.problem(whole + "1", folder).message().contains("after the end"));
+        assertTrue(Documents.problem(whole + "}", folder).message().contains("not JSON"));
+    }
+
+    @Test
+    void aDocumentThatIsNoObjectIsRefused() {
+        for (String json : new String[] {"[]", "3", "\"scene\"", "null"}) {
+            Problem problem = Documents.problem(json, folder);
+            assertEquals("", problem.pointer());
+            assertTrue(problem.message().startsWith("must be a scene, an object"), problem.message());
+        }
+    }
+
+    @Test
+    void deepNestingAndLongNumbersAreRefused() {
+        String deep = "[".repeat(100_000);
+        assertTrue(Documents.problem(deep, folder).message().contains("100 levels"));
+        String number = "9".repeat(1201);
+        Problem problem = Documents.problem(Documents.edited("1.25", number), Documents.withImage(folder));
+        assertTrue(problem.message().contains("has 1201 digits"), problem.message());
+        String longer = "1" + "0".repeat(10_000_000);
+        Problem far = Documents.problem(Documents.edited("1.25", longer), folder);
+        assertTrue(far.message().contains("a number may have 5000 characters"), far.message());
+        assertEquals("/objects/5/radius", far.pointer());
+    }
+
+    @Test
+    void aFileThatIsNoImageIsRefused() throws Exception {
+        Files.writeString(folder.resolve("ice.png"), "GIF89a......");
+        Problem problem = Documents.problem(Documents.EVERYTHING, folder);
+        assertEquals("/textures/ice/file", problem.pointer());
+        assertTrue(problem.message().contains("neither PNG nor JPEG nor BMP"), problem.message());
+        Files.writeString(folder.resolve("ice.png"), "");
+        assertTrue(Documents.problem(Documents.EVERYTHING, folder).message().contains("is not an image"));
+        Files.writeString(folder.resolve("ice.png"), "BM and so on");
+        Documents.read(Documents.EVERYTHING, folder);
+    }
+
+    @Test
+    void aCubeNeedsAMaterialOrFaces() {
+        Problem problem = Documents.problem(
+                Documents.withObjects("{\"type\": \"cube\", \"center\": [0, 0, 0], \"radius\": 1}"), folder);
+        assertEquals("/objects/0/material", problem.pointer());
+        assertTrue(problem.message().contains("or \"faces\""), problem.message());
+    }
+
+    @Test
+    void aWrongMaterialIsNotToldAgainWhereItIsUsed() {
+        String json = Documents.edited("\"indexOfRefraction\": 1.5", "\"indexOfRefraction\": -1.5");
+        assertEquals(
+                "/materials/glass/indexOfRefraction",
+                Documents.problem(json, Documents.withImage(folder)).pointer());
+    }
+
+    @Test
+    void namesWithSlashesAndTildesAreEscapedInPointers() {
+        String json = Documents.withObjects("")
+                .replaceFirst("\\{", "{\"materials\": {\"a/b~c\": {\"type\": \"matte\", \"color\": 3}},");
+        assertEquals("/materials/a~1b~0c/color", Documents.problem(json, folder).pointer());
+    }
+}

@@ -1,0 +1,363 @@
+package enlightenment.scene.json;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayRgb;
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Torus;
+import enlightenment.geometry.Triangle;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.Point;
+import enlightenment.math.Vec3;
+import enlightenment.scene.Animation;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneException.Problem;
+import enlightenment.scene.SceneObject;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Assertions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class SceneReaderTest {
+    @TempDir
+    Path folder;
+
+    private static Point p(double x, double y, double z) {
+        return Point.of(x, y, z);
+    }
+
+    private static Texture plain(int r, int g, int b) {
+        return Texture.of(DisplayRgb.ofBytes(r, g, b));
+    }
+
+    @Test
+    void everyKeyOfEveryTypeArrivesWhereItBelongs() {
+        Scene s = Documents.read(Documents.EVERYTHING, Documents.withImage(folder));
+        Texture ice = new Texture.File(folder.resolve("ice.png"), Texture.Filter.NEAREST, Texture.Encoding.LINEAR);
+        Texture checks = new Texture.Checker(List.of(DisplayRgb.WHITE, DisplayRgb.of(0, 0.5, 1)), 8);
+        assertEquals(Map.of("ice", ice, "checks", checks, "plain", plain(0, 0, 255)), s.textures());
+        Material matte = new Material.Matte(ice, false);
+        Material chrome = Material.Mirror.of(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)));
+        Material glass = new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true);
+        assertEquals(Map.of("ice", matte, "chrome", chrome, "glass", glass), s.materials());
+        assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
+        assertEquals(new ClassicShading(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48)), s.shading());
+        assertEquals(new RenderDefaults("cluster", 3, 7, 99), s.render());
+        assertEquals(
+                List.of(
+                        new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE),
+                        new Light.Rectangle(
+                                p(0, 9, 0), p(0, 9, 1), p(1, 9, 1), p(1, 9, 0), DisplayRgb.ofBytes(255, 255, 238)),
+                        new Light.Point(p(0, 5, 5), DisplayRgb.WHITE)),
+                s.lights());
+        Material tiles = Material.Matte.of(checks);
+        Material ink = Material.Matte.of(plain(1, 2, 3));
+        assertEquals(
+                List.of(
+                        object("ball", new Sphere(Point.of("-2", "1.1", "4"), 1.5, 200), matte),
+                        object("wall", new Rectangle(p(-6, -6, 8), p(-6, 6, 8), p(6, 6, 8), p(6, -6, 8)), chrome),
+                        object("dish", new Disk(p(0, 0, 5), new Vec3(0, 2, 0), 2.5), glass),
+                        object("rod", new Cylinder(p(1, 0, 0), p(1, 2, 0), 0.3, false), tiles),
+                        object("hat", new Cone(p(2, 0, 0), p(2, 3, 0), 0.7, 0.1, false), matte),
+                        new SceneObject(
+                                "die",
+                                new Cube(p(3, 0, 3), 1.25, new Vec3(10, 20, 30)),
+                                matte,
+                                List.of(matte, matte, chrome, chrome, glass, ink)),
+                        object("brick", new Box(p(0, 0, 7), p(1, 2, 8)), matte),
+                        object("ring", new Torus(p(0, 4, 4), Vec3.Z, 1.75, 0.35), chrome),
+                        object("sail", new Triangle(p(0, 0, 9), p(1, 0, 9), p(0, 1, 9)), matte)),
+                s.objects());
+        TreeMap<Integer, BigDecimal> keys = new TreeMap<>(Map.of(0, BigDecimal.ONE, 10, BigDecimal.valueOf(2)));
+        assertEquals(
+                Optional.of(new Animation(11, 25, List.of(new Animation.Track("/objects/0/center/1", keys)))),
+                s.animation());
+        assertEquals("everything", s.name());
+        assertEquals(40, s.width());
+        assertEquals(20, s.height());
+    }
+
+    private static SceneObject object(String name, enlightenment.geometry.Shape shape, Material material) {
+        return new SceneObject(name, shape, material, List.of());
+    }
+
+    @Test
+    void whatIsNotSaidHasItsDefault() {
+        Scene s = Documents.read(
+                Documents.withObjects("{\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1,"
+                        + " \"material\": {\"type\": \"glass\", \"color\": \"#FFFFFF\", \"indexOfRefraction\": 1.5}},"
+                        + "{\"type\": \"cone\", \"base\": [0, 0, 0], \"apex\": [0, 1, 0], \"radius\": 1,"
+                        + " \"material\": {\"type\": \"matte\", \"color\": [0, 0, 0]}}"),
+                folder);
+        assertEquals("", s.name());
+        assertEquals(ClassicShading.DEFAULT, s.shading());
+        assertEquals(RenderDefaults.DEFAULT, s.render());
+        assertEquals(List.of(), s.lights());
+        assertEquals(Optional.empty(), s.animation());
+        assertEquals(
+                SceneObject.of(Sphere.of(Point.ORIGIN, 1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)),
+                s.objects().get(0));
+        assertEquals(
+                new Cone(Point.ORIGIN, p(0, 1, 0), 1, 0, true),
+                s.objects().get(1).shape());
+    }
+
+    @Test
+    void theOtherCamerasAreRead() {
+        String window = Documents.EVERYTHING.substring(
+                Documents.EVERYTHING.indexOf("{ \"type\": \"window\""),
+                Documents.EVERYTHING.indexOf(",\n  \"shading\""));
+        Documents.withImage(folder);
+        assertEquals(
+                new Camera.Perspective(p(0, 1, 2), p(3, 4, 5), Vec3.Y, 40),
+                Documents.read(
+                                Documents.edited(
+                                        window,
+                                        "{\"type\": \"perspective\", \"eye\": [0,1,2], \"lookAt\": [3,4,5],"
+                                                + " \"fieldOfView\": 40}"),
+                                folder)
+                        .camera());
+        assertEquals(
+                new Camera.Orthographic(p(0, 1, 2), p(3, 4, 5), Vec3.X, 40),
+                Documents.read(
+                                Documents.edited(
+                                        window,
+                                        "{\"type\": \"orthographic\", \"eye\": [0,1,2], \"lookAt\": [3,4,5],"
+                                                + " \"up\": [1,0,0], \"height\": 40}"),
+                                folder)
+                        .camera());
+        assertEquals(
+                new Camera.Isometric(p(3, 4, 5), 40),
+                Documents.read(
+                                Documents.edited(
+                                        window, "{\"type\": \"isometric\", \"lookAt\": [3,4,5], \"height\": 40}"),
+                                folder)
+                        .camera());
+    }
+
+    @Test
+    void aCubeWithFacesNeedsNoMaterialOfItsOwn() {
+        Documents.withImage(folder);
+        Scene s = Documents.read(
+                Documents.edited("\"color\": \"#010203\" }], \"material\": \"ice\"", "\"color\": \"#010203\" }]"),
+                folder);
+        SceneObject die = s.objects().get(5);
+        assertEquals(die.faces().get(0), die.material());
+    }
+
+    @Test
+    void coordinatesAreExactAndOtherNumbersTheNearestDouble() {
+        Scene s = Documents.read(
+                Documents.withObjects("{\"type\": \"sphere\", \"center\": [1000000000000000.00000000001, 1e-300, 5],"
+                        + " \"radius\": 0.1000000000000000055511151231257827021181583404541015625,"
+                        + " \"material\": {\"type\": \"matte\", \"color\": \"#000000\"}}"),
+                folder);
+        Sphere sphere = (Sphere) s.objects().get(0).shape();
+        assertEquals(
+                new BigDecimal("1000000000000000.00000000001"), sphere.center().x());
+        assertEquals(0, new BigDecimal("1e-300").compareTo(sphere.center().y()));
+        assertEquals(0.1, sphere.radius());
+    }
+
+    @Test
+    void commentsAndAByteOrderMarkAreSkipped() throws IOException {
+        Path file = folder.resolve("scene.json");
+        String json = "\ufeff// a comment\n" + Documents.withObjects(" /* no\n objects */ ");
+        Files.writeString(file, json);
+        assertEquals(List.of(), SceneReader.read(file).objects());
+    }
+
+    @Test
+    void framesBetweenKeysAreExact() throws IOException {
+        Documents.withImage(folder);
+        Path file = folder.resolve("scene.json");
+        Files.writeString(
+                file,
+                Documents.edited(
+                        "\"keys\": { \"0\": 1, \"10\": 2 } }",
+                        "\"keys\": { \"2\": 1, \"5\": 1.1, \"9\": 1e-300 } },"
+                                + "{ \"target\": \"/materials/chrome/color/2\", \"keys\": { \"0\": 0, \"10\": 1 } },"
+                                + "{ \"target\": \"/image/width\", \"keys\": { \"0\": 10, \"10\": 30 } }"));
+        String[] y = {
+            "1",
+            "1",
+            "1",
+            // 1 + 1/30 and 1 + 2/30, to 40 digits
+            "1.033333333333333333333333333333333333333",
+            "1.066666666666666666666666666666666666667",
+            "1.1"
+        };
+        for (int frame = 0; frame < y.length; frame++) {
+            Scene s = SceneReader.read(file, frame);
+            assertEquals(
+                    new BigDecimal(y[frame]),
+                    ((Sphere) s.objects().get(0).shape()).center().y());
+            Texture.Solid color = (Texture.Solid) s.materials().get("chrome").color();
+            assertEquals(frame / 10.0, color.color().b());
+            assertEquals(10 + 2 * frame, s.width());
+        }
+        assertEquals(40, SceneReader.read(file).width());
+        assertEquals(
+                0,
+                new BigDecimal("1e-300")
+                        .compareTo(((Sphere) SceneReader.read(file, 10)
+                                        .objects()
+                                        .get(0)
+                                        .shape())
+                                .center()
+                                .y()));
+    }
+
+    @Test
+    void aFrameThatIsNotThereIsRefused() throws IOException {
+        Documents.withImage(folder);
+        Path animated = folder.resolve("animated.json");
+        Files.writeString(animated, Documents.EVERYTHING);
+        for (int frame : new int[] {-1, 11, Integer.MAX_VALUE}) {
+            Problem problem = onlyProblem(() -> SceneReader.read(animated, frame));
+            assertEquals("/animation", problem.pointer());
+            assertTrue(problem.message().contains("the frames are 0..10"), problem.message());
+        }
+        Path still = folder.resolve("still.json");
+        Files.writeString(still, Documents.withObjects(""));
+        assertTrue(onlyProblem(() -> SceneReader.read(still, 0)).message().contains("no animation"));
+    }
+
+    @Test
+    void aFrameThatCannotBeIsRefusedAndNamed() throws IOException {
+        Documents.withImage(folder);
+        Path file = folder.resolve("scene.json");
+        Files.writeString(
+                file,
+                Documents.edited(
+                        "/objects/0/center/1\", \"keys\": { \"0\": 1,", "/objects/0/radius\", \"keys\": { \"0\": -2,"));
+        Problem problem = onlyProblem(() -> SceneReader.read(file, 3));
+        assertEquals("/objects/0/radius", problem.pointer());
+        assertTrue(problem.message().contains("-0.8"), problem.message());
+        assertTrue(problem.message().contains("in frame 3"), problem.message());
+        SceneReader.read(file, 6);
+    }
+
+    @Test
+    void filesThatAreNoSceneFilesAreRefused() throws IOException {
+        Path missing = folder.resolve("missing.json");
+        assertTrue(onlyProblem(() -> SceneReader.read(missing)).message().contains("no such file"));
+        assertEquals(
+                missing.toString(), onlyProblem(() -> SceneReader.read(missing)).file());
+        assertTrue(onlyProblem(() -> SceneReader.read(folder)).message().contains("is a folder"));
+        Path empty = Files.writeString(folder.resolve("empty.json"), " // nothing\n");
+        assertTrue(onlyProblem(() -> SceneReader.read(empty)).message().contains("is empty"));
+        Path latin =
+                Files.write(folder.resolve("latin.json"), "{\"name\": \"Bär\"}".getBytes(StandardCharsets.ISO_8859_1));
+        assertTrue(onlyProblem(() -> SceneReader.read(latin)).message().contains("UTF-8"));
+        Path image = Files.write(folder.resolve("image.json"), Documents.PNG_START);
+        assertTrue(onlyProblem(() -> SceneReader.read(image)).message().contains("UTF-8"));
+    }
+
+    private static Problem onlyProblem(org.junit.jupiter.api.function.Executable reading) {
+        List<Problem> problems = assertThrows(SceneException.class, reading).problems();
+        assertEquals(1, problems.size(), () -> problems.toString());
+        return problems.get(0);
+    }
+
+    @Test
+    void pathsAreRelativeToTheSceneFile() throws IOException {
+        Path sub = Files.createDirectories(folder.resolve("a/b"));
+        Files.createDirectories(folder.resolve("images"));
+        Files.write(folder.resolve("images/photo.jpg"), new byte[] {(byte) 0xff, (byte) 0xd8, (byte) 0xff, 0});
+        Path file = sub.resolve("scene.json");
+        Documents.withImage(folder);
+        Files.writeString(file, Documents.edited("\"ice.png\"", "\"../../images/photo.jpg\""));
+        Texture.File texture = (Texture.File) SceneReader.read(file).textures().get("ice");
+        assertEquals(folder.resolve("images/photo.jpg"), texture.file());
+    }
+
+    @Test
+    void aMillionDigitsCostNothing() {
+        Assertions.assertTimeoutPreemptively(Duration.ofSeconds(1), () -> {
+            for (String number : List.of("1e1000000000", "-1e-999999999", "0e2000000000")) {
+                Problem problem = Documents.problem(Documents.edited("1.25", number), Documents.withImage(folder));
+                assertEquals("/objects/5/radius", problem.pointer());
+                assertTrue(problem.message().contains(number), problem.message());
+            }
+        });
+    }
+
+    @Test
+    void manyObjectsAreReadQuickly() {
+        int count = 200_000;
+        StringBuilder objects = new StringBuilder();
+        for (int i = 0; i < count; i++) {
+            objects.append(i > 0 ? ",\n" : "")
+                    .append("{\"type\": \"sphere\", \"center\": [")
+                    .append(i % 100 + 0.25)
+                    .append(", ")
+                    .append(i / 100 % 100 + 0.125)
+                    .append(", ")
+                    .append(i / 10_000 + 0.0625)
+                    .append("], \"radius\": 0.375, \"material\": \"m\"}");
+        }
+        String json = Documents.withObjects(objects.toString())
+                .replaceFirst("\\{", "{\"materials\": {\"m\": {\"type\": \"matte\", \"color\": \"#ffffff\"}},");
+        Scene s = Assertions.assertTimeout(Duration.ofSeconds(20), () -> Documents.read(json, folder));
+        assertEquals(count, s.objects().size());
+        assertEquals(
+                Sphere.of(p(99.25, 99.125, 19.0625), 0.375),
+                s.objects().get(count - 1).shape());
+    }
+
+    @Test
+    void allProblemsAreToldInTheOrderOfTheirPlaces() {
+        String json = Documents.EVERYTHING
+                .replace("\"radius\": 1.5", "\"radius\": -1.5")
+                .replace("\"width\": 40", "\"width\": 0")
+                .replace("\"majorRadius\": 1.75", "\"majorRadius\": 0.1")
+                .replace("\"seed\": 99", "\"sead\": 99")
+                .replace("\"type\": \"triangle\"", "\"type\": \"mesh\"");
+        List<String> pointers = new ArrayList<>();
+        for (Problem problem : Documents.problems(json, Documents.withImage(folder))) {
+            pointers.add(problem.pointer());
+            assertEquals("scene.json", problem.file());
+        }
+        assertEquals(
+                List.of(
+                        "/image/width",
+                        "/objects/0/radius",
+                        "/objects/7/minorRadius",
+                        "/objects/8/type",
+                        "/render/sead"),
+                pointers);
+    }
+
+    @Test
+    void aFileOfNothingButMistakesIsCutShort() {
+        String json = Documents.withObjects("1,".repeat(4999) + "1");
+        List<Problem> problems = Documents.problems(json, folder);
+        assertEquals(Problems.MOST_KEPT + 1, problems.size());
+        assertEquals("and 4000 more problems", problems.get(Problems.MOST_KEPT).message());
+    }
+}

@@ -75,6 +75,41 @@ class BvhTest {
     }
 
     @Test
+    void raysAlongSharedEdgesFindWhatTheLoopFinds() {
+        // Tiles of two planes that meet; rays aim at their edges and corners, exactly or all but exactly.
+        Primitive[] all = new Primitive[128];
+        for (int i = 0; i < all.length; i++) {
+            double x = i % 8 - 4;
+            double y = i / 8 % 8;
+            boolean floor = i < 64;
+            Vec3 a = floor ? new Vec3(x, 0, y) : new Vec3(x, y, 8);
+            Vec3 b = a.plus(floor ? Vec3.Z : Vec3.Y);
+            Vec3[] c = {a, b, b.plus(Vec3.X), a.plus(Vec3.X)};
+            Point[] p = new Point[4];
+            for (int k = 0; k < 4; k++) {
+                p[k] = Point.of(c[k].x(), c[k].y(), c[k].z());
+            }
+            all[i] = new Rectangle(p[0], p[1], p[2], p[3]).place(SceneFrame.WORLD);
+        }
+        Bvh bvh = Bvh.build(all);
+        RandomPrimitives random = new RandomPrimitives(31);
+        Closest loop = new Closest();
+        Closest tree = new Closest();
+        for (int i = 0; i < 50_000; i++) {
+            double low = StrictMath.pow(10, -17 * random.uniform());
+            Vec3 o = new Vec3(6 * random.uniform() - 3, i % 3 == 0 ? low : 2 * random.uniform(), -1);
+            double off = i % 2 == 0 ? 0 : StrictMath.pow(10, -17 + 3 * random.uniform());
+            Vec3 floor = new Vec3(random.index(7) - 3, off, random.index(9));
+            Vec3 wall = new Vec3(random.index(7) - 3 + off, random.index(8), 8 - off);
+            Ray ray = Ray.of(o, (random.index(2) == 0 ? floor : wall).minus(o));
+            loop(all, ray, Double.MAX_VALUE, loop);
+            assertEquals(loop.id(), bvh.closest(ray, tree), "ray " + i);
+            assertTrue(loop.id() >= 0, "ray " + i + " passes between tiles");
+            assertEquals(loop.t(), tree.t(), "ray " + i);
+        }
+    }
+
+    @Test
     void theLengthOfTheDirectionDoesNotMatter() {
         RandomPrimitives random = new RandomPrimitives(8);
         Primitive[] all = random.ofAllKinds(100);

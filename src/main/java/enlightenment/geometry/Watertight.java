@@ -11,8 +11,11 @@ import enlightenment.math.Vec3;
  * share, and closed surfaces of triangles cover it without gaps.
  */
 final class Watertight {
-    /** Bounds the rounding of an edge function, relative to the squared distance of its vertices from the origin. */
-    private static final double EDGE_ERROR = Scale.gamma(64);
+    /**
+     * Bounds the rounding of a sheared coordinate relative to the distance of the vertices from the origin, and that of an
+     * edge function relative to the square of the distance.
+     */
+    private static final double ERROR = Scale.gamma(64);
 
     private Watertight() {}
 
@@ -60,22 +63,18 @@ final class Watertight {
         lo = tc < lo ? tc : lo;
         double hi = ta > tb ? ta : tb;
         hi = tc > hi ? tc : hi;
-        if (t >= lo && t <= hi && t >= ray.tMin) {
-            return t;
-        }
-        if (t < ray.tMin && lo < ray.tMin && !nearEdge(ray, a, b, c, e0, e1, e2)) {
-            return Primitive.MISS;
+        double m = Math.max(distance(ray, a), Math.max(distance(ray, b), distance(ray, c)));
+        // Away from the edges the ray meets the triangle whichever way it is rounded, and only the plane is accurate.
+        double edge = Math.min(Math.abs(e0), Math.min(Math.abs(e1), Math.abs(e2)));
+        boolean central = edge > ERROR * m * m;
+        if (central && (t >= lo && t <= hi || t < ray.tMin && lo < ray.tMin)) {
+            return t >= ray.tMin ? t : Primitive.MISS;
         }
         double between = (e1 * ta + e2 * tb + e0 * tc) / (e0 + e1 + e2);
         between = between < lo ? lo : between > hi ? hi : between;
-        return between >= ray.tMin ? between : Primitive.MISS;
-    }
-
-    /** Whether rounding may have decided on which side of an edge the ray passes. */
-    private static boolean nearEdge(Ray ray, Vec3 a, Vec3 b, Vec3 c, double e0, double e1, double e2) {
-        double m = Math.max(distance(ray, a), Math.max(distance(ray, b), distance(ray, c)));
-        double error = EDGE_ERROR * m * m;
-        return Math.abs(e0) <= error || Math.abs(e1) <= error || Math.abs(e2) <= error;
+        boolean agree = Math.abs(t - between) * Math.abs(ray.d(ray.kz)) <= ERROR * m;
+        double settled = agree ? t : between;
+        return settled >= ray.tMin ? settled : Primitive.MISS;
     }
 
     /** The largest difference of a coordinate between the ray's origin and a vertex. */

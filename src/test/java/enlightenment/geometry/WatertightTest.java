@@ -110,7 +110,8 @@ class WatertightTest {
                     for (RectanglePrimitive wall : walls) {
                         t = Math.min(t, wall.nearest(ray, Double.MAX_VALUE));
                     }
-                    assertTrue(t < 1 + 1e-2, "ray " + i + " at scale " + scale + " left the room: t = " + t);
+                    assertTrue(t < Primitive.MISS, "ray " + i + " at scale " + scale + " left the room");
+                    assertInside(corners, from.plus(to.minus(from).times(t)), i);
                 }
             }
         }
@@ -145,6 +146,14 @@ class WatertightTest {
         return c[0].plus(c[1].minus(c[0]).times(x))
                 .plus(c[2].minus(c[0]).times(y))
                 .plus(c[4].minus(c[0]).times(z));
+    }
+
+    private static void assertInside(Vec3[] c, Vec3 p, int ray) {
+        for (int k = 1; k <= 4; k *= 2) {
+            Vec3 edge = c[k].minus(c[0]);
+            double fraction = p.minus(c[0]).dot(edge) / edge.lengthSquared();
+            assertTrue(Math.abs(fraction - 0.5) < 0.5 + 1e-12, "ray " + ray + " met a wall at " + fraction);
+        }
     }
 
     /** A fraction that is often all but 0. */

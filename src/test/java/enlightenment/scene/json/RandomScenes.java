@@ -72,7 +72,9 @@ final class RandomScenes {
                 1 + random.nextInt(Scene.MAX_SIDE),
                 1 + random.nextInt(Scene.MAX_SIDE),
                 retry(this::camera),
-                random.nextBoolean() ? ClassicShading.DEFAULT : new ClassicShading(unit(), unit(), color()),
+                random.nextBoolean()
+                        ? ClassicShading.DEFAULT
+                        : new ClassicShading(unit(), unit(), color(), random.nextInt(1000)),
                 textures,
                 materials,
                 lights,

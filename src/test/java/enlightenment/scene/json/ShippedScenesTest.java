@@ -70,7 +70,7 @@ class ShippedScenesTest {
         assertEquals(800, s.width());
         assertEquals(400, s.height());
         assertEquals(WINDOW, s.camera());
-        assertEquals(new ClassicShading(0.5, 0.5, DisplayRgb.BLACK), s.shading());
+        assertEquals(new ClassicShading(0.5, 0.5, DisplayRgb.BLACK, 100), s.shading());
         assertEquals(new RenderDefaults("raytrace", 4, 10, 0), s.render());
         assertEquals(List.of(new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE)), s.lights());
         List<Shape> shapes = s.objects().stream().map(o -> o.shape()).toList();
@@ -146,7 +146,7 @@ class ShippedScenesTest {
         assertEquals(0.5, s.shading().ambient());
         assertEquals(List.of(new Light.Sphere(p(1, 2, 0), 0.25, DisplayRgb.WHITE)), s.lights());
         assertEquals(
-                new Cone(p(-4, 2, 4.5), p(-1, 2, 4), 1, 0, true),
+                new Cone(p(-1, 2, 4), p(-4, 2, 4.5), 1, 0, true),
                 s.objects().get(0).shape());
         assertEquals(matte(199, 21, 133), s.objects().get(0).material());
     }

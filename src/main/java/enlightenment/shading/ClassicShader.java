@@ -38,6 +38,11 @@ public final class ClassicShader {
     private final double ambient;
     private final double shadow;
 
+    /** Results of {@link #sampleLight}. */
+    private double cosines;
+
+    private double blockedCosines;
+
     private double throughputR;
     private double throughputG;
     private double throughputB;
@@ -217,7 +222,14 @@ public final class ClassicShader {
                 return factor * unshadowed;
             }
         }
-        long seed = address.lightSeed(index, bounce);
+        sampleLight(nx, ny, nz, count, rays, address, address.lightSeed(index, bounce));
+        double all = known ? unshadowed : cosines / count;
+        return factor * all - (1 - keeps) * (blockedCosines / count);
+    }
+
+    /** Sums cosθ over light points, and over those that are blocked. */
+    private void sampleLight(
+            double nx, double ny, double nz, int count, boolean rays, SampleAddress address, long seed) {
         int first = address.firstLightPoint(seed, count);
         double sum = 0;
         double blocked = 0;
@@ -231,8 +243,8 @@ public final class ClassicShader {
                 }
             }
         }
-        double all = known ? unshadowed : sum / count;
-        return factor * all - (1 - keeps) * (blocked / count);
+        cosines = sum;
+        blockedCosines = blocked;
     }
 
     private Tracer.Visibility visibility() {

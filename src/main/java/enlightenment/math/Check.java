@@ -31,21 +31,30 @@ public final class Check {
 
     /** Finite and greater than zero. */
     public static void positive(String key, double v) {
-        that(v > 0 && v < Double.POSITIVE_INFINITY, key, "must be a number greater than 0, not " + v);
+        // The message is only built where it is needed: a scene may have millions of numbers.
+        if (!(v > 0 && v < Double.POSITIVE_INFINITY)) {
+            throw new InvalidValueException(key, "must be a number greater than 0, not " + v);
+        }
     }
 
     /** Finite and at least zero. */
     public static void notNegative(String key, double v) {
-        that(v >= 0 && v < Double.POSITIVE_INFINITY, key, "must be a number of at least 0, not " + v);
+        if (!(v >= 0 && v < Double.POSITIVE_INFINITY)) {
+            throw new InvalidValueException(key, "must be a number of at least 0, not " + v);
+        }
     }
 
     /** Between lo and hi, both included. */
     public static void range(String key, double v, double lo, double hi) {
-        that(v >= lo && v <= hi, key, "must lie in " + lo + ".." + hi + ", not " + v);
+        if (!(v >= lo && v <= hi)) {
+            throw new InvalidValueException(key, "must lie in " + lo + ".." + hi + ", not " + v);
+        }
     }
 
     public static void finite(String key, double v) {
-        that(Double.isFinite(v), key, "must be a finite number, not " + v);
+        if (!Double.isFinite(v)) {
+            throw new InvalidValueException(key, "must be a finite number, not " + v);
+        }
     }
 
     /** Finite and not the zero vector. */

@@ -59,7 +59,9 @@ public record Scene(
         Set<String> names = new HashSet<>();
         for (int i = 0; i < objects.size(); i++) {
             String n = objects.get(i).name();
-            Check.that(n.isEmpty() || names.add(n), "objects/" + i + "/name", "\"" + n + "\" is used twice");
+            if (!n.isEmpty() && !names.add(n)) {
+                throw new Check.InvalidValueException("objects/" + i + "/name", "\"" + n + "\" is used twice");
+            }
         }
     }
 

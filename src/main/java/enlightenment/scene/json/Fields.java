@@ -36,7 +36,7 @@ final class Fields {
     /** A part with these keys; {@code planned} are keys that the format will have. */
     static Fields of(JsonValue v, Place place, Keys keys, Collection<String> planned, Values values) {
         int before = values.problems().count();
-        JsonValue.Obj o = values.object(v, place, keys.noun() + ", an object { ... }");
+        JsonValue.Obj o = values.object(v, place, keys.noun());
         if (o == null) {
             return null;
         }
@@ -52,7 +52,7 @@ final class Fields {
     /** A part whose {@code "type"} says which keys it has; null after a problem where it has none. */
     static Fields of(JsonValue v, Place place, Family family, String typeUnlessGiven, Values values) {
         int before = values.problems().count();
-        JsonValue.Obj o = values.object(v, place, family.noun() + ", an object { ... }");
+        JsonValue.Obj o = values.object(v, place, family.noun());
         if (o == null) {
             return null;
         }

@@ -24,7 +24,7 @@ final class Materials {
 
     /** Reads the part {@code materials}. */
     void readNamed(JsonValue v, Place place) {
-        JsonValue.Obj o = values.object(v, place, "an object of materials by their names");
+        JsonValue.Obj o = values.object(v, place, "materials by their names");
         for (int i = 0; o != null && i < o.size(); i++) {
             named.put(o.key(i), inline(o.value(i), place.child(o.key(i))));
         }

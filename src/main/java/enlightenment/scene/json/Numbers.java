@@ -12,6 +12,9 @@ final class Numbers {
     /** More digits than the longest exact double has (767). */
     static final int MOST_DIGITS = 1200;
 
+    /** With so few digits and no exponent, no number is beyond the range of doubles. */
+    private static final int SAFE = 300;
+
     private static final int LEAST_PLAIN_EXPONENT = -7;
     private static final int GREATEST_PLAIN_EXPONENT = 20;
 
@@ -40,6 +43,9 @@ final class Numbers {
         if (!exponentIsModest(text, e)) {
             return "must be a number that a double can hold, not " + JsonValue.shortened(text)
                     + ": its exponent is beyond " + LARGEST_EXPONENT;
+        }
+        if (digits <= SAFE && e == text.length()) {
+            return null;
         }
         double d = Double.parseDouble(text);
         if (Double.isInfinite(d)) {

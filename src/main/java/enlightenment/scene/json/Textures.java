@@ -37,7 +37,7 @@ final class Textures {
 
     /** Reads the part {@code textures}. */
     void readNamed(JsonValue v, Place place) {
-        JsonValue.Obj o = values.object(v, place, "an object of textures by their names");
+        JsonValue.Obj o = values.object(v, place, "textures by their names");
         for (int i = 0; o != null && i < o.size(); i++) {
             named.put(o.key(i), texture(o.value(i), place.child(o.key(i))));
         }

@@ -53,7 +53,7 @@ final class Tracks {
         }
         NavigableMap<Integer, BigDecimal> keys = new TreeMap<>();
         JsonValue v = f.get("keys");
-        JsonValue.Obj o = v == null ? null : values.object(v, f.at("keys"), "an object { FRAME: VALUE, ... }");
+        JsonValue.Obj o = v == null ? null : values.object(v, f.at("keys"), "values by frames");
         for (int i = 0; o != null && i < o.size(); i++) {
             Place place = f.at("keys").child(o.key(i));
             if (isFrame(o.key(i))) {

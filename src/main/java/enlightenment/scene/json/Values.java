@@ -82,8 +82,12 @@ final class Values {
 
     /** One of some words; null after a problem. */
     String word(JsonValue v, Place place, Collection<String> words, Collection<String> planned) {
-        String text = text(v, place, "one of " + Suggestion.list(words));
-        if (text == null || words.contains(text)) {
+        if (!(v instanceof JsonValue.Str s)) {
+            problems.add(v, place, "must be one of " + Suggestion.list(words) + ", not " + v.describe());
+            return null;
+        }
+        String text = s.text;
+        if (words.contains(text)) {
             return text;
         }
         if (planned.contains(text)) {
@@ -104,12 +108,12 @@ final class Values {
         return null;
     }
 
-    /** An object; null after a problem. */
-    JsonValue.Obj object(JsonValue v, Place place, String expected) {
+    /** An object that is some part of a scene; null after a problem. */
+    JsonValue.Obj object(JsonValue v, Place place, String noun) {
         if (v instanceof JsonValue.Obj o) {
             return o;
         }
-        problems.add(v, place, "must be " + expected + ", not " + v.describe());
+        problems.add(v, place, "must be " + noun + ", an object { ... }, not " + v.describe());
         return null;
     }
 

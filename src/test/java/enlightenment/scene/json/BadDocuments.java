@@ -99,7 +99,11 @@ final class BadDocuments {
                     "must be true or false, not the number 0"),
             edit("\"method\": \"cluster\"", "\"method\": 1", "/render/method", "must be one of"),
             edit("\"seed\": 99", "\"seed\": 0.5", "/render/seed", "must be a whole number"),
-            edit("{ \"0\": 1, \"10\": 2 }", "[1, 2]", "/animation/tracks/0/keys", "must be an object { FRAME: VALUE"),
+            edit(
+                    "{ \"0\": 1, \"10\": 2 }",
+                    "[1, 2]",
+                    "/animation/tracks/0/keys",
+                    "must be values by frames, an object"),
             edit("\"10\": 2 }", "\"10\": \"2\" }", "/animation/tracks/0/keys/10", "must be a number"),
             edit("\"10\": 2 }", "\"ten\": 2 }", "/animation/tracks/0/keys/ten", "must be the number of a frame"),
             // Unknown words.

@@ -122,7 +122,9 @@ final class RenderOptions {
     RuntimeException blame(InvalidValueException e, String sceneFile) {
         if (e.key().equals("size")) {
             // The message speaks of a picture of so many pixels, which may come from the scene as well.
-            return CliException.wrongUsage((size == null ? "" : "--size: ") + e.getMessage());
+            return size != null
+                    ? CliException.wrongUsage("--size: " + e.getMessage())
+                    : Failures.inFile(sceneFile, new InvalidValueException("image", e.getMessage()));
         }
         return Failures.inFile(sceneFile, e);
     }

@@ -19,7 +19,10 @@ public record Torus(Point center, Vec3 axis, double majorRadius, double minorRad
         Check.direction("axis", axis);
         Check.positive("majorRadius", majorRadius);
         Check.positive("minorRadius", minorRadius);
-        Check.that(minorRadius <= majorRadius, "minorRadius", "must be at most \"majorRadius\"");
+        Check.that(
+                minorRadius <= majorRadius,
+                "minorRadius",
+                "must be at most \"majorRadius\", which is " + majorRadius + ", not " + minorRadius);
     }
 
     @Override

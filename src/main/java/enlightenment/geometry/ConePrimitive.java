@@ -82,7 +82,37 @@ public final class ConePrimitive extends AxialPrimitive {
         double foot = -(fx * dx + fy * dy + fz * dz) * inv;
         double lo = LateralStretch.lower(a, b, c, s, e);
         double hi = LateralStretch.upper(a, b, c, s, e);
+        if (slope > 1 && isCapped() && e != 0) {
+            boolean throughNarrow = meetsDisk(mx, my, mz, narrowRadius * e);
+            boolean throughWide =
+                    meetsDisk(Math.fma(unit, ux, mx), Math.fma(unit, uy, my), Math.fma(unit, uz, mz), wideRadius * e);
+            if (!started && a < 0 && !throughWide) {
+                return MISS;
+            }
+            double toNarrow = -h / e;
+            double toWide = (extent - h) / e;
+            boolean forward = e > 0;
+            lo = sharpened(lo, forward ? toNarrow : toWide, forward ? throughNarrow : throughWide, 1);
+            hi = sharpened(hi, forward ? toWide : toNarrow, forward ? throughWide : throughNarrow, -1);
+        }
         return cut(ray, tMax, hit, foot, lo, hi, h, e);
+    }
+
+    /** Whether the line with this moment about an end's centre passes the end's disk; given is its radius times d·A. */
+    private boolean meetsDisk(double kx, double ky, double kz, double rim) {
+        double vx = Products.difference(ay, kz, az, ky);
+        double vy = Products.difference(az, kx, ax, kz);
+        double vz = Products.difference(ax, ky, ay, kx);
+        return vx * vx + vy * vy + vz * vz <= rim * rim;
+    }
+
+    /**
+     * A bound of the lateral stretch, put on the side of an end's plane that the end's disk says. Beyond a sharp rim the
+     * two bounds are so close together that their order is a worse witness than the disk.
+     */
+    private static double sharpened(double bound, double plane, boolean throughDisk, int sign) {
+        double later = sign * plane;
+        return throughDisk ? sign * Math.min(sign * bound, later) : sign * Math.max(sign * bound, later);
     }
 
     private double discriminant(double moment, double mx, double my, double mz, double ux, double uy, double uz) {

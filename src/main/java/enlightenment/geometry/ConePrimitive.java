@@ -82,18 +82,17 @@ public final class ConePrimitive extends AxialPrimitive {
         double foot = -(fx * dx + fy * dy + fz * dz) * inv;
         double lo = LateralStretch.lower(a, b, c, s, e);
         double hi = LateralStretch.upper(a, b, c, s, e);
-        if (slope > 1 && isCapped() && e != 0) {
-            boolean throughNarrow = meetsDisk(mx, my, mz, narrowRadius * e);
-            boolean throughWide =
+        if (slope > 1 && a < 0 && isCapped()) {
+            // A line within a flat cone's directions meets it if and only if it passes the wide end's disk. At the
+            // sharp rim the lateral surface and the plane are crossed so close together that their order says less.
+            boolean through =
                     meetsDisk(Math.fma(unit, ux, mx), Math.fma(unit, uy, my), Math.fma(unit, uz, mz), wideRadius * e);
-            if (!started && a < 0 && !throughWide) {
+            if (!through && !started) {
                 return MISS;
             }
-            double toNarrow = -h / e;
             double toWide = (extent - h) / e;
-            boolean forward = e > 0;
-            lo = sharpened(lo, forward ? toNarrow : toWide, forward ? throughNarrow : throughWide, 1);
-            hi = sharpened(hi, forward ? toWide : toNarrow, forward ? throughWide : throughNarrow, -1);
+            lo = e > 0 ? Math.min(lo, toWide) : lo;
+            hi = e < 0 ? Math.max(hi, toWide) : hi;
         }
         return cut(ray, tMax, hit, foot, lo, hi, h, e);
     }
@@ -104,15 +103,6 @@ public final class ConePrimitive extends AxialPrimitive {
         double vy = Products.difference(az, kx, ax, kz);
         double vz = Products.difference(ax, ky, ay, kx);
         return vx * vx + vy * vy + vz * vz <= rim * rim;
-    }
-
-    /**
-     * A bound of the lateral stretch, put on the side of an end's plane that the end's disk says. Beyond a sharp rim the
-     * two bounds are so close together that their order is a worse witness than the disk.
-     */
-    private static double sharpened(double bound, double plane, boolean throughDisk, int sign) {
-        double later = sign * plane;
-        return throughDisk ? sign * Math.min(sign * bound, later) : sign * Math.max(sign * bound, later);
     }
 
     private double discriminant(double moment, double mx, double my, double mz, double ux, double uy, double uz) {

@@ -44,17 +44,20 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     final double cy;
     final double cz;
 
-    /** The axis, unnormalised: from the reference point to the centre of the wider end. */
+    /** The axis from the reference point to the centre of the wider end, times a power of two. */
     final double ax;
 
     final double ay;
     final double az;
 
-    /** The squared length of the axis. */
-    final double aa;
+    /** The inverse of that power of two. */
+    final double unit;
 
-    /** The length of the axis. */
+    /** The length of the axis with that power of two. */
     final double length;
+
+    /** The axis without the power of two times the axis with it: F·A of a point at the wider end. */
+    final double extent;
 
     final double narrowRadius;
     final double wideRadius;
@@ -69,6 +72,9 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     /** The coordinate axis that the axis is parallel to, or -1. */
     private final int aligned;
+
+    /** The axis without a power of two, and with length 1. */
+    private final Vec3 axis;
 
     private final Vec3 unitAxis;
 
@@ -93,22 +99,27 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         this.capped = capped;
         narrowIsTop = topRadius < baseRadius;
         Vec3 narrow = narrowIsTop ? top : base;
-        Vec3 axis = (narrowIsTop ? base : top).minus(narrow);
+        axis = (narrowIsTop ? base : top).minus(narrow);
+        narrowRadius = Math.min(baseRadius, topRadius);
+        wideRadius = Math.max(baseRadius, topRadius);
+        double gain = wideRadius - narrowRadius;
+        // The forms are homogeneous in the axis; this scale keeps them in range for needles and for wafers.
+        int exponent = Math.max(axis.exponent(), Scale.exponent(gain));
+        Vec3 scaled = axis.scaledBy(-exponent);
+        unit = Math.scalb(1.0, exponent);
         cx = narrow.x();
         cy = narrow.y();
         cz = narrow.z();
-        ax = axis.x();
-        ay = axis.y();
-        az = axis.z();
-        aa = axis.lengthSquared();
-        length = axis.length();
-        narrowRadius = Math.min(baseRadius, topRadius);
-        wideRadius = Math.max(baseRadius, topRadius);
-        slope = (wideRadius - narrowRadius) / length;
-        reachSquared = (aa + wideRadius * wideRadius) * PADDING;
+        ax = scaled.x();
+        ay = scaled.y();
+        az = scaled.z();
+        length = scaled.length();
+        extent = axis.dot(scaled);
+        slope = gain / axis.length();
+        reachSquared = (axis.lengthSquared() + wideRadius * wideRadius) * PADDING;
         aligned = Disks.alignedAxis(axis);
         unitAxis = Disks.unit(axis);
-        Vec3 slant = new Vec3(length, wideRadius - narrowRadius, 0).normalized();
+        Vec3 slant = new Vec3(axis.length(), gain, 0).normalized();
         tiltAcross = slant.x();
         tiltAlong = slant.y();
         seam = Disks.seam(unitAxis);
@@ -170,11 +181,11 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         double far = Double.POSITIVE_INFINITY;
         if (e > 0) {
             near = -h / e;
-            far = (aa - h) / e;
+            far = (extent - h) / e;
         } else if (e < 0) {
-            near = (aa - h) / e;
+            near = (extent - h) / e;
             far = -h / e;
-        } else if (!started && !(h >= 0 && h <= aa)) {
+        } else if (!started && !(h >= 0 && h <= extent)) {
             return MISS;
         }
         if (!capped) {
@@ -266,33 +277,37 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         double px = Math.fma(hit.along, ray.dx, Products.difference(ray.dy, mz, ray.dz, my) / ray.dd);
         double py = Math.fma(hit.along, ray.dy, Products.difference(ray.dz, mx, ray.dx, mz) / ray.dd);
         double pz = Math.fma(hit.along, ray.dz, Products.difference(ray.dx, my, ray.dy, mx) / ray.dd);
-        double wx = Products.difference(py, az, pz, ay);
-        double wy = Products.difference(pz, ax, px, az);
-        double wz = Products.difference(px, ay, py, ax);
-        double radial = Math.sqrt(wx * wx + wy * wy + wz * wz) / length;
+        double ex = unitAxis.x();
+        double ey = unitAxis.y();
+        double ez = unitAxis.z();
+        double wx = Products.difference(py, ez, pz, ey);
+        double wy = Products.difference(pz, ex, px, ez);
+        double wz = Products.difference(px, ey, py, ex);
+        double radial = Math.sqrt(wx * wx + wy * wy + wz * wz);
         // On a flat cone the distance from the axis says best where along the axis the point is, on others the height.
         double fraction = slope > 1
                 ? (radial - narrowRadius) / (wideRadius - narrowRadius)
-                : Products.dot(px, py, pz, ax, ay, az) / aa;
+                : Products.dot(px, py, pz, ax, ay, az) / extent;
         fraction = Watertight.clamp01(fraction);
         double r = Math.fma(wideRadius - narrowRadius, fraction, narrowRadius);
-        hit.setNormal(
-                Products.difference(ay, wz, az, wy),
-                Products.difference(az, wx, ax, wz),
-                Products.difference(ax, wy, ay, wx));
-        if (!(radial > 0)) {
+        if (radial > 0) {
+            hit.setNormal(
+                    Products.difference(ey, wz, ez, wy),
+                    Products.difference(ez, wx, ex, wz),
+                    Products.difference(ex, wy, ey, wx));
+        } else {
             // At the very apex every lateral direction is as good.
             hit.setNormal(seam.x(), seam.y(), seam.z());
         }
         hit.setPoint(
-                Math.fma(r, hit.nx, Math.fma(fraction, ax, cx)),
-                Math.fma(r, hit.ny, Math.fma(fraction, ay, cy)),
-                Math.fma(r, hit.nz, Math.fma(fraction, az, cz)));
+                Math.fma(r, hit.nx, Math.fma(fraction, axis.x(), cx)),
+                Math.fma(r, hit.ny, Math.fma(fraction, axis.y(), cy)),
+                Math.fma(r, hit.nz, Math.fma(fraction, axis.z(), cz)));
         if (tiltAlong > 0) {
             hit.setNormal(
-                    Math.fma(tiltAcross, hit.nx, -tiltAlong * unitAxis.x()),
-                    Math.fma(tiltAcross, hit.ny, -tiltAlong * unitAxis.y()),
-                    Math.fma(tiltAcross, hit.nz, -tiltAlong * unitAxis.z()));
+                    Math.fma(tiltAcross, hit.nx, -tiltAlong * ex),
+                    Math.fma(tiltAcross, hit.ny, -tiltAlong * ey),
+                    Math.fma(tiltAcross, hit.nz, -tiltAlong * ez));
         }
     }
 
@@ -312,9 +327,9 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         }
         double e = Products.dot(ray.dx, ray.dy, ray.dz, ax, ay, az);
         // The moment about the centre of this end; the line meets the end's plane at A × moment / (d·A) from there.
-        double kx = narrow ? mx : mx + Products.difference(ray.dy, az, ray.dz, ay);
-        double ky = narrow ? my : my + Products.difference(ray.dz, ax, ray.dx, az);
-        double kz = narrow ? mz : mz + Products.difference(ray.dx, ay, ray.dy, ax);
+        double kx = narrow ? mx : Math.fma(unit, Products.difference(ray.dy, az, ray.dz, ay), mx);
+        double ky = narrow ? my : Math.fma(unit, Products.difference(ray.dz, ax, ray.dx, az), my);
+        double kz = narrow ? mz : Math.fma(unit, Products.difference(ray.dx, ay, ray.dy, ax), mz);
         hit.setPoint(
                 center.x() + Products.difference(ay, kz, az, ky) / e,
                 center.y() + Products.difference(az, kx, ax, kz) / e,
@@ -333,7 +348,9 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         Vec3 p = hit.point().minus(base);
         double turn = StrictMath.atan2(p.dot(east), p.dot(seam)) / TWO_PI;
         hit.u = turn < 0 ? turn + 1 : turn;
-        hit.v = Watertight.clamp01(1 - p.dot(top.minus(base)) / aa);
+        Vec3 q = hit.point().minus(new Vec3(cx, cy, cz));
+        double fraction = Products.dot(q.x(), q.y(), q.z(), ax, ay, az) / extent;
+        hit.v = Watertight.clamp01(narrowIsTop ? fraction : 1 - fraction);
     }
 
     @Override
@@ -352,7 +369,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         double py = y - cy;
         double pz = z - cz;
         double h = Products.accurateDot(px, py, pz, ax, ay, az);
-        if (!capped || !(h >= 0 && h <= aa)) {
+        if (!capped || !(h >= 0 && h <= extent)) {
             return false;
         }
         double wx = Products.difference(py, az, pz, ay);

@@ -82,7 +82,27 @@ public final class ConePrimitive extends AxialPrimitive {
         double foot = -(fx * dx + fy * dy + fz * dz) * inv;
         double lo = LateralStretch.lower(a, b, c, s, e);
         double hi = LateralStretch.upper(a, b, c, s, e);
+        if (slope > 1 && a < 0 && isCapped()) {
+            // A line within a flat cone's directions meets it if and only if it passes the wide end's disk. At the
+            // sharp rim the lateral surface and the plane are crossed so close together that their order says less.
+            boolean through =
+                    meetsDisk(Math.fma(unit, ux, mx), Math.fma(unit, uy, my), Math.fma(unit, uz, mz), wideRadius * e);
+            if (!through && !started) {
+                return MISS;
+            }
+            double toWide = (extent - h) / e;
+            lo = e > 0 ? Math.min(lo, toWide) : lo;
+            hi = e < 0 ? Math.max(hi, toWide) : hi;
+        }
         return cut(ray, tMax, hit, foot, lo, hi, h, e);
+    }
+
+    /** Whether the line with this moment about an end's centre passes the end's disk; given is its radius times d·A. */
+    private boolean meetsDisk(double kx, double ky, double kz, double rim) {
+        double vx = Products.difference(ay, kz, az, ky);
+        double vy = Products.difference(az, kx, ax, kz);
+        double vz = Products.difference(ax, ky, ay, kx);
+        return vx * vx + vy * vy + vz * vz <= rim * rim;
     }
 
     private double discriminant(double moment, double mx, double my, double mz, double ux, double uy, double uz) {

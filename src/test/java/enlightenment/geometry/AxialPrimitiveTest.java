@@ -141,6 +141,37 @@ class AxialPrimitiveTest {
         assertEquals(Primitive.MISS, pipe.nearest(Ray.leaving(wall, DOWN, pipe, Ray.OUTSIDE), 9));
     }
 
+    private static Primitive ofHeight(int kind, Vec3 axis) {
+        return switch (kind) {
+            case 0 -> new CylinderPrimitive(Vec3.ZERO, axis, 1, true);
+            case 1 -> new ConePrimitive(Vec3.ZERO, axis, 1, 0, true);
+            case 2 -> new ConePrimitive(Vec3.ZERO, axis, 0.5, 1, true);
+            default -> new ConePrimitive(Vec3.ZERO, axis, 1, 1, true);
+        };
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-100, 1e-50, 1e-20, 1e-12, 1e-6, 1e6, 1e12, 1e20, 1e50, 1e100})
+    void wafersAndNeedlesAreHitOnTheirSurface(double height) {
+        RoundSamples s = new RoundSamples(33);
+        for (int i = 0; i < 300; i++) {
+            Vec3 axis = s.axis().times(height);
+            Primitive p = ofHeight(i % 4, axis);
+            double reach = Math.max(1, height);
+            boolean aimedAtCenter = s.oneIn(2);
+            Vec3 target = aimedAtCenter ? axis.times(0.5) : s.direction().times(s.uniform(0, 1.5));
+            Vec3 o = s.direction().times(5 * reach);
+            Hit hit = new Hit();
+            boolean met = p.intersect(Ray.of(o, target.minus(o)), hit);
+            assertTrue(met || !aimedAtCenter || height > 1, "a wafer cannot be missed in the middle");
+            if (met) {
+                double off = ExactSolid.of(p).distance(hit.point());
+                assertTrue(off <= 8 * IntersectionVectorsTest.pointUlp(p, hit.point()), () -> off + " off " + p);
+                assertEquals(1, hit.normal().length(), 0x1p-50);
+            }
+        }
+    }
+
     private static void leaveThroughTheRim(int rays) {
         RoundSamples s = new RoundSamples(31);
         AxialPrimitive p = null;

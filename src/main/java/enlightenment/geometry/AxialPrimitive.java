@@ -1,5 +1,6 @@
 package enlightenment.geometry;
 
+import enlightenment.math.Angles;
 import enlightenment.math.Bounds;
 import enlightenment.math.Products;
 import enlightenment.math.Scale;
@@ -346,7 +347,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
             return;
         }
         Vec3 p = hit.point().minus(base);
-        double turn = StrictMath.atan2(p.dot(east), p.dot(seam)) / TWO_PI;
+        double turn = Angles.atan2(p.dot(east), p.dot(seam)) / TWO_PI;
         hit.u = turn < 0 ? turn + 1 : turn;
         Vec3 q = hit.point().minus(new Vec3(cx, cy, cz));
         double fraction = Products.dot(q.x(), q.y(), q.z(), ax, ay, az) / extent;

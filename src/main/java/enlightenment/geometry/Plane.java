@@ -13,6 +13,11 @@ final class Plane {
     /** Its squared length. */
     final double nn;
 
+    /** What gives the share of {@code right} and of {@code up} in an offset from a, by a dot product. */
+    private final Vec3 toU;
+
+    private final Vec3 toV;
+
     /** The axis that the plane is perpendicular to, or -1. */
     final int axis;
 
@@ -24,6 +29,9 @@ final class Plane {
         this.a = a;
         n = up.cross(right);
         nn = n.lengthSquared();
+        // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike.
+        toU = n.cross(up).times(1 / nn);
+        toV = right.cross(n).times(1 / nn);
         axis = axis(a, others);
         coordinate = axis < 0 ? 0 : a.component(axis);
     }
@@ -78,10 +86,11 @@ final class Plane {
     }
 
     /** Sets u and v so that the point a + u·right + (1 − v)·up is the hit's point. */
-    void textureCoordinates(Hit hit, Vec3 up, Vec3 right) {
-        Vec3 p = hit.point().minus(a);
-        // p = s·right + r·up, solved by cross products with the normal.
-        hit.u = Watertight.clamp01(up.cross(p).dot(n) / nn);
-        hit.v = Watertight.clamp01(1 - p.cross(right).dot(n) / nn);
+    void textureCoordinates(Hit hit) {
+        double x = hit.px - a.x();
+        double y = hit.py - a.y();
+        double z = hit.pz - a.z();
+        hit.u = Watertight.clamp01(Products.dot(toU.x(), toU.y(), toU.z(), x, y, z));
+        hit.v = Watertight.clamp01(1 - Products.dot(toV.x(), toV.y(), toV.z(), x, y, z));
     }
 }

@@ -156,7 +156,7 @@ public final class RectanglePrimitive extends Primitive {
 
     @Override
     public void textureCoordinates(Hit hit) {
-        plane.textureCoordinates(hit, b.minus(a), d.minus(a));
+        plane.textureCoordinates(hit);
     }
 
     @Override

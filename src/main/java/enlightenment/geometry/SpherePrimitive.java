@@ -1,5 +1,6 @@
 package enlightenment.geometry;
 
+import enlightenment.math.Angles;
 import enlightenment.math.Bounds;
 import enlightenment.math.Products;
 import enlightenment.math.Scale;
@@ -123,9 +124,9 @@ public final class SpherePrimitive extends Primitive {
         // Longitude grows to the right for a viewer outside with +y up; the zero meridian faces -z before rotation.
         double east = hit.nz * meridianX - hit.nx * meridianZ;
         double ahead = hit.nx * meridianX + hit.nz * meridianZ;
-        double turn = StrictMath.atan2(east, ahead) / TWO_PI;
+        double turn = Angles.atan2(east, ahead) / TWO_PI;
         hit.u = turn < 0 ? turn + 1 : turn;
-        hit.v = StrictMath.atan2(Math.sqrt(hit.nx * hit.nx + hit.nz * hit.nz), hit.ny) / Math.PI;
+        hit.v = Angles.atan2(Math.sqrt(hit.nx * hit.nx + hit.nz * hit.nz), hit.ny) / Math.PI;
     }
 
     @Override

@@ -1,5 +1,6 @@
 package enlightenment.geometry;
 
+import enlightenment.math.Angles;
 import enlightenment.math.Bounds;
 import enlightenment.math.Products;
 import enlightenment.math.Scale;
@@ -189,13 +190,13 @@ public final class TorusPrimitive extends Primitive {
         Vec3 p = offset.scaledBy(-offset.exponent());
         double ahead = Products.dot(seamX, seamY, seamZ, p.x(), p.y(), p.z());
         double east = Products.dot(eastX, eastY, eastZ, p.x(), p.y(), p.z());
-        double turn = StrictMath.atan2(east, ahead) / TWO_PI;
+        double turn = Angles.atan2(east, ahead) / TWO_PI;
         hit.u = turn < 0 ? turn + 1 : turn;
         double up = Products.dot(ax, ay, az, hit.nx, hit.ny, hit.nz);
         double outward = ahead * Products.dot(seamX, seamY, seamZ, hit.nx, hit.ny, hit.nz)
                 + east * Products.dot(eastX, eastY, eastZ, hit.nx, hit.ny, hit.nz);
         double rho = Math.sqrt(ahead * ahead + east * east);
-        hit.v = 0.5 - StrictMath.atan2(up, rho > 0 ? outward / rho : -1) / TWO_PI;
+        hit.v = 0.5 - Angles.atan2(up, rho > 0 ? outward / rho : -1) / TWO_PI;
     }
 
     @Override

@@ -58,7 +58,7 @@ public final class TrianglePrimitive extends Primitive {
     /** The first vertex is the texture's lower left corner, the second its upper left, the third its lower right. */
     @Override
     public void textureCoordinates(Hit hit) {
-        plane.textureCoordinates(hit, b.minus(a), c.minus(a));
+        plane.textureCoordinates(hit);
     }
 
     @Override

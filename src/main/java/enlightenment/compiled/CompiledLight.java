@@ -61,8 +61,9 @@ public final class CompiledLight {
         } else if (light instanceof Light.Rectangle q) {
             kind = Kind.RECTANGLE;
             at = frame.toFrame(q.lowerLeft());
-            toRight = frame.toFrame(q.lowerRight()).minus(at);
-            toTop = frame.toFrame(q.upperLeft()).minus(at);
+            // Differences of exact corners, not of rounded ones: a small light far away keeps its area.
+            toRight = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.lowerRight());
+            toTop = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.upperLeft());
             radius = 0;
             surface = new enlightenment.geometry.Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight())
                     .place(frame);

@@ -2,6 +2,7 @@ package enlightenment.compiled;
 
 import enlightenment.geometry.Primitive;
 import enlightenment.material.Material;
+import enlightenment.math.Check.InvalidValueException;
 import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneObject;
@@ -54,7 +55,7 @@ record CompiledPrimitives(
         Entry[] entries = new Entry[objects.size()];
         for (int i = 0; i < entries.length; i++) {
             SceneObject o = objects.get(i);
-            Primitive p = o.shape().place(frame);
+            Primitive p = place(o, i, frame);
             entries[i] = new Entry(o, p, p.parameters());
         }
         Arrays.sort(entries, new Canonical());
@@ -88,6 +89,15 @@ record CompiledPrimitives(
         int[] glass = glassSolids(primitives, first, flat);
         return new CompiledPrimitives(
                 primitives, first, flat, kind, kindNames, glass, ranks(primitives, first, flat, glass));
+    }
+
+    /** The primitive of the object at an index; what it refuses is told with the object's place in the scene. */
+    private static Primitive place(SceneObject object, int index, SceneFrame frame) {
+        try {
+            return object.shape().place(frame);
+        } catch (InvalidValueException e) {
+            throw new InvalidValueException("objects/" + index + "/" + e.key(), e.getMessage());
+        }
     }
 
     private static int[] glassSolids(Primitive[] primitives, int[] first, SurfaceMaterial[] materials) {

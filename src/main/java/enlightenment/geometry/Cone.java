@@ -29,7 +29,11 @@ public record Cone(Point base, Point apex, double radius, double topRadius, bool
     @Override
     public Primitive place(SceneFrame frame) {
         return new ConePrimitive(
-                frame.toFrame(base), frame.toFrame(apex), frame.toFrame(radius), frame.toFrame(topRadius), capped);
+                frame.toFrame(base),
+                Axes.end("apex", base, apex, frame),
+                frame.toFrame(radius),
+                frame.toFrame(topRadius),
+                capped);
     }
 
     @Override

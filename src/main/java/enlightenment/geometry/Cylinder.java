@@ -26,7 +26,8 @@ public record Cylinder(Point base, Point top, double radius, boolean capped) imp
 
     @Override
     public Primitive place(SceneFrame frame) {
-        return new CylinderPrimitive(frame.toFrame(base), frame.toFrame(top), frame.toFrame(radius), capped);
+        return new CylinderPrimitive(
+                frame.toFrame(base), Axes.end("top", base, top, frame), frame.toFrame(radius), capped);
     }
 
     @Override

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Bad numbers and degenerate things, from the file to the exit code (numerics, N39 and N40). */
@@ -424,6 +425,20 @@ class BadDocumentsTest {
         CliRun run = CliRun.of("render", scene, "-o", picture, "--progress", "none", "--antialias", 1);
         assertEquals(new CliRun(0, "", ""), run);
         assertTrue(Files.size(picture) > 12);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"cylinder, top", "cone, apex"})
+    void endsThatNoDoubleTellsApartAreRefused(String type, String key) throws IOException {
+        String object = "{ 'type': '" + type + "', 'base': [1, 1, 1], '" + key
+                + "': [1, 1, 1.00000000000000000001], 'radius': 1, 'material': 'white' }";
+        Path scene = Files.writeString(
+                folder.resolve("scene.json"), object(type, object, "").document());
+        Path picture = folder.resolve("picture.png");
+        CliRun run = CliRun.of("render", scene, "-o", picture, "--progress", "none");
+        assertEquals(2, run.code());
+        assertTrue(run.err().startsWith(scene + ": /objects/3/" + key + ": is so close to \"base\""), run.err());
+        assertFalse(Files.exists(picture));
     }
 
     @Test

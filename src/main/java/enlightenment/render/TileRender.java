@@ -159,6 +159,11 @@ final class TileRender {
         progress.progress(pixelsDone, (long) region.width() * region.height(), film::toImage);
     }
 
+    /** What was rendered, in full precision. */
+    Film film() {
+        return film;
+    }
+
     Image image() {
         return film.toImage();
     }

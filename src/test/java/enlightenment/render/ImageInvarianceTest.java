@@ -1,0 +1,209 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.compiled.HierarchyChoice;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import enlightenment.scene.json.SceneReader;
+import java.math.BigDecimal;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A picture depends neither on the unit of its scene nor on where the scene lies, nor on how the work is done (N01–N05). */
+class ImageInvarianceTest {
+    private static final int[] POWERS_OF_TWO = {-900, -300, -60, -1, 1, 60, 300, 900};
+    private static final int[] POWERS_OF_TEN = {-150, -9, -6, -3, 1, 3, 6, 9, 150};
+    private static final List<String> CAMERAS = List.of(
+            ReferenceScene.GENERIC, ReferenceScene.ON_GRID, ReferenceScene.ORTHOGRAPHIC, ReferenceScene.ISOMETRIC);
+
+    /** What the protocol calls a different pixel. */
+    private static final double DIFFERENT = 1e-9;
+
+    private static RenderSettings quick(Scene scene) {
+        return RenderSettings.of(scene).withThreads(1);
+    }
+
+    private static RenderSettings large(Scene scene) {
+        return RenderSettings.of(scene).withSize(640, 480).withAntialias(1);
+    }
+
+    private static Scene shipped(String name) {
+        return SceneReader.read(Path.of(System.getProperty("project.directory"), "scenes", name));
+    }
+
+    // N01
+
+    @Test
+    void aSceneTimesAPowerOfTwoGivesTheSameBits() {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            RawPicture expected = RawPicture.of(scene, quick(scene));
+            for (int k : POWERS_OF_TWO) {
+                Scene scaled = MovedScene.scaledByPowerOfTwo(scene, k);
+                expected.assertSameBits(RawPicture.of(scaled, quick(scaled)), "2^" + k + " with { " + camera + " }");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice.json", "primitives.json", "glass.json", "torus.json"})
+    void aShippedSceneTimesAPowerOfTwoOrElsewhereGivesTheSameBits(String name) {
+        Scene scene = shipped(name);
+        RenderSettings settings = quick(scene).withSize(64, 36).withAntialias(2).withShadowSamples(3);
+        RawPicture expected = RawPicture.of(scene, settings);
+        for (int k : new int[] {-900, -1, 900}) {
+            expected.assertSameBits(RawPicture.of(MovedScene.scaledByPowerOfTwo(scene, k), settings), "2^" + k);
+        }
+        Scene far = MovedScene.translated(scene, new BigDecimal("1e15"));
+        expected.assertSameBits(RawPicture.of(far, settings), "1e15 away");
+    }
+
+    @Test
+    @Tag("full")
+    void aLargePictureTimesAPowerOfTwoGivesTheSameBits() {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            RawPicture expected = RawPicture.of(scene, large(scene));
+            for (int k : POWERS_OF_TWO) {
+                Scene scaled = MovedScene.scaledByPowerOfTwo(scene, k);
+                expected.assertSameBits(RawPicture.of(scaled, large(scaled)), "2^" + k + " with { " + camera + " }");
+            }
+        }
+    }
+
+    // N02
+
+    @Test
+    void aSceneTimesAPowerOfTenDiffersByRoundingsOnly() {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            RawPicture expected = RawPicture.of(scene, quick(scene));
+            for (int k : POWERS_OF_TEN) {
+                Scene scaled = ReferenceScene.read(ReferenceScene.scaledText(camera, k));
+                RawPicture picture = RawPicture.of(scaled, quick(scaled));
+                assertEquals(0, expected.pixelsBeyond(picture, DIFFERENT), "10^" + k + " with { " + camera + " }");
+            }
+        }
+    }
+
+    @Test
+    @Tag("full")
+    void aLargePictureTimesAPowerOfTenDiffersByRoundingsOnly() {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            RawPicture expected = RawPicture.of(scene, large(scene));
+            // Round numbers may put samples onto edges, which may fall to either side: one pixel in two thousand.
+            int allowed = camera.equals(ReferenceScene.GENERIC) ? 0 : expected.pixels() / 2000;
+            for (int k : POWERS_OF_TEN) {
+                Scene scaled = ReferenceScene.read(ReferenceScene.scaledText(camera, k));
+                RawPicture picture = RawPicture.of(scaled, large(scaled));
+                int beyond = expected.pixelsBeyond(picture, DIFFERENT);
+                assertTrue(beyond <= allowed, beyond + " pixels differ at 10^" + k + " with { " + camera + " }");
+            }
+        }
+    }
+
+    // N03
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1e3", "1e6", "1e9", "1e15", "-1234567.000000000000000000000000000000891"})
+    void aSceneMovedByADecimalInItsTextGivesTheSameBits(String t) {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            Scene moved = ReferenceScene.read(ReferenceScene.translatedText(camera, new BigDecimal(t)));
+            RawPicture.of(scene, quick(scene))
+                    .assertSameBits(RawPicture.of(moved, quick(moved)), t + " with { " + camera + " }");
+        }
+    }
+
+    @Test
+    @Tag("full")
+    void aLargePictureMovedByADecimalGivesTheSameBits() {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            RawPicture expected = RawPicture.of(scene, large(scene));
+            for (String t : List.of("1e3", "1e6", "1e9", "1e15")) {
+                Scene moved = ReferenceScene.read(ReferenceScene.translatedText(camera, new BigDecimal(t)));
+                expected.assertSameBits(RawPicture.of(moved, large(moved)), t + " with { " + camera + " }");
+            }
+        }
+    }
+
+    // N04
+
+    @ParameterizedTest
+    @ValueSource(ints = {10, 20, 30})
+    void dyadicCoordinatesMovedInDoublesGiveTheSameBits(int k) {
+        for (String camera : CAMERAS) {
+            Scene scene = MovedScene.rounded(ReferenceScene.scene(camera), 20);
+            Scene moved = MovedScene.translatedInDoubles(scene, Math.scalb(1.0, k));
+            RawPicture.of(scene, quick(scene))
+                    .assertSameBits(RawPicture.of(moved, quick(moved)), "2^" + k + " with { " + camera + " }");
+        }
+    }
+
+    // N05
+
+    @Test
+    void theOrderOfObjectsChangesNoBit() {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            RawPicture expected = RawPicture.of(scene, quick(scene));
+            for (int seed = 0; seed < 3; seed++) {
+                List<SceneObject> objects = new ArrayList<>(scene.objects());
+                Collections.shuffle(objects, new Random(seed));
+                Scene shuffled = withObjects(scene, objects);
+                expected.assertSameBits(RawPicture.of(shuffled, quick(shuffled)), "order " + seed);
+            }
+        }
+    }
+
+    private static Scene withObjects(Scene s, List<SceneObject> objects) {
+        return new Scene(
+                s.name(),
+                s.width(),
+                s.height(),
+                s.camera(),
+                s.shading(),
+                s.textures(),
+                s.materials(),
+                s.lights(),
+                objects,
+                s.render(),
+                s.animation());
+    }
+
+    @Test
+    void aHierarchyChangesNoBit() {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            RenderSettings settings = quick(scene);
+            RawPicture.of(HierarchyChoice.compile(scene, settings, false), settings)
+                    .assertSameBits(RawPicture.of(HierarchyChoice.compile(scene, settings, true), settings), camera);
+        }
+    }
+
+    @Test
+    void threadsAndTilesChangeNoBit() {
+        for (String camera : CAMERAS) {
+            Scene scene = ReferenceScene.scene(camera);
+            RawPicture expected = RawPicture.of(scene, quick(scene));
+            for (int threads : new int[] {1, 2, 7}) {
+                for (int tileSize : new int[] {1, 16, 64}) {
+                    RenderSettings settings = quick(scene).withThreads(threads).withTileSize(tileSize);
+                    expected.assertSameBits(RawPicture.of(scene, settings), threads + " threads, tiles of " + tileSize);
+                }
+            }
+        }
+    }
+}

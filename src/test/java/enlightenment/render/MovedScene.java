@@ -1,0 +1,155 @@
+package enlightenment.render;
+
+import enlightenment.camera.Camera;
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Torus;
+import enlightenment.geometry.Triangle;
+import enlightenment.light.Light;
+import enlightenment.math.Point;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import java.math.BigDecimal;
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import java.util.function.UnaryOperator;
+
+/** The same scene in other coordinates: every position goes through one function, every length through another. */
+final class MovedScene {
+    private final UnaryOperator<BigDecimal> coordinate;
+    private final DoubleUnaryOperator length;
+
+    private MovedScene(UnaryOperator<BigDecimal> coordinate, DoubleUnaryOperator length) {
+        this.coordinate = coordinate;
+        this.length = length;
+    }
+
+    /** The scene 2^k times as large: positions and lengths are exact. */
+    static Scene scaledByPowerOfTwo(Scene scene, int k) {
+        BigDecimal two = BigDecimal.valueOf(2).pow(Math.abs(k));
+        // 2^-k = 5^k/10^k has a finite decimal expansion.
+        BigDecimal half = BigDecimal.valueOf(5).pow(Math.abs(k)).movePointLeft(Math.abs(k));
+        BigDecimal factor = k < 0 ? half : two;
+        return new MovedScene(v -> v.multiply(factor), v -> Math.scalb(v, k)).scene(scene);
+    }
+
+    /** The scene 10^k times as large: positions are exact, lengths are the nearest doubles of their decimals. */
+    static Scene scaledByPowerOfTen(Scene scene, int k) {
+        return new MovedScene(
+                        v -> v.scaleByPowerOfTen(k),
+                        v -> BigDecimal.valueOf(v).scaleByPowerOfTen(k).doubleValue())
+                .scene(scene);
+    }
+
+    /** The scene elsewhere: t is added to every coordinate, exactly. */
+    static Scene translated(Scene scene, BigDecimal t) {
+        return new MovedScene(v -> v.add(t), v -> v).scene(scene);
+    }
+
+    /** The scene elsewhere, as a program in doubles would put it there: every coordinate becomes the double v + t. */
+    static Scene translatedInDoubles(Scene scene, double t) {
+        return new MovedScene(v -> new BigDecimal(v.doubleValue() + t), v -> v).scene(scene);
+    }
+
+    /** The scene with every coordinate and length rounded to a multiple of 2^-bits. */
+    static Scene rounded(Scene scene, int bits) {
+        return new MovedScene(
+                        v -> new BigDecimal(Math.scalb(Math.rint(Math.scalb(v.doubleValue(), bits)), -bits)),
+                        v -> Math.scalb(Math.rint(Math.scalb(v, bits)), -bits))
+                .scene(scene);
+    }
+
+    private Scene scene(Scene s) {
+        return new Scene(
+                s.name(),
+                s.width(),
+                s.height(),
+                camera(s.camera()),
+                s.shading(),
+                s.textures(),
+                s.materials(),
+                s.lights().stream().map(this::light).toList(),
+                s.objects().stream().map(this::object).toList(),
+                s.render(),
+                s.animation());
+    }
+
+    private Point point(Point p) {
+        return new Point(coordinate.apply(p.x()), coordinate.apply(p.y()), coordinate.apply(p.z()));
+    }
+
+    private double length(double v) {
+        return length.applyAsDouble(v);
+    }
+
+    private Camera camera(Camera camera) {
+        if (camera instanceof Camera.Window w) {
+            return new Camera.Window(
+                    point(w.eye()),
+                    point(w.lowerLeft()),
+                    point(w.upperLeft()),
+                    point(w.upperRight()),
+                    point(w.lowerRight()),
+                    length(w.pupilRadius()));
+        }
+        if (camera instanceof Camera.Perspective p) {
+            return new Camera.Perspective(point(p.eye()), point(p.lookAt()), p.up(), p.fieldOfView());
+        }
+        if (camera instanceof Camera.Orthographic o) {
+            return new Camera.Orthographic(point(o.eye()), point(o.lookAt()), o.up(), length(o.height()));
+        }
+        Camera.Isometric i = (Camera.Isometric) camera;
+        return new Camera.Isometric(point(i.lookAt()), length(i.height()));
+    }
+
+    private Light light(Light light) {
+        if (light instanceof Light.Sphere s) {
+            return new Light.Sphere(point(s.center()), length(s.radius()), s.color());
+        }
+        if (light instanceof Light.Rectangle r) {
+            List<Point> c = r.anchors().stream().map(this::point).toList();
+            return new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), r.color());
+        }
+        return new Light.Point(point(((Light.Point) light).position()), light.color());
+    }
+
+    private SceneObject object(SceneObject o) {
+        return new SceneObject(o.name(), shape(o.shape()), o.material(), o.faces());
+    }
+
+    private Shape shape(Shape shape) {
+        if (shape instanceof Sphere s) {
+            return new Sphere(point(s.center()), length(s.radius()), s.rotation());
+        }
+        if (shape instanceof Rectangle r) {
+            return new Rectangle(
+                    point(r.lowerLeft()), point(r.upperLeft()), point(r.upperRight()), point(r.lowerRight()));
+        }
+        if (shape instanceof Disk d) {
+            return new Disk(point(d.center()), d.normal(), length(d.radius()));
+        }
+        if (shape instanceof Cylinder c) {
+            return new Cylinder(point(c.base()), point(c.top()), length(c.radius()), c.capped());
+        }
+        if (shape instanceof Cone c) {
+            return new Cone(point(c.base()), point(c.apex()), length(c.radius()), length(c.topRadius()), c.capped());
+        }
+        if (shape instanceof Cube c) {
+            return new Cube(point(c.center()), length(c.radius()), c.rotation());
+        }
+        if (shape instanceof Box b) {
+            return new Box(point(b.min()), point(b.max()));
+        }
+        if (shape instanceof Torus t) {
+            return new Torus(point(t.center()), t.axis(), length(t.majorRadius()), length(t.minorRadius()));
+        }
+        Triangle t = (Triangle) shape;
+        return new Triangle(point(t.a()), point(t.b()), point(t.c()));
+    }
+}

@@ -171,13 +171,13 @@ class BadDocumentsTest {
 
     static Stream<Row> notNumbers() {
         return Stream.of(
-                radius("1¤d", "\"1d\" is not a number"),
-                radius("0¤x1p3", "\"0x1p3\" is not a number"),
-                radius("+¤1", "\"+1\" is not a number"),
+                radius("1d", "\"1d\" is not a number"),
+                radius("0x1p3", "\"0x1p3\" is not a number"),
+                radius("+1", "\"+1\" is not a number"),
                 radius(".5", "\".5\" is not a number"),
-                radius("1¤.", "\"1.\" is not a number"),
-                radius("0¤1", "\"01\" is not a number"),
-                radius("1¤e", "\"1e\" is not a number"),
+                radius("1.", "\"1.\" is not a number"),
+                radius("01", "\"01\" is not a number"),
+                radius("1e", "\"1e\" is not a number"),
                 radius("nan", "\"nan\" needs double quotes"));
     }
 

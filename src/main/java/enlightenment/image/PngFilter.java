@@ -85,28 +85,33 @@ final class PngFilter {
      * @param row the differences, preceded by one pixel of zeros, as {@code above} is
      */
     void undo(int type, byte[] row, byte[] above) {
-        // One loop each: with the choice inside, a program that has just started spends most of its time on it.
-        switch (type) {
-            case 0:
-                break;
-            case 1:
-                for (int i = 0; i < rowBytes; i++) {
-                    row[i + pixelBytes] += row[i];
-                }
-                break;
-            case 2:
-                for (int i = pixelBytes; i < row.length; i++) {
-                    row[i] += above[i];
-                }
-                break;
-            case 3:
-                for (int i = 0; i < rowBytes; i++) {
-                    row[i + pixelBytes] += (byte) ((row[i] & 255) + (above[i + pixelBytes] & 255) >>> 1);
-                }
-                break;
-            default:
-                undoPaeth(row, above);
-                break;
+        // One method each: what a file does not use need not be compiled, in a program that has just started.
+        if (type == 1) {
+            undoSub(row);
+        } else if (type == 2) {
+            undoUp(row, above);
+        } else if (type == 3) {
+            undoAverage(row, above);
+        } else if (type == 4) {
+            undoPaeth(row, above);
+        }
+    }
+
+    private void undoSub(byte[] row) {
+        for (int i = 0; i < rowBytes; i++) {
+            row[i + pixelBytes] += row[i];
+        }
+    }
+
+    private void undoUp(byte[] row, byte[] above) {
+        for (int i = pixelBytes; i < row.length; i++) {
+            row[i] += above[i];
+        }
+    }
+
+    private void undoAverage(byte[] row, byte[] above) {
+        for (int i = 0; i < rowBytes; i++) {
+            row[i + pixelBytes] += (byte) ((row[i] & 255) + (above[i + pixelBytes] & 255) >>> 1);
         }
     }
 

@@ -80,16 +80,17 @@ final class LightSampler {
             return false;
         }
         double toMiddle = nx * cone.wx + ny * cone.wy + nz * cone.wz;
-        return switch (light.kind) {
-            case SPHERE -> toMiddle <= -cone.sine;
-            case POINT -> toMiddle <= 0;
-            case RECTANGLE -> {
-                double corner = nx * (light.x - px) + ny * (light.y - py) + nz * (light.z - pz);
-                double right = nx * light.right.x() + ny * light.right.y() + nz * light.right.z();
-                double up = nx * light.up.x() + ny * light.up.y() + nz * light.up.z();
-                yield corner + Math.max(right, 0) + Math.max(up, 0) <= 0;
-            }
-        };
+        if (light.kind == CompiledLight.Kind.SPHERE) {
+            return toMiddle <= -cone.sine;
+        }
+        return light.kind == CompiledLight.Kind.POINT ? toMiddle <= 0 : isRectangleBelow(nx, ny, nz);
+    }
+
+    private boolean isRectangleBelow(double nx, double ny, double nz) {
+        double corner = nx * (light.x - px) + ny * (light.y - py) + nz * (light.z - pz);
+        double right = nx * light.right.x() + ny * light.right.y() + nz * light.right.z();
+        double up = nx * light.up.x() + ny * light.up.y() + nz * light.up.z();
+        return corner + Math.max(right, 0) + Math.max(up, 0) <= 0;
     }
 
     /** Chooses the light point for (u, v) in the unit square: sets direction and length. */

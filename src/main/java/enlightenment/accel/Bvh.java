@@ -6,50 +6,54 @@ import enlightenment.math.BallCone;
 import enlightenment.math.Scale;
 
 /**
- * A bounding volume hierarchy over primitives: a binary tree of boxes in flat arrays, in depth-first order, so that a
- * node's first child is the next node. Immutable, shared by all threads.
+ * A bounding volume hierarchy: finds what a ray meets without asking every primitive. Immutable, safe for any number of
+ * threads.
  *
- * <p>Boxes are tested conservatively: the interval of a ray in a box is widened by the bound of its roundings, and a box
- * whose entry equals the closest t so far is still looked into. So the hierarchy finds what a loop over all primitives
- * finds, to the last bit.
+ * <p>A binary tree of boxes, built by the surface area heuristic ({@link BvhBuilder}). Nodes lie in depth-first order in
+ * flat arrays: the left child of an inner node is the next node, its right child is named by {@code link}; {@code skip}
+ * is the node that follows the whole subtree, so that a search in fixed order needs no stack. The answers are those of a
+ * loop over all primitives, bit for bit: boxes are tested conservatively ({@link SlabTest}), and {@link Closest} decides
+ * what is closer.
  */
 public final class Bvh {
-    /** No leaf is deeper; {@link BvhBuilder} sees to it. */
-    static final int MAX_DEPTH = 96;
+    /** No node lies deeper. */
+    static final int MAX_DEPTH = 64;
 
-    /** Roundings of (plane − origin)·(1/direction), with room to spare. */
-    private static final double SLAB_ERROR = Scale.gamma(6);
+    private static final int NUMBERS_PER_BOX = 6;
+
+    /** Bounds the rounding of half a box's diagonal. */
+    private static final double DIAGONAL_ERROR = Scale.gamma(8);
 
     private final Primitive[] primitives;
-
-    /** Ids of primitives, leaf by leaf. */
-    private final int[] order;
-
-    /** Per node: min x, y, z, max x, y, z. */
+    private final int[] ids;
     private final double[] boxes;
+    private final int[] link;
+    private final int[] count;
+    private final int[] skip;
+    private final double reach;
 
-    /** Per node: second child of an inner node; −1 − first index into {@link #order} of a leaf. */
-    private final int[] links;
-
-    /** Per node: number of primitives of a leaf, 0 for an inner node. */
-    private final byte[] counts;
-
-    Bvh(Primitive[] primitives, int[] order, double[] boxes, int[] links, byte[] counts) {
-        this.primitives = primitives;
-        this.order = order;
-        this.boxes = boxes;
-        this.links = links;
-        this.counts = counts;
+    private Bvh(BvhBuilder builder) {
+        primitives = builder.primitives();
+        ids = builder.ids();
+        boxes = builder.boxes();
+        link = builder.link();
+        count = builder.count();
+        skip = builder.skip();
+        double greatest = 0;
+        for (int i = 0; i < NUMBERS_PER_BOX && i < boxes.length; i++) {
+            greatest = Math.max(greatest, Math.abs(boxes[i]));
+        }
+        reach = greatest;
     }
 
-    /** Builds a hierarchy; the array is kept, not copied. */
+    /** Builds the hierarchy of these primitives. Ids are indices into the array, which is not kept. */
     public static Bvh build(Primitive[] primitives) {
-        return new BvhBuilder(primitives).build();
+        return new Bvh(new BvhBuilder(primitives));
     }
 
-    /** The number of nodes. */
+    /** The number of nodes: 0 if there is no primitive. */
     public int nodeCount() {
-        return links.length;
+        return count.length;
     }
 
     /**
@@ -59,166 +63,107 @@ public final class Bvh {
      */
     public int closest(Ray ray, Closest state) {
         state.reset(Double.MAX_VALUE);
-        ray.invert();
-        if (links.length == 0) {
-            return -1;
+        if (count.length == 0) {
+            return state.id();
         }
+        SlabTest slabs = state.slabs;
+        slabs.set(ray, reach);
+        int[] stack = state.stack;
+        double[] stackEntry = state.stackEntry;
         int depth = 0;
-        int node = 0;
-        if (entry(0, ray, state.t()) == Primitive.MISS) {
-            return -1;
-        }
-        while (true) {
-            int count = counts[node];
-            if (count > 0) {
-                int first = -1 - links[node];
-                for (int i = first; i < first + count; i++) {
-                    int id = order[i];
-                    state.offer(ray, primitives[id], id);
-                }
+        int node = slabs.entry(boxes, 0, slabs.limit(state.t())) == Double.POSITIVE_INFINITY ? -1 : 0;
+        while (node >= 0) {
+            int next = -1;
+            if (count[node] > 0) {
+                offerLeaf(ray, node, state);
             } else {
-                int near = node + 1;
-                int far = links[node];
-                double a = entry(near, ray, state.t());
-                double b = entry(far, ray, state.t());
-                if (b < a) {
-                    int swap = near;
-                    near = far;
-                    far = swap;
-                    double swapEntry = a;
-                    a = b;
-                    b = swapEntry;
-                }
-                if (b != Primitive.MISS) {
-                    state.stack[depth] = far;
-                    state.entries[depth++] = b;
-                }
-                if (a != Primitive.MISS) {
-                    node = near;
-                    continue;
+                double bound = slabs.limit(state.t());
+                int left = node + 1;
+                int right = link[node];
+                double l = slabs.entry(boxes, NUMBERS_PER_BOX * left, bound);
+                double r = slabs.entry(boxes, NUMBERS_PER_BOX * right, bound);
+                boolean leftFirst = l <= r;
+                double later = leftFirst ? r : l;
+                if ((leftFirst ? l : r) < Double.POSITIVE_INFINITY) {
+                    next = leftFirst ? left : right;
+                    if (later < Double.POSITIVE_INFINITY) {
+                        stack[depth] = leftFirst ? right : left;
+                        stackEntry[depth++] = later;
+                    }
                 }
             }
-            do {
-                if (depth == 0) {
-                    return state.id();
+            // A box that begins exactly where the best crossing lies may hold one that wins the tie.
+            while (next < 0 && depth > 0) {
+                depth--;
+                if (stackEntry[depth] <= slabs.limit(state.t())) {
+                    next = stack[depth];
                 }
-                node = state.stack[--depth];
-            } while (state.entries[depth] > state.t());
+            }
+            node = next;
+        }
+        return state.id();
+    }
+
+    private void offerLeaf(Ray ray, int node, Closest state) {
+        int end = link[node] + count[node];
+        for (int i = link[node]; i < end; i++) {
+            state.offer(ray, primitives[i], ids[i]);
         }
     }
 
-    /** Whether any primitive has a crossing with tMin ≤ t ≤ tMax. Stops at the first. */
+    /** Whether any primitive has a crossing with tMin &le; t &le; tMax; stops at the first that is found. */
     public boolean occluded(Ray ray, double tMax, BvhQuery query) {
-        ray.invert();
-        if (links.length == 0 || entry(0, ray, tMax) == Primitive.MISS) {
-            return false;
-        }
-        int depth = 0;
+        SlabTest slabs = query.slabs;
+        slabs.set(ray, reach);
+        double bound = slabs.limit(tMax);
         int node = 0;
-        while (true) {
-            int count = counts[node];
-            if (count > 0) {
-                int first = -1 - links[node];
-                for (int i = first; i < first + count; i++) {
-                    if (query.blocks(primitives[order[i]], order[i], ray, tMax)) {
-                        return true;
-                    }
-                }
+        while (node < count.length) {
+            if (slabs.entry(boxes, NUMBERS_PER_BOX * node, bound) == Double.POSITIVE_INFINITY) {
+                node = skip[node];
+            } else if (count[node] == 0) {
+                node++;
+            } else if (leafBlocks(ray, node, tMax, query)) {
+                return true;
             } else {
-                boolean second = entry(links[node], ray, tMax) != Primitive.MISS;
-                if (entry(node + 1, ray, tMax) != Primitive.MISS) {
-                    if (second) {
-                        query.stack[depth++] = links[node];
-                    }
-                    node++;
-                    continue;
-                }
-                if (second) {
-                    node = links[node];
-                    continue;
-                }
+                node = skip[node];
             }
-            if (depth == 0) {
-                return false;
-            }
-            node = query.stack[--depth];
         }
+        return false;
+    }
+
+    private boolean leafBlocks(Ray ray, int node, double tMax, BvhQuery query) {
+        int end = link[node] + count[node];
+        for (int i = link[node]; i < end; i++) {
+            if (query.blocks(primitives[i], ids[i], ray, tMax)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Adds the ids of all primitives in boxes that do not surely keep clear of a cone. */
     public void gather(BallCone cone, BvhQuery query) {
-        if (links.length == 0 || misses(0, cone)) {
-            return;
-        }
-        int depth = 0;
         int node = 0;
-        while (true) {
-            int count = counts[node];
-            if (count > 0) {
-                int first = -1 - links[node];
-                for (int i = first; i < first + count; i++) {
-                    query.add(order[i]);
-                }
-            } else {
-                boolean second = !misses(links[node], cone);
-                if (!misses(node + 1, cone)) {
-                    if (second) {
-                        query.stack[depth++] = links[node];
-                    }
-                    node++;
-                    continue;
-                }
-                if (second) {
-                    node = links[node];
-                    continue;
-                }
+        while (node < count.length) {
+            boolean clear = misses(node, cone);
+            if (!clear && count[node] == 0) {
+                node++;
+                continue;
             }
-            if (depth == 0) {
-                return;
+            int end = clear ? 0 : link[node] + count[node];
+            for (int i = link[node]; i < end; i++) {
+                query.add(ids[i]);
             }
-            node = query.stack[--depth];
+            node = skip[node];
         }
     }
 
     private boolean misses(int node, BallCone cone) {
-        int k = 6 * node;
+        int k = NUMBERS_PER_BOX * node;
         double hx = (boxes[k + 3] - boxes[k]) / 2;
         double hy = (boxes[k + 4] - boxes[k + 1]) / 2;
         double hz = (boxes[k + 5] - boxes[k + 2]) / 2;
-        double radius = Math.sqrt(hx * hx + hy * hy + hz * hz) * (1 + SLAB_ERROR);
+        double radius = Math.sqrt(hx * hx + hy * hy + hz * hz) * (1 + DIAGONAL_ERROR);
         return cone.misses(boxes[k] + hx, boxes[k + 1] + hy, boxes[k + 2] + hz, radius);
-    }
-
-    /** Where the ray comes into a node's box, not before tMin, or MISS if it does not before tMax. NaN bounds nothing. */
-    private double entry(int node, Ray ray, double tMax) {
-        int k = 6 * node;
-        double near = ray.tMin;
-        double far = tMax;
-        // A zero component gives an infinite inverse and, in a face's plane, NaN, which the comparisons drop.
-        double a = (boxes[k] - ray.ox) * ray.invX;
-        double b = (boxes[k + 3] - ray.ox) * ray.invX;
-        double in = ray.invX > 0 ? a : b;
-        double out = ray.invX > 0 ? b : a;
-        in -= Math.abs(in) * SLAB_ERROR;
-        out += Math.abs(out) * SLAB_ERROR;
-        near = in > near ? in : near;
-        far = out < far ? out : far;
-        a = (boxes[k + 1] - ray.oy) * ray.invY;
-        b = (boxes[k + 4] - ray.oy) * ray.invY;
-        in = ray.invY > 0 ? a : b;
-        out = ray.invY > 0 ? b : a;
-        in -= Math.abs(in) * SLAB_ERROR;
-        out += Math.abs(out) * SLAB_ERROR;
-        near = in > near ? in : near;
-        far = out < far ? out : far;
-        a = (boxes[k + 2] - ray.oz) * ray.invZ;
-        b = (boxes[k + 5] - ray.oz) * ray.invZ;
-        in = ray.invZ > 0 ? a : b;
-        out = ray.invZ > 0 ? b : a;
-        in -= Math.abs(in) * SLAB_ERROR;
-        out += Math.abs(out) * SLAB_ERROR;
-        near = in > near ? in : near;
-        far = out < far ? out : far;
-        return near <= far ? near : Primitive.MISS;
     }
 }

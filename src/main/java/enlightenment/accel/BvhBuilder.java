@@ -1,197 +1,150 @@
 package enlightenment.accel;
 
 import enlightenment.geometry.Primitive;
-import enlightenment.math.Bounds;
 import java.util.Arrays;
 
 /**
- * Builds a {@link Bvh} top down by the surface area heuristic over bins (Wald, "On fast construction of SAH-based bounding
- * volume hierarchies", 2007). Deterministic: it depends on the primitives only.
+ * Builds a {@link Bvh} from the top down: a node is cut where the surface area heuristic, evaluated at the borders of
+ * equal bins of the centroids on each axis, expects the least work (Wald, "On fast construction of SAH-based bounding
+ * volume hierarchies", 2007). One thread, plain arithmetic: the same tree on every machine.
+ *
+ * <p>Where no such cut exists (all centroids coincide), or where the tree has become so deep that it is degenerate, a
+ * node is cut in the middle, so the depth is bounded whatever the scene.
  */
 final class BvhBuilder {
-    private static final int LEAF_SIZE = 4;
-    private static final int BINS = 16;
+    private static final int MAX_LEAF = 4;
 
-    /** Below this depth nodes are halved by number, which ends at depth MAX_DEPTH for any number of primitives. */
-    private static final int HEURISTIC_DEPTH = 60;
+    /** From this depth on nodes are halved: 2^31 primitives then end before {@link Bvh#MAX_DEPTH}. */
+    private static final int HALVING_DEPTH = Bvh.MAX_DEPTH - 32;
 
+    /** Work of one step of a search, in tests of primitives. */
+    private static final double STEP_COST = 2;
+
+    private final PrimitiveBoxes items;
+    private final BinnedCut cut;
     private final Primitive[] primitives;
-    private final int[] order;
-    private final double[] bounds;
     private double[] boxes;
-    private int[] links;
-    private byte[] counts;
+    private int[] link;
+    private int[] count;
     private int nodes;
 
-    private final int[] binCounts = new int[BINS];
-    private final double[] binBoxes = new double[6 * BINS];
-    private final double[] rightAreas = new double[BINS];
-    private final double[] box = new double[6];
-    private final double[] centers = new double[6];
-
-    BvhBuilder(Primitive[] primitives) {
-        this.primitives = primitives;
-        order = new int[primitives.length];
-        bounds = new double[6 * primitives.length];
-        for (int i = 0; i < primitives.length; i++) {
-            order[i] = i;
-            Bounds b = primitives[i].bounds();
-            for (int c = 0; c < 3; c++) {
-                bounds[6 * i + c] = b.min().component(c);
-                bounds[6 * i + 3 + c] = b.max().component(c);
-            }
-        }
-        int capacity = Math.max(2 * primitives.length, 1);
+    BvhBuilder(Primitive[] original) {
+        items = new PrimitiveBoxes(original);
+        cut = new BinnedCut(items);
+        int capacity = Math.max(1, original.length);
         boxes = new double[6 * capacity];
-        links = new int[capacity];
-        counts = new byte[capacity];
+        link = new int[capacity];
+        count = new int[capacity];
+        if (original.length > 0) {
+            grow(original.length);
+        }
+        boxes = Arrays.copyOf(boxes, 6 * nodes);
+        link = Arrays.copyOf(link, nodes);
+        count = Arrays.copyOf(count, nodes);
+        primitives = new Primitive[original.length];
+        for (int i = 0; i < primitives.length; i++) {
+            primitives[i] = original[items.id(i)];
+        }
     }
 
-    Bvh build() {
-        if (primitives.length > 0) {
-            split(0, primitives.length, 0);
-        }
-        return new Bvh(
-                primitives,
-                order,
-                Arrays.copyOf(boxes, 6 * nodes),
-                Arrays.copyOf(links, nodes),
-                Arrays.copyOf(counts, nodes));
-    }
-
-    /** Makes the node of order[from..to) and everything below it. The depth is bounded, so recursion is safe. */
-    private void split(int from, int to, int depth) {
-        int node = nodes++;
-        measure(from, to);
-        System.arraycopy(box, 0, boxes, 6 * node, 6);
-        if (to - from <= LEAF_SIZE) {
-            links[node] = -1 - from;
-            counts[node] = (byte) (to - from);
-            return;
-        }
-        int middle = depth < HEURISTIC_DEPTH ? partition(from, to) : (from + to) >>> 1;
-        split(from, middle, depth + 1);
-        links[node] = nodes;
-        split(middle, to, depth + 1);
-    }
-
-    /** Sets the box around order[from..to) and the box around the centres (times two, which changes no comparison). */
-    private void measure(int from, int to) {
-        for (int c = 0; c < 3; c++) {
-            box[c] = Double.POSITIVE_INFINITY;
-            box[c + 3] = Double.NEGATIVE_INFINITY;
-            centers[c] = Double.POSITIVE_INFINITY;
-            centers[c + 3] = Double.NEGATIVE_INFINITY;
-        }
-        for (int i = from; i < to; i++) {
-            int k = 6 * order[i];
-            for (int c = 0; c < 3; c++) {
-                double lo = bounds[k + c];
-                double hi = bounds[k + c + 3];
-                double twice = lo + hi;
-                box[c] = lo < box[c] ? lo : box[c];
-                box[c + 3] = hi > box[c + 3] ? hi : box[c + 3];
-                centers[c] = twice < centers[c] ? twice : centers[c];
-                centers[c + 3] = twice > centers[c + 3] ? twice : centers[c + 3];
+    /** Makes the nodes in depth-first order, with a stack of ranges (start, end, depth, parent) instead of recursion. */
+    private void grow(int n) {
+        int[] todo = new int[4 * (Bvh.MAX_DEPTH + 1)];
+        int top = push(todo, 0, 0, n, 0, -1);
+        while (top > 0) {
+            top -= 4;
+            int start = todo[top];
+            int end = todo[top + 1];
+            int depth = todo[top + 2];
+            int parent = todo[top + 3];
+            int node = newNode(start, end);
+            if (parent >= 0) {
+                link[parent] = node;
             }
-        }
-    }
-
-    /** Reorders order[from..to) so that the cheapest split lies at the returned index. */
-    private int partition(int from, int to) {
-        int axis = 0;
-        for (int c = 1; c < 3; c++) {
-            if (centers[c + 3] - centers[c] > centers[axis + 3] - centers[axis]) {
-                axis = c;
-            }
-        }
-        double origin = centers[axis];
-        double extent = centers[axis + 3] - origin;
-        if (!(extent > 0)) {
-            return (from + to) >>> 1;
-        }
-        double scale = BINS / extent;
-        fillBins(from, to, axis, origin, scale);
-        int best = cheapestSplit();
-        int left = from;
-        int right = to - 1;
-        while (left <= right) {
-            if (bin(order[left], axis, origin, scale) <= best) {
-                left++;
+            int middle = split(node, start, end, depth);
+            if (middle < 0) {
+                link[node] = start;
+                count[node] = end - start;
             } else {
-                int swap = order[left];
-                order[left] = order[right];
-                order[right--] = swap;
+                // The left half is taken next and becomes the next node; only the right one must be linked.
+                top = push(todo, top, middle, end, depth + 1, node);
+                top = push(todo, top, start, middle, depth + 1, -1);
             }
         }
-        return left > from && left < to ? left : (from + to) >>> 1;
     }
 
-    private int bin(int id, int axis, double origin, double scale) {
-        double twice = bounds[6 * id + axis] + bounds[6 * id + axis + 3];
-        return Math.min((int) ((twice - origin) * scale), BINS - 1);
+    private static int push(int[] todo, int top, int start, int end, int depth, int parent) {
+        todo[top] = start;
+        todo[top + 1] = end;
+        todo[top + 2] = depth;
+        todo[top + 3] = parent;
+        return top + 4;
     }
 
-    private void fillBins(int from, int to, int axis, double origin, double scale) {
-        Arrays.fill(binCounts, 0);
-        for (int b = 0; b < BINS; b++) {
-            for (int c = 0; c < 3; c++) {
-                binBoxes[6 * b + c] = Double.POSITIVE_INFINITY;
-                binBoxes[6 * b + c + 3] = Double.NEGATIVE_INFINITY;
+    private int newNode(int start, int end) {
+        if (nodes == link.length) {
+            int capacity = (int) Math.min(2L * nodes, Integer.MAX_VALUE / 6);
+            boxes = Arrays.copyOf(boxes, 6 * capacity);
+            link = Arrays.copyOf(link, capacity);
+            count = Arrays.copyOf(count, capacity);
+        }
+        items.enclose(start, end, boxes, 6 * nodes);
+        return nodes++;
+    }
+
+    /** Where to cut a range, the items rearranged to fit; -1 if it becomes a leaf. */
+    private int split(int node, int start, int end, int depth) {
+        int n = end - start;
+        if (n == 1) {
+            return -1;
+        }
+        if (depth < HALVING_DEPTH && cut.find(start, end)) {
+            double whole = items.area(boxes, 6 * node);
+            if (n <= MAX_LEAF && n * whole <= STEP_COST * whole + cut.cost()) {
+                return -1;
+            }
+            return cut.partition(start, end);
+        }
+        if (n <= MAX_LEAF) {
+            return -1;
+        }
+        int middle = (start + end) >>> 1;
+        items.select(start, end, middle, cut.widestAxis(start, end));
+        return middle;
+    }
+
+    Primitive[] primitives() {
+        return primitives;
+    }
+
+    int[] ids() {
+        return items.ids();
+    }
+
+    double[] boxes() {
+        return boxes;
+    }
+
+    int[] link() {
+        return link;
+    }
+
+    int[] count() {
+        return count;
+    }
+
+    /** For each node the node after its subtree; parents come before their children, so one pass is enough. */
+    int[] skip() {
+        int[] skip = new int[nodes];
+        if (nodes > 0) {
+            skip[0] = nodes;
+        }
+        for (int i = 0; i < nodes; i++) {
+            if (count[i] == 0) {
+                skip[i + 1] = link[i];
+                skip[link[i]] = skip[i];
             }
         }
-        for (int i = from; i < to; i++) {
-            int b = bin(order[i], axis, origin, scale);
-            binCounts[b]++;
-            enclose(binBoxes, 6 * b, bounds, 6 * order[i]);
-        }
-    }
-
-    /** The last bin of the left half. */
-    private int cheapestSplit() {
-        double[] running = new double[6];
-        empty(running);
-        for (int b = BINS - 1; b > 0; b--) {
-            enclose(running, 0, binBoxes, 6 * b);
-            rightAreas[b] = area(running);
-        }
-        empty(running);
-        int total = 0;
-        for (int n : binCounts) {
-            total += n;
-        }
-        int left = 0;
-        int best = 0;
-        double bestCost = Double.POSITIVE_INFINITY;
-        for (int b = 0; b < BINS - 1; b++) {
-            enclose(running, 0, binBoxes, 6 * b);
-            left += binCounts[b];
-            double cost = left * area(running) + (total - left) * rightAreas[b + 1];
-            if (left > 0 && left < total && cost < bestCost) {
-                bestCost = cost;
-                best = b;
-            }
-        }
-        return best;
-    }
-
-    private static void empty(double[] box) {
-        Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
-        Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
-    }
-
-    private static void enclose(double[] into, int at, double[] other, int from) {
-        for (int c = 0; c < 3; c++) {
-            into[at + c] = Math.min(into[at + c], other[from + c]);
-            into[at + c + 3] = Math.max(into[at + c + 3], other[from + c + 3]);
-        }
-    }
-
-    /** Half the surface; 0 for an empty box. */
-    private static double area(double[] box) {
-        double x = box[3] - box[0];
-        double y = box[4] - box[1];
-        double z = box[5] - box[2];
-        return x >= 0 ? x * y + y * z + z * x : 0;
+        return skip;
     }
 }

@@ -4,14 +4,15 @@ import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 import java.util.Arrays;
 
-/** A growing list of primitive ids, and the stack of a traversal. A mutable work object, one per thread. */
+/** A growing list of primitive ids, and the scratch memory of a search. A mutable work object, one per thread. */
 public final class BvhQuery {
     private int[] ids = new int[64];
     private int size;
     private final int[] kinds;
     private final long[] tests;
 
-    final int[] stack = new int[Bvh.MAX_DEPTH + 1];
+    /** The search's ray, prepared for boxes. */
+    final SlabTest slabs = new SlabTest();
 
     /**
      * An empty list.

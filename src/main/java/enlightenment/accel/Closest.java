@@ -1,5 +1,6 @@
 package enlightenment.accel;
 
+import enlightenment.geometry.Hit;
 import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 
@@ -15,8 +16,15 @@ public final class Closest {
     private final int[] kinds;
     private final long[] tests;
 
-    final int[] stack = new int[Bvh.MAX_DEPTH + 1];
-    final double[] entries = new double[Bvh.MAX_DEPTH + 1];
+    private final Hit scratch = new Hit();
+
+    /** The search's ray, prepared for boxes. */
+    final SlabTest slabs = new SlabTest();
+
+    /** Nodes that {@link Bvh#closest} has put off, and where the ray comes into them. */
+    final int[] stack = new int[Bvh.MAX_DEPTH];
+
+    final double[] stackEntry = new double[Bvh.MAX_DEPTH];
 
     /**
      * A search to be {@link #reset} before use.
@@ -51,9 +59,13 @@ public final class Closest {
         if (primitive == null) {
             return true;
         }
-        boolean leaves = p.side(ray, t) == Ray.INSIDE;
-        boolean bestLeaves = primitive.side(ray, t) == Ray.INSIDE;
-        return leaves == bestLeaves ? candidate < id : leaves;
+        boolean leaves = leaves(ray, p);
+        return leaves == leaves(ray, primitive) ? candidate < id : leaves;
+    }
+
+    private boolean leaves(Ray ray, Primitive p) {
+        p.complete(ray, t, scratch);
+        return scratch.side == Ray.INSIDE;
     }
 
     /** The closest crossing's t, or the limit. */

@@ -1,0 +1,129 @@
+package enlightenment.accel;
+
+import enlightenment.geometry.Primitive;
+import enlightenment.math.Bounds;
+import enlightenment.math.Scale;
+
+/** The boxes of primitives in one flat array that is rearranged while a hierarchy is built: neighbours stay neighbours. */
+final class PrimitiveBoxes {
+    private final double[] b;
+    private final int[] ids;
+
+    /** Extents are multiplied by this before their products are taken: areas of any scene then stay in range. */
+    private final double unit;
+
+    PrimitiveBoxes(Primitive[] primitives) {
+        b = new double[6 * primitives.length];
+        ids = new int[primitives.length];
+        double reach = 0;
+        for (int i = 0; i < primitives.length; i++) {
+            Bounds box = primitives[i].bounds();
+            ids[i] = i;
+            b[6 * i] = box.min().x();
+            b[6 * i + 1] = box.min().y();
+            b[6 * i + 2] = box.min().z();
+            b[6 * i + 3] = box.max().x();
+            b[6 * i + 4] = box.max().y();
+            b[6 * i + 5] = box.max().z();
+            reach = Math.max(reach, box.maxAbs());
+        }
+        // Clamped so that the factor itself is an ordinary number.
+        unit = Math.scalb(1.0, -Math.max(-1000, Math.min(1000, Scale.exponent(reach))));
+    }
+
+    int id(int i) {
+        return ids[i];
+    }
+
+    int[] ids() {
+        return ids;
+    }
+
+    /** The middle of item i on an axis, without overflow. */
+    double center(int i, int axis) {
+        return 0.5 * b[6 * i + axis] + 0.5 * b[6 * i + 3 + axis];
+    }
+
+    /** Sets the six numbers at out[at] to the box of the items start..end−1. */
+    void enclose(int start, int end, double[] out, int at) {
+        clear(out, at);
+        for (int i = start; i < end; i++) {
+            add(i, out, at);
+        }
+    }
+
+    /** Sets the six numbers at out[at] to the box that encloses nothing. */
+    static void clear(double[] out, int at) {
+        for (int k = 0; k < 3; k++) {
+            out[at + k] = Double.POSITIVE_INFINITY;
+            out[at + 3 + k] = Double.NEGATIVE_INFINITY;
+        }
+    }
+
+    /** Enlarges the box at out[at] by item i. */
+    void add(int i, double[] out, int at) {
+        merge(b, 6 * i, out, at);
+    }
+
+    /** Enlarges the box at out[at] by the box at in[from]. */
+    static void merge(double[] in, int from, double[] out, int at) {
+        for (int k = 0; k < 3; k++) {
+            if (in[from + k] < out[at + k]) {
+                out[at + k] = in[from + k];
+            }
+            if (in[from + 3 + k] > out[at + 3 + k]) {
+                out[at + 3 + k] = in[from + 3 + k];
+            }
+        }
+    }
+
+    /** Half the surface of the box at box[at], in a unit that is the same for the whole scene. */
+    double area(double[] box, int at) {
+        double x = (box[at + 3] - box[at]) * unit;
+        double y = (box[at + 4] - box[at + 1]) * unit;
+        double z = (box[at + 5] - box[at + 2]) * unit;
+        return x * y + y * z + z * x;
+    }
+
+    void swap(int i, int j) {
+        int id = ids[i];
+        ids[i] = ids[j];
+        ids[j] = id;
+        int p = 6 * i;
+        int q = 6 * j;
+        for (int k = 0; k < 6; k++) {
+            double v = b[p + k];
+            b[p + k] = b[q + k];
+            b[q + k] = v;
+        }
+    }
+
+    /** Rearranges start..end−1 so that no centre before position m is greater on the axis than one from m on (Hoare). */
+    void select(int start, int end, int m, int axis) {
+        int lo = start;
+        int hi = end - 1;
+        while (lo < hi) {
+            double pivot = center((lo + hi) >>> 1, axis);
+            int i = lo;
+            int j = hi;
+            while (i <= j) {
+                while (center(i, axis) < pivot) {
+                    i++;
+                }
+                while (center(j, axis) > pivot) {
+                    j--;
+                }
+                if (i <= j) {
+                    swap(i++, j--);
+                }
+            }
+            if (m <= j) {
+                hi = j;
+            } else if (m >= i) {
+                lo = i;
+            } else {
+                return;
+            }
+        }
+    }
+}

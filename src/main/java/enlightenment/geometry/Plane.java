@@ -81,7 +81,21 @@ final class Plane {
     void textureCoordinates(Hit hit, Vec3 up, Vec3 right) {
         Vec3 p = hit.point().minus(a);
         // p = s·right + r·up, solved by cross products with the normal.
-        hit.u = Watertight.clamp01(up.cross(p).dot(n) / nn);
-        hit.v = Watertight.clamp01(1 - p.cross(right).dot(n) / nn);
+        if (nn < Ray.ORDINARY_MIN * Ray.ORDINARY_MIN) {
+            // The fourth power of the size could vanish: powers of two are taken out, which is exact.
+            int e = -up.exponent();
+            int f = -right.exponent();
+            Vec3 u = up.scaledBy(e);
+            Vec3 r = right.scaledBy(f);
+            Vec3 m = u.cross(r);
+            setTextureCoordinates(hit, u.cross(p.scaledBy(f)), p.scaledBy(e).cross(r), m, m.lengthSquared());
+        } else {
+            setTextureCoordinates(hit, up.cross(p), p.cross(right), n, nn);
+        }
+    }
+
+    private static void setTextureCoordinates(Hit hit, Vec3 alongRight, Vec3 alongUp, Vec3 normal, double nn) {
+        hit.u = Watertight.clamp01(alongRight.dot(normal) / nn);
+        hit.v = Watertight.clamp01(1 - alongUp.dot(normal) / nn);
     }
 }

@@ -82,7 +82,7 @@ for scene_size in fire-and-ice:800x400 primitives:800x450 glass:800x400 torus:80
         render "$base-old-slow" "$old" "$scene" "$size" $slow
         render "$base-new-slow" "$new" "$scene" "$size" $slow
         compare "$old_version: default = $slow" "$base-old" "$base-old-slow"
-        compare "$new_version: default = $slow" "$base-old" "$base-new-slow"
+        compare "$new_version: default = $slow" "$base-new" "$base-new-slow"
     done
 done
 exit $failed

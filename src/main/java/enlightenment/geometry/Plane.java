@@ -29,9 +29,16 @@ final class Plane {
         this.a = a;
         n = up.cross(right);
         nn = n.lengthSquared();
-        // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike.
-        toU = n.cross(up).times(1 / nn);
-        toV = right.cross(n).times(1 / nn);
+        // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike. Powers of two are taken out of
+        // the edges first, which is exact: the fourth power of a tiny size could vanish.
+        int e = -up.exponent();
+        int f = -right.exponent();
+        Vec3 u = up.scaledBy(e);
+        Vec3 r = right.scaledBy(f);
+        Vec3 m = u.cross(r);
+        double inverse = 1 / m.lengthSquared();
+        toU = m.cross(u).times(inverse).scaledBy(f);
+        toV = r.cross(m).times(inverse).scaledBy(e);
         axis = axis(a, others);
         coordinate = axis < 0 ? 0 : a.component(axis);
     }

@@ -24,7 +24,7 @@ public final class Ray {
     /** The same for squared lengths. */
     private static final double ORDINARY_MAX = 0x1p240;
 
-    private static final double ORDINARY_MIN = 0x1p-240;
+    static final double ORDINARY_MIN = 0x1p-240;
 
     public double ox;
     public double oy;

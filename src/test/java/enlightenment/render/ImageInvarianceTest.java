@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.compiled.HierarchyChoice;
+import enlightenment.geometry.Sphere;
+import enlightenment.math.Point;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -79,6 +81,42 @@ class ImageInvarianceTest {
                 expected.assertSameBits(RawPicture.of(scaled, large(scaled)), "2^" + k + " with { " + camera + " }");
             }
         }
+    }
+
+    /**
+     * The scene's frame makes every scene equally large, which would hide a constant that knows the frame's unit. A speck
+     * far behind the viewer makes the frame larger, so that everything that is seen becomes small in it. The limit is
+     * that of squares of lengths, which doubles hold down to 2^-1074.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {5, 20, 40, 100, 200, 300, 400})
+    void aSpeckFarBehindTheViewerChangesNoBit(int exponent) {
+        for (String camera : List.of(ReferenceScene.GENERIC, ReferenceScene.ON_GRID)) {
+            Scene scene = ReferenceScene.scene(camera);
+            assertSpeckChangesNoBit(scene, quick(scene), exponent, camera);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice.json", "primitives.json", "glass.json", "torus.json"})
+    void aSpeckFarBehindTheViewerOfAShippedSceneChangesNoBit(String name) {
+        Scene scene = shipped(name);
+        RenderSettings settings = quick(scene).withSize(64, 36).withAntialias(2).withShadowSamples(3);
+        for (int exponent : new int[] {20, 400}) {
+            assertSpeckChangesNoBit(scene, settings, exponent, name);
+        }
+    }
+
+    private static void assertSpeckChangesNoBit(Scene scene, RenderSettings settings, int exponent, String what) {
+        Point behind = new Point(
+                BigDecimal.ZERO,
+                BigDecimal.ONE,
+                BigDecimal.valueOf(2).pow(exponent).negate());
+        List<SceneObject> objects = new ArrayList<>(scene.objects());
+        objects.add(SceneObject.of(Sphere.of(behind, 0.01), TestScenes.matte(1, 0, 0)));
+        RawPicture.of(scene, settings)
+                .assertSameBits(
+                        RawPicture.of(withObjects(scene, objects), settings), "2^" + exponent + " in { " + what + " }");
     }
 
     // N02

@@ -57,6 +57,11 @@ final class MovedScene {
         return new MovedScene(v -> new BigDecimal(v.doubleValue() + t), v -> v).scene(scene);
     }
 
+    /** The scene in its place, with every coordinate rounded as it is when t is added to it in doubles. */
+    static Scene roundedAsIfAt(Scene scene, double t) {
+        return new MovedScene(v -> new BigDecimal(v.doubleValue() + t - t), v -> v).scene(scene);
+    }
+
     /** The scene with every coordinate and length rounded to a multiple of 2^-bits. */
     static Scene rounded(Scene scene, int bits) {
         return new MovedScene(

@@ -1,0 +1,63 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.math.Point;
+import enlightenment.math.Vec3;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The scenes whose pictures stand in docs/numerics-pictures show what they claim. */
+class NumericsScenesTest {
+    private static Scene scene(String name) {
+        return SceneReader.read(Path.of(System.getProperty("project.directory"), "scenes", "numerics", name));
+    }
+
+    private static RawPicture picture(Scene scene) {
+        RenderSettings small =
+                RenderSettings.of(scene).withSize(128, 72).withAntialias(2).withShadowSamples(5);
+        return RawPicture.of(scene, small.withThreads(1));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"nano.json", "giga.json"})
+    void aBillionthAndABillionfoldLookLikeTheWhole(String name) {
+        RawPicture unit = picture(scene("unit.json"));
+        assertEquals(0, unit.pixelsBeyond(picture(scene(name)), 1e-9));
+    }
+
+    @Test
+    void aBillionAwayTheBitsAreTheSame() {
+        picture(scene("unit.json")).assertSameBits(picture(scene("offset.json")), "offset.json");
+    }
+
+    /** From a billion radii away the rays are parallel up to 3e-9: the picture is that of parallel rays. */
+    @Test
+    void aSphereABillionRadiiAwayLooksAsParallelRaysShowIt() {
+        Scene far = scene("far-sphere.json");
+        Scene parallel = new Scene(
+                far.name(),
+                far.width(),
+                far.height(),
+                new Camera.Orthographic(Point.of(0, 0, -10), Point.ORIGIN, Vec3.Y, 3),
+                far.shading(),
+                far.textures(),
+                far.materials(),
+                far.lights(),
+                far.objects(),
+                far.render(),
+                far.animation());
+        RawPicture a = picture(far);
+        RawPicture b = picture(parallel);
+        // Coordinates of the far view are rounded to 1e-7 radii: texels and edges may swap in a few of 37,000 samples.
+        int beyond = a.pixelsBeyond(b, 1e-5);
+        assertTrue(beyond <= 3, beyond + " pixels differ");
+    }
+}

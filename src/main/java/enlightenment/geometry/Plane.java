@@ -29,7 +29,8 @@ final class Plane {
         this.a = a;
         n = up.cross(right);
         nn = n.lengthSquared();
-        // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike. Powers of two are taken out of
+        // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike. Powers of two are taken out
+        // of
         // the edges first, which is exact: the fourth power of a tiny size could vanish.
         int e = -up.exponent();
         int f = -right.exponent();

@@ -1,7 +1,10 @@
 package enlightenment.accel;
 
 import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
 import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 import enlightenment.geometry.Rectangle;
@@ -39,7 +42,7 @@ final class RandomPrimitives {
         Primitive[] all = new Primitive[n];
         for (int i = 0; i < n; i++) {
             double size = StrictMath.pow(10, -6 + 9 * random.nextDouble());
-            all[i] = shape(i % 7, vector(10 + 3 * size), size).place(SceneFrame.WORLD);
+            all[i] = shape(i % 10, vector(10 + 3 * size), size).place(SceneFrame.WORLD);
         }
         return all;
     }
@@ -62,6 +65,12 @@ final class RandomPrimitives {
                 return new Cube(point(p), size, vector(180));
             case 5:
                 return new Torus(point(p), vector(1), size, size * (0.01 + 0.9 * random.nextDouble()));
+            case 6:
+                return new Disk(point(p), vector(1), size);
+            case 7:
+                return new Cylinder(point(p), point(p.plus(q)), size, random.nextBoolean());
+            case 8:
+                return new Cone(point(p), point(p.plus(q)), size, size * random.nextInt(3) / 2, random.nextBoolean());
             default:
                 // Parallel to the axes, on whole numbers: meets others in shared planes.
                 double e = Math.max(1, Math.rint(size));

@@ -38,6 +38,9 @@ class FloatingLiteralsTest {
 
     private static final List<Explained> EXPLAINED = List.of(
             new Explained("math/Scale.java", "0x1p-53", "unit roundoff of doubles: the format itself"),
+            new Explained("math/Angles.java", "0.198912367379658", "tan(π/16): where a reduction of the angle changes"),
+            new Explained("math/Angles.java", "0.41421356237309503", "tan(π/8): what the reduction subtracts"),
+            new Explained("math/Angles.java", "0.6681786379192989", "tan(3π/16): where the reduction changes"),
             new Explained("math/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),
             new Explained(
                     "geometry/SpherePrimitive.java", "0.75", "ratio of two roots that chooses between equal forms"),

@@ -140,7 +140,8 @@ final class LightSampler {
         double t = disk[1] * spread;
         double distance = cone.distance;
         double sin2 = down * (2 - down);
-        double half = Math.sqrt(Math.max(light.radius * light.radius - distance * distance * sin2, 0));
+        double half2 = light.radius * light.radius - distance * distance * sin2;
+        double half = half2 > 0 ? Math.sqrt(half2) : 0;
         setDirection(
                 Math.fma(cos, cone.wx, Math.fma(s, ax, t * bx)),
                 Math.fma(cos, cone.wy, Math.fma(s, ay, t * by)),

@@ -39,46 +39,46 @@ class ClearGlassTest {
 
     @Test
     void anyShapeOfIndexOneIsInvisible() {
-        RawPicture without = RawPicture.of(room().build(), 2, 1);
+        DoublePicture without = DoublePicture.of(room().build(), 2, 1);
         assertTrue(without.greatest() - without.least() > 0.3);
         for (Map.Entry<String, Shape> e : Solids.all().entrySet()) {
-            RawPicture with =
-                    RawPicture.of(room().object(e.getValue(), glass(1, 0)).build(), 2, 1);
+            DoublePicture with =
+                    DoublePicture.of(room().object(e.getValue(), glass(1, 0)).build(), 2, 1);
             assertEquals(0, with.difference(without), 1e-12, e.getKey());
         }
     }
 
     @Test
     void allShapesOfIndexOneInOneAnotherAreInvisible() {
-        RawPicture without = RawPicture.of(room().build(), 2, 1);
+        DoublePicture without = DoublePicture.of(room().build(), 2, 1);
         SceneBuilder all = room();
         int priority = 0;
         for (Shape s : Solids.all().values()) {
             all.object(s, glass(1, ++priority % 3));
         }
-        assertEquals(0, RawPicture.of(all.build(), 2, 1).difference(without), 1e-12);
+        assertEquals(0, DoublePicture.of(all.build(), 2, 1).difference(without), 1e-12);
     }
 
     @Test
     void aBubbleOfTheSameIndexAsItsGlassIsInvisible() {
         Shape block = Sphere.of(Point.of(0, 0, 0), 1.7);
-        RawPicture without =
-                RawPicture.of(room().object(block, glass(1.5, 0)).build(), 2, 1);
+        DoublePicture without =
+                DoublePicture.of(room().object(block, glass(1.5, 0)).build(), 2, 1);
         for (Map.Entry<String, Shape> e : Solids.solid().entrySet()) {
             Scene scene = room().object(block, glass(1.5, 0))
                     .object(e.getValue(), glass(1.5, 1))
                     .build();
-            assertEquals(0, RawPicture.of(scene, 2, 1).difference(without), 1e-11, e.getKey());
+            assertEquals(0, DoublePicture.of(scene, 2, 1).difference(without), 1e-11, e.getKey());
         }
     }
 
     @Test
     void anIndexThatDiffersFromOneByAnUlpBendsByUlps() {
-        RawPicture without = RawPicture.of(room().build(), 1, 1);
+        DoublePicture without = DoublePicture.of(room().build(), 1, 1);
         for (Map.Entry<String, Shape> e : Solids.solid().entrySet()) {
             for (double ior : new double[] {1 + 1e-15, 1 - 1e-15}) {
-                RawPicture with =
-                        RawPicture.of(room().object(e.getValue(), glass(ior, 0)).build(), 1, 1);
+                DoublePicture with =
+                        DoublePicture.of(room().object(e.getValue(), glass(ior, 0)).build(), 1, 1);
                 // At cosine c the ray is bent by |n − 1|/c; total reflection begins below c = 5e-8, too thin for a pixel.
                 assertEquals(0, with.difference(without), 1e-9, e.getKey() + " of index " + ior);
             }
@@ -90,7 +90,7 @@ class ClearGlassTest {
         for (double ior : new double[] {0.5, 1e6, 1e-6, 1e100, 1e-100, 1e300, 1e-300, Double.MIN_VALUE}) {
             for (Map.Entry<String, Shape> e : Solids.all().entrySet()) {
                 Scene scene = room().size(16, 16).object(e.getValue(), glass(ior, 0)).build();
-                RawPicture p = RawPicture.of(scene, 1, 1);
+                DoublePicture p = DoublePicture.of(scene, 1, 1);
                 assertTrue(p.isFinite() && p.least() >= 0, e.getKey() + " of index " + ior);
             }
         }

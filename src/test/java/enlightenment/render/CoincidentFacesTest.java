@@ -39,7 +39,7 @@ class CoincidentFacesTest {
         return SceneObject.of(shape, material);
     }
 
-    private static RawPicture picture(List<SceneObject> objects, boolean lit) {
+    private static DoublePicture picture(List<SceneObject> objects, boolean lit) {
         SceneBuilder b = Scene.builder()
                 .size(96, 96)
                 .camera(new Camera.Perspective(Point.of(1.31, 2.47, -4.13), Point.of(0.3, 0.4, 0), Vec3.Y, 40))
@@ -48,13 +48,13 @@ class CoincidentFacesTest {
         if (lit) {
             b.light(new Light.Point(Point.of(-3, 7, -4), DisplayRgb.WHITE));
         }
-        return RawPicture.of(b.build(), 1, 4);
+        return DoublePicture.of(b.build(), 1, 4);
     }
 
     /** Renders in all rotations of the order and asserts that the bits are the same. */
-    private static RawPicture inAnyOrder(boolean lit, SceneObject... objects) {
+    private static DoublePicture inAnyOrder(boolean lit, SceneObject... objects) {
         List<SceneObject> list = new ArrayList<>(List.of(objects));
-        RawPicture first = picture(list, lit);
+        DoublePicture first = picture(list, lit);
         assertTrue(first.isFinite() && first.least() >= 0);
         for (int i = 1; i < objects.length; i++) {
             Collections.rotate(list, 1);
@@ -69,11 +69,11 @@ class CoincidentFacesTest {
     void aGlassBoxThatStandsOnTheFloorLooksAsIfItStoodAHairAboveIt() {
         for (boolean lit : new boolean[] {false, true}) {
             SceneObject floor = object(FLOOR, RED);
-            RawPicture on = inAnyOrder(
+            DoublePicture on = inAnyOrder(
                     lit,
                     object(new Box(Point.of(-0.7, 0.1, -0.9), Point.of(0.8, 1.2, 0.7)), glass(0.9, 1, 0.9)),
                     floor);
-            RawPicture above = inAnyOrder(
+            DoublePicture above = inAnyOrder(
                     lit,
                     object(new Box(Point.of(-0.7, 0.1 + 1e-9, -0.9), Point.of(0.8, 1.2, 0.7)), glass(0.9, 1, 0.9)),
                     floor);
@@ -87,12 +87,12 @@ class CoincidentFacesTest {
         for (boolean lit : new boolean[] {false, true}) {
             for (Material m : new Material[] {RED, TestScenes.mirror(0.9), glass(1, 1, 1)}) {
                 SceneObject floor = object(FLOOR, BLUE);
-                RawPicture two = inAnyOrder(
+                DoublePicture two = inAnyOrder(
                         lit,
                         object(new Box(Point.of(-0.7, 0.3, -0.9), Point.of(0.1, 1.2, 0.7)), m),
                         object(new Box(Point.of(0.1, 0.3, -0.9), Point.of(0.9, 1.2, 0.7)), m),
                         floor);
-                RawPicture one = inAnyOrder(
+                DoublePicture one = inAnyOrder(
                         lit, object(new Box(Point.of(-0.7, 0.3, -0.9), Point.of(0.9, 1.2, 0.7)), m), floor);
                 if (m instanceof Material.Glass) {
                     assertTrue(two.shareBeyond(one, 1e-9) <= 0.001, "share " + two.shareBeyond(one, 1e-9));
@@ -113,12 +113,12 @@ class CoincidentFacesTest {
         Point middle = Point.of(0, 1, 0);
         Material glass = glass(1, 1, 1);
         SceneObject floor = object(FLOOR, BLUE);
-        RawPicture touching = inAnyOrder(
+        DoublePicture touching = inAnyOrder(
                 false,
                 object(new Cube(middle, radius, turn), glass),
                 object(new Cube(middle.plus(axis.times(edge)), radius, turn), glass),
                 floor);
-        RawPicture overlapping = inAnyOrder(
+        DoublePicture overlapping = inAnyOrder(
                 false,
                 object(new Cube(middle, radius, turn), glass),
                 object(new Cube(middle.plus(axis.times(edge * (1 - 1e-9))), radius, turn), glass),
@@ -135,9 +135,9 @@ class CoincidentFacesTest {
             for (boolean lit : new boolean[] {false, true}) {
                 for (int i = 0; i < materials.length; i++) {
                     for (int j = 0; j < i; j++) {
-                        RawPicture both = inAnyOrder(lit, object(shape, materials[i]), object(shape, materials[j]));
-                        RawPicture a = inAnyOrder(lit, object(shape, materials[i]));
-                        RawPicture b = inAnyOrder(lit, object(shape, materials[j]));
+                        DoublePicture both = inAnyOrder(lit, object(shape, materials[i]), object(shape, materials[j]));
+                        DoublePicture a = inAnyOrder(lit, object(shape, materials[i]));
+                        DoublePicture b = inAnyOrder(lit, object(shape, materials[j]));
                         assertEquals(
                                 0, Math.min(both.difference(a), both.difference(b)), 0, shape.type() + " " + i + " " + j);
                     }
@@ -149,8 +149,8 @@ class CoincidentFacesTest {
     @Test
     void whatIsOpaqueHidesGlassOfTheSameShape() {
         for (Shape shape : Solids.all().values()) {
-            RawPicture opaque = inAnyOrder(true, object(shape, RED));
-            RawPicture both = inAnyOrder(true, object(shape, glass(0.5, 0.5, 0.5)), object(shape, RED));
+            DoublePicture opaque = inAnyOrder(true, object(shape, RED));
+            DoublePicture both = inAnyOrder(true, object(shape, glass(0.5, 0.5, 0.5)), object(shape, RED));
             assertEquals(0, both.difference(opaque), shape.type());
         }
     }
@@ -160,12 +160,12 @@ class CoincidentFacesTest {
         // An open cylinder is a thin pane; it lies in the lateral surface of the solid one.
         Point base = Point.of(-0.3, 0.3, 0.1);
         Point top = Point.of(0.4, 1.7, -0.2);
-        RawPicture tube = inAnyOrder(
+        DoublePicture tube = inAnyOrder(
                 false,
                 object(new Cylinder(base, top, 0.6, false), glass(0.5, 1, 1)),
                 object(new Cylinder(base, top, 0.6, true), glass(1, 1, 0.5)),
                 object(FLOOR, BLUE));
-        RawPicture around = inAnyOrder(
+        DoublePicture around = inAnyOrder(
                 false,
                 object(new Cylinder(base, top, 0.6 * (1 + 1e-9), false), glass(0.5, 1, 1)),
                 object(new Cylinder(base, top, 0.6, true), glass(1, 1, 0.5)),

@@ -25,7 +25,7 @@ class ContactTest {
     private static final Shape FLOOR = TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9);
 
     /** A thing on the floor y = 0, lit from right above, and what a camera sees at its contact near the origin. */
-    private static RawPicture picture(Shape thing, Camera camera, Light light) {
+    private static DoublePicture picture(Shape thing, Camera camera, Light light) {
         Scene scene = Scene.builder()
                 .size(48, 32)
                 .camera(camera)
@@ -34,7 +34,7 @@ class ContactTest {
                 .object(FLOOR, TestScenes.matte(1, 1, 1))
                 .light(light)
                 .build();
-        return RawPicture.of(scene, 2, 16);
+        return DoublePicture.of(scene, 2, 16);
     }
 
     @Test
@@ -43,7 +43,7 @@ class ContactTest {
         for (double h : new double[] {1e-1, 1e-2, 1e-4, 1e-6, 1e-9, 1e-12}) {
             // Within the wedge between floor and sphere, four times h from the contact, where it is 8h² high.
             Camera camera = new Camera.Perspective(Point.of(-4 * h, 4 * h * h, 0), Point.of(0, 4 * h * h, 0), Vec3.Y, 50);
-            RawPicture p = picture(Sphere.of(Point.of(0, 1, 0), 1), camera, point);
+            DoublePicture p = picture(Sphere.of(Point.of(0, 1, 0), 1), camera, point);
             assertEquals(AMBIENT, p.least(), "h = " + h);
             assertEquals(AMBIENT, p.greatest(), "h = " + h);
         }
@@ -54,7 +54,7 @@ class ContactTest {
         Light ball = new Light.Sphere(Point.of(0, 8, 0), 1, DisplayRgb.WHITE);
         for (double h : new double[] {1e-1, 1e-3, 1e-6, 1e-9}) {
             Camera camera = new Camera.Perspective(Point.of(-4 * h, 4 * h * h, 0), Point.of(0, 4 * h * h, 0), Vec3.Y, 50);
-            RawPicture p = picture(Sphere.of(Point.of(0, 1.0, 0), 1), camera, ball);
+            DoublePicture p = picture(Sphere.of(Point.of(0, 1.0, 0), 1), camera, ball);
             assertTrue(p.greatest() <= AMBIENT + 1e-12, "h = " + h + ": " + p.greatest());
         }
     }
@@ -80,7 +80,7 @@ class ContactTest {
                     .object(FLOOR, TestScenes.matte(1, 1, 1))
                     .light(new Light.Point(Point.of(0, 8, 0), DisplayRgb.WHITE))
                     .build();
-            RawPicture p = RawPicture.of(scene, 2, 1);
+            DoublePicture p = DoublePicture.of(scene, 2, 1);
             assertEquals(AMBIENT, p.least(), thing.toString());
             assertEquals(AMBIENT, p.greatest(), thing.toString());
         }

@@ -45,7 +45,7 @@ class MirrorHallTest {
         double q = (1 - opaque) * reflectance;
         int panes = limit / 2 + 1;
         double expected = opaque * -StrictMath.expm1(panes * StrictMath.log(q)) / (1 - q);
-        RawPicture p = RawPicture.of(scene, 1, 1);
+        DoublePicture p = DoublePicture.of(scene, 1, 1);
         assertEquals(expected, p.least(), 1e-12);
         assertEquals(expected, p.greatest(), 1e-12);
     }
@@ -60,7 +60,6 @@ class MirrorHallTest {
         double beyond = 8 * (bounces + 3) * slope;
         Light emitter = new Light.Rectangle(
                 Point.of(-9, top, -5), Point.of(-9, top, 5), Point.of(9, top, 5), Point.of(9, top, -5), DisplayRgb.WHITE);
-        Scene.builder();
         for (int limit : new int[] {bounces - 1, bounces, 1_000_000}) {
             Scene scene = Scene.builder()
                     .size(1, 1)
@@ -70,7 +69,7 @@ class MirrorHallTest {
                     .object(TestScenes.rectangle(-9, -9, -4, -9, beyond, -4, 9, beyond, -4, 9, -9, -4), TestScenes.mirror(1))
                     .light(emitter)
                     .build();
-            RawPicture p = RawPicture.of(scene, 1, 1);
+            DoublePicture p = DoublePicture.of(scene, 1, 1);
             assertEquals(limit < bounces ? 0 : 1, p.at(0, 0, 0), 0, "limit " + limit);
         }
     }
@@ -93,7 +92,7 @@ class MirrorHallTest {
                             Point.of(8, top, -5),
                             DisplayRgb.WHITE))
                     .build();
-            assertEquals(Math.scalb(1.0, -bounces), RawPicture.of(scene, 1, 1).at(0, 0, 0), 0);
+            assertEquals(Math.scalb(1.0, -bounces), DoublePicture.of(scene, 1, 1).at(0, 0, 0), 0);
         }
     }
 }

@@ -10,28 +10,28 @@ import enlightenment.scene.Scene;
 import java.util.Arrays;
 
 /** A whole picture in doubles, before anything is rounded or clamped for output. */
-public final class RawPicture {
+public final class DoublePicture {
     public final int width;
     public final int height;
     private final double[] rgb;
 
-    private RawPicture(int width, int height) {
+    private DoublePicture(int width, int height) {
         this.width = width;
         this.height = height;
         rgb = new double[3 * width * height];
     }
 
-    public static RawPicture of(Scene scene, int antialias, int shadowSamples) {
+    public static DoublePicture of(Scene scene, int antialias, int shadowSamples) {
         return of(
                 scene,
                 RenderSettings.of(scene).withAntialias(antialias).withShadowSamples(shadowSamples));
     }
 
-    public static RawPicture of(Scene scene, RenderSettings settings) {
+    public static DoublePicture of(Scene scene, RenderSettings settings) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         FilmTile tile = new FilmTile(0, 0, settings.width(), settings.height());
         new RayTraceMethod(compiled, settings, new RayCounters(compiled.kindNames.size())).render(tile);
-        RawPicture p = new RawPicture(settings.width(), settings.height());
+        DoublePicture p = new DoublePicture(settings.width(), settings.height());
         for (int i = 0; i < p.rgb.length; i++) {
             p.rgb[i] = tile.mean(i / 3 % p.width, i / 3 / p.width, i % 3);
         }
@@ -60,7 +60,7 @@ public final class RawPicture {
     }
 
     /** The greatest difference of any component; infinite where one is not a number. */
-    public double difference(RawPicture o) {
+    public double difference(DoublePicture o) {
         double most = 0;
         for (int i = 0; i < rgb.length; i++) {
             double d = Math.abs(rgb[i] - o.rgb[i]);
@@ -70,7 +70,7 @@ public final class RawPicture {
     }
 
     /** The share of pixels of which a component differs by more than the tolerance. */
-    public double shareBeyond(RawPicture o, double tolerance) {
+    public double shareBeyond(DoublePicture o, double tolerance) {
         int n = 0;
         for (int i = 0; i < rgb.length; i += 3) {
             boolean same = true;
@@ -86,7 +86,7 @@ public final class RawPicture {
      * The number of inner pixels of which a component differs by more than 1e-6 from the median of its 3 × 3
      * neighbourhood, although that neighbourhood is plain in the other picture: no edge runs through it there.
      */
-    public int speckles(RawPicture withoutSpeckles) {
+    public int speckles(DoublePicture withoutSpeckles) {
         int n = 0;
         for (int y = 1; y < height - 1; y++) {
             for (int x = 1; x < width - 1; x++) {
@@ -96,7 +96,7 @@ public final class RawPicture {
         return n;
     }
 
-    private boolean isSpeckle(int x, int y, RawPicture reference) {
+    private boolean isSpeckle(int x, int y, DoublePicture reference) {
         boolean beyond = false;
         for (int c = 0; c < 3; c++) {
             double[] around = reference.around(x, y, c);

@@ -43,7 +43,19 @@ record CompiledPrimitives(
                 return byKind;
             }
             int byNumbers = Arrays.compare(a.parameters, b.parameters);
-            return byNumbers != 0 ? byNumbers : looks(a).compareTo(looks(b));
+            if (byNumbers != 0) {
+                return byNumbers;
+            }
+            // Of things in one and the same place, what is opaque hides what is glass.
+            int byGlass = Boolean.compare(isGlass(a), isGlass(b));
+            return byGlass != 0 ? byGlass : looks(a).compareTo(looks(b));
+        }
+
+        private static boolean isGlass(Entry e) {
+            List<Material> faces = e.object.faces();
+            return faces.isEmpty()
+                    ? e.object.material() instanceof Material.Glass
+                    : faces.stream().anyMatch(Material.Glass.class::isInstance);
         }
 
         private static String looks(Entry e) {
@@ -59,6 +71,7 @@ record CompiledPrimitives(
             entries[i] = new Entry(o, p, p.parameters());
         }
         Arrays.sort(entries, new Canonical());
+        entries = withoutTwins(entries);
         Primitive[] primitives = new Primitive[entries.length];
         int[] first = new int[entries.length + 1];
         List<SurfaceMaterial> materials = new ArrayList<>(entries.length);
@@ -98,6 +111,23 @@ record CompiledPrimitives(
         } catch (InvalidValueException e) {
             throw new InvalidValueException("objects/" + index + "/" + e.key(), e.getMessage());
         }
+    }
+
+    /** Of several things with exactly the same surface, the first: the others would only shine through by rounding. */
+    private static Entry[] withoutTwins(Entry[] sorted) {
+        List<Entry> kept = new ArrayList<>(sorted.length);
+        Entry last = null;
+        for (Entry e : sorted) {
+            boolean twin = last != null
+                    && last.primitive.getClass() == e.primitive.getClass()
+                    && last.object.shape().type().equals(e.object.shape().type())
+                    && Arrays.equals(last.parameters, e.parameters);
+            if (!twin) {
+                kept.add(e);
+                last = e;
+            }
+        }
+        return kept.toArray(Entry[]::new);
     }
 
     private static int[] glassSolids(Primitive[] primitives, int[] first, SurfaceMaterial[] materials) {

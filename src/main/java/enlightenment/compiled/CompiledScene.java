@@ -54,7 +54,8 @@ public final class CompiledScene {
     /** Ids of those glass solids that a camera ray may start in. */
     public final int[] cameraSolids;
 
-    private final Bounds[] glassBounds;
+    /** Which surfaces may coincide with one of glass; null where there is no glass. */
+    private final Neighbours neighbours;
 
     /** By id: rank of a glass solid in overlaps, the smallest fills them; see {@link enlightenment.material.Material.Glass}. */
     public final int[] mediumRank;
@@ -99,13 +100,12 @@ public final class CompiledScene {
         for (int id = 0; id < bounds.length; id++) {
             bounds[id] = primitives[id].bounds();
         }
-        glassBounds = new Bounds[glassSolids.length == 0 ? 0 : primitives.length];
+        neighbours = Neighbours.of(this);
         Bounds start = camera.startBounds();
         int[] solids = new int[glassSolids.length];
         int n = 0;
         for (int id : glassSolids) {
-            glassBounds[id] = primitives[id].bounds();
-            if (glassBounds[id].overlaps(start)) {
+            if (neighbours.bounds(id).overlaps(start)) {
                 solids[n++] = id;
             }
         }
@@ -115,9 +115,27 @@ public final class CompiledScene {
         this.absent = List.copyOf(absent);
     }
 
-    /** A box around a glass solid. */
-    public Bounds boundsOf(int glassSolid) {
-        return glassBounds[glassSolid];
+    /** A box around a primitive of glass, or one that touches glass. */
+    public Bounds boundsOf(int id) {
+        return neighbours.bounds(id);
+    }
+
+    /**
+     * The primitives of which a part of the surface may be a part of this one's surface: for one of glass any other, for
+     * one that is not of glass those of glass.
+     */
+    public int[] neighboursOf(int id) {
+        return neighbours == null ? Neighbours.NONE : neighbours.of(id);
+    }
+
+    /** Whether any face of the primitive is glass. */
+    public boolean isGlass(int id) {
+        for (int k = firstMaterial[id]; k < firstMaterial[id + 1]; k++) {
+            if (materials[k].kind == SurfaceMaterial.Kind.GLASS) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The material of a face of a primitive. */

@@ -42,6 +42,23 @@ public final class Hit {
     /** An empty result. */
     public Hit() {}
 
+    /** Makes this the same as another result. */
+    public void set(Hit o) {
+        t = o.t;
+        px = o.px;
+        py = o.py;
+        pz = o.pz;
+        nx = o.nx;
+        ny = o.ny;
+        nz = o.nz;
+        side = o.side;
+        face = o.face;
+        primitive = o.primitive;
+        u = o.u;
+        v = o.v;
+        along = o.along;
+    }
+
     public Vec3 point() {
         return new Vec3(px, py, pz);
     }

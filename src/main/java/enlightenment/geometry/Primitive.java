@@ -42,8 +42,8 @@ public abstract sealed class Primitive
 
     /** The nearest crossing with tMin &le; t &le; tMax, or {@link #MISS}. Right for rays and primitives of any size. */
     public final double nearest(Ray ray, double tMax) {
-        if (extreme || ray.extreme) {
-            return nearestExtreme(ray, tMax);
+        if (extreme || ray.special) {
+            return nearestSpecial(ray, tMax);
         }
         return nearestOrdinary(ray, tMax);
     }
@@ -53,21 +53,16 @@ public abstract sealed class Primitive
      * a direction of extreme length the hit's t may overflow; its point is right all the same.
      */
     public final boolean intersect(Ray ray, Hit hit) {
-        if (extreme || ray.extreme) {
-            return intersectExtreme(ray, hit);
+        if (extreme || ray.special) {
+            return intersectSpecial(ray, hit);
         }
-        double t = nearestOrdinary(ray, Double.MAX_VALUE);
-        if (t == MISS) {
-            return false;
-        }
-        complete(ray, t, hit);
-        return true;
+        return intersectOrdinary(ray, hit);
     }
 
     /** Fills the hit at a crossing that {@link #nearest} found: t, point, normal, side, face, primitive. */
     public final void complete(Ray ray, double t, Hit hit) {
-        if (extreme || ray.extreme) {
-            intersectExtreme(ray, hit);
+        if (extreme || ray.special) {
+            intersectSpecial(ray, hit);
             return;
         }
         hit.t = t;
@@ -115,6 +110,43 @@ public abstract sealed class Primitive
 
     /** The numbers that define the primitive, in a fixed order: equal arrays and classes mean equal primitives. */
     public abstract double[] parameters();
+
+    private boolean intersectOrdinary(Ray ray, Hit hit) {
+        double t = nearestOrdinary(ray, Double.MAX_VALUE);
+        if (t == MISS) {
+            return false;
+        }
+        hit.t = t;
+        hit.primitive = this;
+        completeOrdinary(ray, t, hit);
+        return true;
+    }
+
+    /** {@link #nearest} where this primitive may be one of several that the ray starts on. */
+    private double nearestSpecial(Ray ray, double tMax) {
+        Primitive start = ray.start;
+        int side = ray.startSide;
+        startHere(ray);
+        double t = extreme || ray.extreme ? nearestExtreme(ray, tMax) : nearestOrdinary(ray, tMax);
+        ray.from(start, side);
+        return t;
+    }
+
+    private boolean intersectSpecial(Ray ray, Hit hit) {
+        Primitive start = ray.start;
+        int side = ray.startSide;
+        startHere(ray);
+        boolean met = extreme || ray.extreme ? intersectExtreme(ray, hit) : intersectOrdinary(ray, hit);
+        ray.from(start, side);
+        return met;
+    }
+
+    private void startHere(Ray ray) {
+        int side = ray.sideOf(this);
+        if (side != 0) {
+            ray.from(this, side);
+        }
+    }
 
     private double nearestExtreme(Ray ray, double tMax) {
         int k = -Math.max(Scale.exponent(bounds().maxAbs()), Scale.exponent(ray.maxAbsOrigin()));

@@ -2,6 +2,7 @@ package enlightenment.geometry;
 
 import enlightenment.math.Scale;
 import enlightenment.math.Vec3;
+import java.util.Arrays;
 
 /**
  * A ray o + t·d with t in [tMin, ∞), and what is known of where it starts.
@@ -25,6 +26,8 @@ public final class Ray {
     private static final double ORDINARY_MAX = 0x1p240;
 
     static final double ORDINARY_MIN = 0x1p-240;
+
+    private static final Primitive[] NONE = {};
 
     public double ox;
     public double oy;
@@ -50,6 +53,15 @@ public final class Ray {
 
     /** The side of {@link #start} that the ray travels on: {@link #OUTSIDE} or {@link #INSIDE}. */
     public int startSide;
+
+    /** Other primitives that the origin lies on as well, and the sides that the ray travels on. */
+    private Primitive[] alsoStarts = NONE;
+
+    private int[] alsoSides = new int[0];
+    private int alsoCount;
+
+    /** Whether a test must look twice: the ray is {@link #extreme}, or it starts on several primitives. */
+    boolean special;
 
     /** Whether the direction or the origin is so large or small that squares could leave the range of doubles. */
     public boolean extreme;
@@ -94,6 +106,8 @@ public final class Ray {
         inverted = false;
         double oo = x * x + y * y + z * z;
         extreme = !(dd <= ORDINARY_MAX && dd >= ORDINARY_MIN && oo <= ORDINARY_MAX);
+        special = extreme;
+        alsoCount = 0;
         return this;
     }
 
@@ -102,6 +116,30 @@ public final class Ray {
         start = primitive;
         startSide = side;
         return this;
+    }
+
+    /** Says that the ray starts on this primitive too, whose surface coincides there with that of {@link #start}. */
+    public void alsoFrom(Primitive primitive, int side) {
+        if (alsoCount == alsoStarts.length) {
+            alsoStarts = Arrays.copyOf(alsoStarts, 2 * alsoCount + 2);
+            alsoSides = Arrays.copyOf(alsoSides, 2 * alsoCount + 2);
+        }
+        alsoStarts[alsoCount] = primitive;
+        alsoSides[alsoCount++] = side;
+        special = true;
+    }
+
+    /** The side of the primitive that the ray starts on, or 0 if it does not start on it. */
+    public int sideOf(Primitive primitive) {
+        if (start == primitive) {
+            return startSide;
+        }
+        for (int k = 0; k < alsoCount; k++) {
+            if (alsoStarts[k] == primitive) {
+                return alsoSides[k];
+            }
+        }
+        return 0;
     }
 
     /** This ray with the origin times 2^k and the direction times 2^j, both exact; t becomes t·2^(k−j). */

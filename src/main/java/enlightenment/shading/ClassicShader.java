@@ -43,6 +43,9 @@ public final class ClassicShader {
 
     private double blockedCosines;
 
+    /** The primitive whose surface the ray is at. */
+    private int id;
+
     private double throughputR;
     private double throughputG;
     private double throughputB;
@@ -94,46 +97,57 @@ public final class ClassicShader {
 
     /** Follows the ray to the next surface; returns whether the path goes on. */
     private boolean step(Ray ray, SampleAddress address, int bounce) {
-        if (!(bounce == 0 ? tracer.traceCamera(ray, hit) : tracer.trace(ray, hit))) {
-            add(
-                    scene.shading.background().r(),
-                    scene.shading.background().g(),
-                    scene.shading.background().b());
-            return false;
-        }
-        if (tracer.light != null) {
-            add(tracer.light.r, tracer.light.g, tracer.light.b);
-            return false;
-        }
-        SurfaceMaterial material = scene.material(tracer.id, hit.face);
-        if (material.kind == SurfaceMaterial.Kind.GLASS && glass.isHidden(tracer.id, hit)) {
-            glass.pass(ray, tracer.id, hit);
-            return true;
-        }
-        lookUpColor(material);
-        switch (material.kind) {
-            case MATTE -> {
-                shadeSurface(ray, material, address, bounce, 1);
+        id = glass.takeNext(hit);
+        if (id < 0) {
+            if (!(bounce == 0 ? tracer.traceCamera(ray, hit) : tracer.trace(ray, hit))) {
+                add(
+                        scene.shading.background().r(),
+                        scene.shading.background().g(),
+                        scene.shading.background().b());
                 return false;
             }
-            case MIRROR -> {
-                filter(1);
-                counters.mirrorRays++;
-                Optics.reflect(ray, hit);
-                glass.settle(ray, tracer.id, hit);
+            if (tracer.light != null) {
+                add(tracer.light.r, tracer.light.g, tracer.light.b);
+                return false;
             }
-            case GLASS -> {
+            id = tracer.id;
+        }
+        if (glass.arrive(ray, id, hit)) {
+            crossGlass(ray, address, bounce);
+        } else {
+            id = glass.id;
+            SurfaceMaterial material = scene.material(id, hit.face);
+            lookUpColor(material);
+            if (material.kind == SurfaceMaterial.Kind.MATTE) {
+                shadeSurface(material, address, bounce, 1);
+                return false;
+            }
+            filter(1);
+            counters.mirrorRays++;
+            Optics.reflect(ray, hit);
+            glass.settle(ray, id, hit);
+        }
+        return throughputR > 0 || throughputG > 0 || throughputB > 0;
+    }
+
+    private void crossGlass(Ray ray, SampleAddress address, int bounce) {
+        boolean through = glass.cross(ray, hit);
+        for (int k = 0; k < glass.surfaces(); k++) {
+            if (glass.filters(k, through)) {
+                id = glass.surface(k);
+                hit.set(glass.hitOf(k));
+                SurfaceMaterial material = scene.material(id, hit.face);
+                lookUpColor(material);
                 if (material.transparency < 1) {
-                    shadeSurface(ray, material, address, bounce, 1 - material.transparency);
+                    shadeSurface(material, address, bounce, 1 - material.transparency);
                 }
-                if (glass.refract(ray, tracer.id, hit)) {
+                if (through) {
                     filter(material.transparency);
                 } else {
                     scaleThroughput(material.transparency);
                 }
             }
         }
-        return throughputR > 0 || throughputG > 0 || throughputB > 0;
     }
 
     private void add(double r, double g, double b) {
@@ -167,7 +181,7 @@ public final class ClassicShader {
     }
 
     /** Adds what the surface itself shows, times a share. */
-    private void shadeSurface(Ray ray, SurfaceMaterial material, SampleAddress address, int bounce, double share) {
+    private void shadeSurface(SurfaceMaterial material, SampleAddress address, int bounce, double share) {
         CompiledLight[] lights = scene.lights;
         if (lights.length == 0) {
             double factor = ambient * share;
@@ -190,8 +204,9 @@ public final class ClassicShader {
             g += light.g * factor;
             b += light.b * factor;
         }
-        double average = share / lights.length;
-        add(surface[0] * r * average, surface[1] * g * average, surface[2] * b * average);
+        // Divided last: n white lights on white make exactly white, whatever n is.
+        double n = lights.length;
+        add(surface[0] * (r * share) / n, surface[1] * (g * share) / n, surface[2] * (b * share) / n);
     }
 
     /** The mean over light points of (visible ? 1 : keeps) · cosθ at the hit. */
@@ -250,7 +265,7 @@ public final class ClassicShader {
     private Tracer.Visibility visibility() {
         Primitive p = hit.primitive;
         boolean cannotShadowItself = !p.isSolid() || p.isConvex() && hit.side == Ray.OUTSIDE;
-        return tracer.prepareShadows(sampler.cone, cannotShadowItself ? tracer.id : -1);
+        return tracer.prepareShadows(sampler.cone, cannotShadowItself ? id : -1);
     }
 
     private boolean isBlocked() {

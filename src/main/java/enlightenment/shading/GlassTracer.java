@@ -2,6 +2,7 @@ package enlightenment.shading;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.geometry.Hit;
 import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
@@ -10,111 +11,191 @@ import enlightenment.geometry.Ray;
  * Follows a ray through glass: keeps the list of solids that it is inside of, bends it at true borders and lets it pass
  * where one solid merely lies inside another that outranks it.
  *
- * <p>Where two glass surfaces coincide, rounding may put the second one a hair behind the start of the ray that leaves
- * the first. {@link #settle} notices that from the list: a ray that is about to leave a solid which it never entered has
- * missed the entry, and one that is about to enter a solid which it is inside of has missed the exit.
+ * <p>Surfaces that coincide up to rounding ({@link Contacts}) are one event: first everything that is left is left, then
+ * everything that is entered is entered, and the ray is bent once, from the medium before to the medium after. What is
+ * opaque comes between leaving and entering. So the picture does not depend on which of the surfaces rounding puts first.
  */
 final class GlassTracer {
     private static final int MOST_COINCIDENT = 8;
+    private static final int NONE = -1;
 
     private final CompiledScene scene;
     private final RayCounters counters;
     private final MediumStack inside;
+    private final MediumStack saved;
+    private final Contacts contacts;
     private final Hit other = new Hit();
+    private final Hit nextHit = new Hit();
     private final Ray back = new Ray();
+
+    /** The surface that {@link #arrive} chose among those that coincide, where it is no event of glass. */
+    int id;
+
+    /** The opaque surface that lies behind the glass surface in the same place, or -1. */
+    private int next = NONE;
+
+    /** Index of the contact whose surface is the border of the two media, or -1. */
+    private int border;
 
     GlassTracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
         inside = new MediumStack(scene);
+        saved = new MediumStack(scene);
+        contacts = new Contacts(scene);
     }
 
     /** Starts a camera ray: finds out which solids it starts in. */
     void begin(Ray ray) {
+        next = NONE;
         inside.clear();
-        for (int id : scene.cameraSolids) {
+        for (int solid : scene.cameraSolids) {
             double x = Math.fma(ray.tMin, ray.dx, ray.ox);
             double y = Math.fma(ray.tMin, ray.dy, ray.oy);
             double z = Math.fma(ray.tMin, ray.dz, ray.oz);
-            if (scene.primitives[id].contains(x, y, z)) {
-                inside.add(id);
+            if (scene.primitives[solid].contains(x, y, z)) {
+                inside.add(solid);
             }
         }
     }
 
-    /** Whether the surface is no border, because a solid that outranks this one fills both of its sides. */
-    boolean isHidden(int id, Hit hit) {
-        if (!scene.primitives[id].isSolid()) {
-            return false;
+    /** The opaque surface that the ray meets where it just left glass, or -1 if it must be traced. */
+    int takeNext(Hit hit) {
+        int taken = next;
+        next = NONE;
+        if (taken != NONE) {
+            hit.set(nextHit);
         }
-        int before = inside.current();
-        boolean known = inside.contains(id);
-        change(id, hit.side);
-        int after = inside.current();
-        restore(id, known);
-        return before == after;
-    }
-
-    private void change(int id, int side) {
-        if (side == Ray.OUTSIDE) {
-            inside.add(id);
-        } else {
-            inside.remove(id);
-        }
-    }
-
-    private void restore(int id, boolean known) {
-        if (known) {
-            inside.add(id);
-        } else {
-            inside.remove(id);
-        }
-    }
-
-    /** Passes a hidden surface. */
-    void pass(Ray ray, int id, Hit hit) {
-        change(id, hit.side);
-        Optics.pass(ray, hit);
-        settle(ray, id, hit);
+        return taken;
     }
 
     /**
-     * Bends the ray at a true border of glass, or reflects it totally.
+     * Looks at what a ray has hit, together with what coincides with it.
      *
-     * @return whether it went through
+     * @param hit becomes that of the opaque surface, if that is what counts
+     * @return whether it is an event of glass; otherwise the surface {@link #id} is opaque
      */
-    boolean refract(Ray ray, int id, Hit hit) {
-        boolean through = bend(ray, id, hit);
-        settle(ray, id, hit);
-        return through;
-    }
-
-    private boolean bend(Ray ray, int id, Hit hit) {
-        if (!scene.primitives[id].isSolid()) {
-            // An open surface is a thin pane: light goes straight through it.
-            counters.refractedRays++;
-            Optics.pass(ray, hit);
+    boolean arrive(Ray ray, int struck, Hit hit) {
+        id = struck;
+        boolean glass = isGlass(struck, hit);
+        if (!glass && inside.size() == 0) {
+            return false;
+        }
+        contacts.find(ray, struck, hit);
+        int opaque = NONE;
+        boolean leaving = false;
+        for (int k = 0; k < contacts.size(); k++) {
+            int c = contacts.id(k);
+            Hit h = contacts.hit(k);
+            if (isGlass(c, h)) {
+                leaving |= h.side == Ray.INSIDE && inside.contains(c);
+            } else if (k == 0 || h.side == Ray.OUTSIDE || !scene.primitives[c].isSolid()) {
+                opaque = opaque == NONE || c < contacts.id(opaque) ? k : opaque;
+            }
+        }
+        if (opaque == NONE || leaving) {
+            next = opaque == NONE ? NONE : contacts.id(opaque);
+            if (next != NONE) {
+                nextHit.set(contacts.hit(opaque));
+            }
             return true;
         }
-        double from = inside.indexOfRefraction();
-        boolean known = inside.contains(id);
-        change(id, hit.side);
-        double to = inside.indexOfRefraction();
-        if (Optics.refract(ray, hit, from / to)) {
-            counters.refractedRays++;
-            return true;
-        }
-        restore(id, known);
-        counters.mirrorRays++;
-        Optics.reflect(ray, hit);
+        id = contacts.id(opaque);
+        hit.set(contacts.hit(opaque));
         return false;
     }
 
-    /** Makes up for borders that coincide with the one just handled and that rounding put behind the ray. */
-    void settle(Ray ray, int justHandled, Hit hit) {
-        if (scene.glassSolids.length < 2) {
-            return;
+    private boolean isGlass(int candidate, Hit hit) {
+        return scene.material(candidate, hit.face).kind == SurfaceMaterial.Kind.GLASS;
+    }
+
+    /**
+     * Passes, bends or reflects the ray at the surfaces that {@link #arrive} found.
+     *
+     * @return whether it went through
+     */
+    boolean cross(Ray ray, Hit hit) {
+        int before = inside.current();
+        double from = inside.indexOfRefraction();
+        saved.set(inside);
+        for (int k = 0; k < contacts.size(); k++) {
+            if (isGlassSolid(k)) {
+                change(contacts.id(k), contacts.hit(k).side);
+            }
         }
+        int after = inside.current();
+        border = before == after ? NONE : borderOf(before, after);
+        if (border == NONE) {
+            Optics.pass(ray, hit);
+            startOnAll(ray, -1);
+            return true;
+        }
+        if (Optics.refract(ray, hit, from / inside.indexOfRefraction())) {
+            counters.refractedRays++;
+            startOnAll(ray, -1);
+            return true;
+        }
+        inside.set(saved);
+        next = NONE;
+        counters.mirrorRays++;
+        Optics.reflect(ray, hit);
+        startOnAll(ray, 1);
+        return false;
+    }
+
+    private boolean isGlassSolid(int k) {
+        return scene.primitives[contacts.id(k)].isSolid() && isGlass(contacts.id(k), contacts.hit(k));
+    }
+
+    private void change(int solid, int side) {
+        if (side == Ray.OUTSIDE) {
+            inside.add(solid);
+        } else {
+            inside.remove(solid);
+        }
+    }
+
+    /** The surface of the medium that is entered; where only something is left, of that. */
+    private int borderOf(int before, int after) {
+        int found = 0;
+        for (int k = 0; k < contacts.size(); k++) {
+            if (contacts.id(k) == after) {
+                return k;
+            }
+            found = contacts.id(k) == before ? k : found;
+        }
+        return found;
+    }
+
+    /** Says that the ray starts on all coinciding surfaces of glass, and where it stays, on opaque ones. */
+    private void startOnAll(Ray ray, int sign) {
+        for (int k = 1; k < contacts.size(); k++) {
+            if (sign > 0 || isGlass(contacts.id(k), contacts.hit(k))) {
+                ray.alsoFrom(scene.primitives[contacts.id(k)], sign * contacts.hit(k).side);
+            }
+        }
+    }
+
+    /** How many coinciding surfaces there are. */
+    int surfaces() {
+        return contacts.size();
+    }
+
+    /** Whether the light took the colour of surface k: that of the border, and those of panes that it went through. */
+    boolean filters(int k, boolean through) {
+        return k == border || through && !isGlassSolid(k) && isGlass(contacts.id(k), contacts.hit(k));
+    }
+
+    int surface(int k) {
+        return contacts.id(k);
+    }
+
+    Hit hitOf(int k) {
+        return contacts.hit(k);
+    }
+
+    /** Makes up for borders that coincide with a mirror and that rounding put behind the ray. */
+    void settle(Ray ray, int justHandled, Hit hit) {
         for (int k = 0; k < MOST_COINCIDENT; k++) {
             if (!settleOne(ray, justHandled, hit)) {
                 return;
@@ -123,16 +204,16 @@ final class GlassTracer {
     }
 
     private boolean settleOne(Ray ray, int justHandled, Hit hit) {
-        for (int id : scene.glassSolids) {
-            Primitive p = scene.primitives[id];
-            if (id == justHandled || !scene.boundsOf(id).contains(hit.point())) {
+        for (int solid : scene.glassSolids) {
+            Primitive p = scene.primitives[solid];
+            if (solid == justHandled || !scene.boundsOf(solid).contains(hit.point())) {
                 continue;
             }
             double t = p.nearest(ray, Double.MAX_VALUE);
             int side = t == Primitive.MISS ? 0 : p.side(ray, t);
-            boolean isInside = inside.contains(id);
+            boolean isInside = inside.contains(solid);
             if (isInside ? side != Ray.INSIDE : side == Ray.INSIDE) {
-                cross(ray, id, p, isInside ? Ray.INSIDE : Ray.OUTSIDE);
+                enter(ray, solid, p, isInside ? Ray.INSIDE : Ray.OUTSIDE);
                 return true;
             }
         }
@@ -140,12 +221,12 @@ final class GlassTracer {
     }
 
     /** Handles a missed border at the ray's origin: its normal is found by looking back. */
-    private void cross(Ray ray, int id, Primitive p, int side) {
+    private void enter(Ray ray, int solid, Primitive p, int side) {
         Primitive start = ray.start;
         int startSide = ray.startSide;
         int before = inside.current();
         double from = inside.indexOfRefraction();
-        change(id, side);
+        change(solid, side);
         double to = inside.indexOfRefraction();
         back.set(ray.ox, ray.oy, ray.oz, -ray.dx, -ray.dy, -ray.dz, 0);
         if (before == inside.current() || !p.intersect(back, other)) {
@@ -154,7 +235,7 @@ final class GlassTracer {
         other.side = side;
         other.setOrigin(ray);
         if (!Optics.refract(ray, other, from / to)) {
-            change(id, -side);
+            change(solid, -side);
             Optics.reflect(ray, other);
         }
         ray.from(start, startSide);

@@ -16,6 +16,15 @@ final class MediumStack {
         this.scene = scene;
     }
 
+    /** Makes this the same as another list. */
+    void set(MediumStack o) {
+        if (ids.length < o.size) {
+            ids = new int[o.ids.length];
+        }
+        System.arraycopy(o.ids, 0, ids, 0, o.size);
+        size = o.size;
+    }
+
     void clear() {
         size = 0;
     }

@@ -19,8 +19,9 @@ import enlightenment.sampling.Sobol;
  * light points of (visible ? 1 : k) · cosθ), averaged over the lights. Mirrors and glass multiply their colour and are
  * followed; everything but a light blocks. See docs/classic-shading.md.
  *
- * <p>The mean is estimated with a control variate: where the whole light is above the horizon, the mean of cosθ itself
- * has a closed form, and only the blocked part is sampled. With nothing in the way no sample is needed at all.
+ * <p>Where the whole light is above the horizon, the mean of cosθ itself has a closed form, and only the share of it that
+ * is blocked is sampled, by light points that are as likely as their cosine is great: what is lit wholly or not at all
+ * is free of noise. With nothing in the way no sample is needed at all.
  *
  * <p>One per thread.
  */
@@ -234,6 +235,9 @@ public final class ClassicShader {
         }
         long seed = address.lightSeed(index, bounce);
         int first = address.firstLightPoint(seed, count);
+        if (known) {
+            return unshadowed * (1 - (1 - keeps) * blockedShare(nx, ny, nz, first, count, seed));
+        }
         double sum = 0;
         double blocked = 0;
         for (int j = 0; j < count; j++) {
@@ -246,8 +250,18 @@ public final class ClassicShader {
                 }
             }
         }
-        double all = known ? unshadowed : sum / count;
-        return factor * all - (1 - keeps) * (blocked / count);
+        return factor * (sum / count) - (1 - keeps) * (blocked / count);
+    }
+
+    /** The share of light points that are blocked, each of them as likely as its cosine is great. */
+    private double blockedShare(double nx, double ny, double nz, int first, int count, long seed) {
+        sampler.prepareByCosine(nx, ny, nz);
+        int blocked = 0;
+        for (int j = 0; j < count; j++) {
+            sampler.sampleByCosine(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
+            blocked += isBlocked() ? 1 : 0;
+        }
+        return (double) blocked / count;
     }
 
     private Tracer.Visibility visibility() {

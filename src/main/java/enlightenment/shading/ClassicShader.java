@@ -19,8 +19,9 @@ import enlightenment.sampling.Sobol;
  * light points of (visible ? 1 : k) · cosθ), averaged over the lights. Mirrors and glass multiply their colour and are
  * followed; everything but a light blocks. See docs/classic-shading.md.
  *
- * <p>The mean is estimated with a control variate: where the whole light is above the horizon, the mean of cosθ itself
- * has a closed form, and only the blocked part is sampled. With nothing in the way no sample is needed at all.
+ * <p>Where the whole light is above the horizon, the mean of cosθ itself has a closed form, and only the share of it that
+ * is blocked is sampled, by light points that are as likely as their cosine is great: what is lit wholly or not at all
+ * is free of noise. With nothing in the way no sample is needed at all.
  *
  * <p>One per thread.
  */
@@ -37,11 +38,6 @@ public final class ClassicShader {
     private final int maxBounces;
     private final double ambient;
     private final double shadow;
-
-    /** Results of {@link #sampleLight}. */
-    private double cosines;
-
-    private double blockedCosines;
 
     /** The primitive whose surface the ray is at. */
     private int id;
@@ -236,30 +232,37 @@ public final class ClassicShader {
             if (known) {
                 return factor * unshadowed;
             }
+        long seed = address.lightSeed(index, bounce);
+        int first = address.firstLightPoint(seed, count);
+        if (known) {
+            return unshadowed * (1 - (1 - keeps) * blockedShare(nx, ny, nz, first, count, seed));
         }
-        sampleLight(nx, ny, nz, count, rays, address, address.lightSeed(index, bounce));
-        double all = known ? unshadowed : cosines / count;
-        return factor * all - (1 - keeps) * (blockedCosines / count);
+        return sampledMean(nx, ny, nz, rays ? keeps : factor, rays, first, count, seed);
     }
 
-    /** Sums cosθ over light points, and over those that are blocked. */
-    private void sampleLight(
-            double nx, double ny, double nz, int count, boolean rays, SampleAddress address, long seed) {
-        int first = address.firstLightPoint(seed, count);
+    /** The mean of cosθ over light points, those that are blocked (or all, if no rays are needed) times a factor. */
+    private double sampledMean(
+            double nx, double ny, double nz, double factor, boolean rays, int first, int count, long seed) {
         double sum = 0;
-        double blocked = 0;
         for (int j = 0; j < count; j++) {
             sampler.sample(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
             double cosine = nx * sampler.dx + ny * sampler.dy + nz * sampler.dz;
             if (cosine > 0) {
-                sum += cosine;
-                if (rays && isBlocked()) {
-                    blocked += cosine;
-                }
+                sum += !rays || isBlocked() ? factor * cosine : cosine;
             }
         }
-        cosines = sum;
-        blockedCosines = blocked;
+        return sum / count;
+    }
+
+    /** The share of light points that are blocked, each of them as likely as its cosine is great. */
+    private double blockedShare(double nx, double ny, double nz, int first, int count, long seed) {
+        sampler.prepareByCosine(nx, ny, nz);
+        int blocked = 0;
+        for (int j = 0; j < count; j++) {
+            sampler.sampleByCosine(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
+            blocked += isBlocked() ? 1 : 0;
+        }
+        return (double) blocked / count;
     }
 
     private Tracer.Visibility visibility() {

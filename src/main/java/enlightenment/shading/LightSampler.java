@@ -30,6 +30,13 @@ final class LightSampler {
     private double bz;
     private boolean basis;
 
+    /** The normal in that basis: its component along the axis, the length of the rest, and that rest's direction. */
+    private double normalAlong;
+
+    private double normalAcross;
+    private double normalA;
+    private double normalB;
+
     /** The last direction: of length 1. */
     double dx;
 
@@ -104,6 +111,65 @@ final class LightSampler {
         } else {
             sampleCone(u, v);
         }
+    }
+
+    /**
+     * Prepares {@link #sampleByCosine} for a normal for which {@link #meanCosine} is known.
+     */
+    void prepareByCosine(double nx, double ny, double nz) {
+        if (light.kind == CompiledLight.Kind.POINT) {
+            return;
+        }
+        if (!basis) {
+            makeBasis();
+        }
+        double na = nx * ax + ny * ay + nz * az;
+        double nb = nx * bx + ny * by + nz * bz;
+        normalAlong = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        normalAcross = Math.sqrt(na * na + nb * nb);
+        normalA = normalAcross > 0 ? na / normalAcross : 1;
+        normalB = normalAcross > 0 ? nb / normalAcross : 0;
+    }
+
+    /**
+     * As {@link #sample}, but the density of the directions is proportional to their cosine with the normal.
+     *
+     * <p>Seen along the normal, the cone's directions fill an ellipse evenly if they have that density: its middle is
+     * cosθmax times the axis, its half axes are sinθmax and sinθmax·(n·w). With (a, b) in the unit disk, what a direction
+     * has along the normal is c·cosθmax + δ, where δ is written without a difference of like numbers, so that small lights
+     * keep their digits.
+     */
+    void sampleByCosine(double u, double v) {
+        if (light.kind == CompiledLight.Kind.POINT) {
+            sample(u, v);
+            return;
+        }
+        Warp.toDisk(u, v, disk);
+        double a = normalAlong * disk[0];
+        double least = normalAlong * cone.cosine;
+        double excess = cone.sine
+                * Math.fma(2 * cone.cosine * normalAcross, a, cone.sine * (1 - a * a - disk[1] * disk[1]));
+        double square = least * least + excess;
+        double sum = square > 0 ? least + Math.sqrt(square) : least;
+        double delta = sum > 0 ? excess / sum : 0;
+        double p = Math.fma(normalAcross, delta, cone.sine * normalAlong * a);
+        double q = cone.sine * disk[1];
+        double middle = Math.fma(cone.cosine, normalAcross, -cone.sine * a);
+        double along = Math.fma(middle, normalAcross, (least + delta) * normalAlong);
+        setOffset(along, p * normalA - q * normalB, p * normalB + q * normalA);
+    }
+
+    /** Sets the direction that has the component cos along the cone's axis, and s and t across it. */
+    private void setOffset(double cos, double s, double t) {
+        double sin2 = s * s + t * t;
+        double distance = cone.distance;
+        double half2 = light.radius * light.radius - distance * distance * sin2;
+        double half = half2 > 0 ? Math.sqrt(half2) : 0;
+        setDirection(
+                Math.fma(cos, cone.wx, Math.fma(s, ax, t * bx)),
+                Math.fma(cos, cone.wy, Math.fma(s, ay, t * by)),
+                Math.fma(cos, cone.wz, Math.fma(s, az, t * bz)),
+                distance * cos - half);
     }
 
     /** Sets a shadow ray to the last light point: it starts on the given surface and ends at {@link #length}. */

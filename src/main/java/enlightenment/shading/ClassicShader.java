@@ -232,6 +232,7 @@ public final class ClassicShader {
             if (known) {
                 return factor * unshadowed;
             }
+        }
         long seed = address.lightSeed(index, bounce);
         int first = address.firstLightPoint(seed, count);
         if (known) {

@@ -147,8 +147,8 @@ final class LightSampler {
         Warp.toDisk(u, v, disk);
         double a = normalAlong * disk[0];
         double least = normalAlong * cone.cosine;
-        double excess = cone.sine
-                * Math.fma(2 * cone.cosine * normalAcross, a, cone.sine * (1 - a * a - disk[1] * disk[1]));
+        double excess =
+                cone.sine * Math.fma(2 * cone.cosine * normalAcross, a, cone.sine * (1 - a * a - disk[1] * disk[1]));
         double square = least * least + excess;
         double sum = square > 0 ? least + Math.sqrt(square) : least;
         double delta = sum > 0 ? excess / sum : 0;

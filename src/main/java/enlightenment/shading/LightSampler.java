@@ -112,9 +112,7 @@ final class LightSampler {
         }
     }
 
-    /**
-     * Prepares {@link #sampleByCosine} for a normal for which {@link #meanCosine} is known.
-     */
+    /** Prepares {@link #sampleByCosine} for a normal for which {@link #meanCosine} is known. */
     void prepareByCosine(double nx, double ny, double nz) {
         if (light.kind == CompiledLight.Kind.POINT) {
             return;
@@ -134,9 +132,8 @@ final class LightSampler {
      * As {@link #sample}, but the density of the directions is proportional to their cosine with the normal.
      *
      * <p>Seen along the normal, the cone's directions fill an ellipse evenly if they have that density: its middle is
-     * cosθmax times the axis, its half axes are sinθmax and sinθmax·(n·w). With (a, b) in the unit disk, what a direction
-     * has along the normal is c·cosθmax + δ, where δ is written without a difference of like numbers, so that small lights
-     * keep their digits.
+     * cosθmax times the axis, its half axes are sinθmax and sinθmax·(n·w). The square of what a direction has along the
+     * normal is written as that of the ellipse's middle and the excess over it, because both may be small.
      */
     void sampleByCosine(double u, double v) {
         if (light.kind == CompiledLight.Kind.POINT) {
@@ -146,22 +143,22 @@ final class LightSampler {
         Warp.toDisk(u, v, disk);
         double a = normalAlong * disk[0];
         double least = normalAlong * cone.cosine;
-        double excess = cone.sine
-                * Math.fma(2 * cone.cosine * normalAcross, a, cone.sine * (1 - a * a - disk[1] * disk[1]));
-        double sum = least + Math.sqrt(Math.max(least * least + excess, 0));
-        double delta = sum > 0 ? excess / sum : 0;
-        double p = Math.fma(normalAcross, delta, cone.sine * normalAlong * a);
+        double excess =
+                cone.sine * Math.fma(2 * cone.cosine * normalAcross, a, cone.sine * (1 - a * a - disk[1] * disk[1]));
+        double height2 = Math.fma(least, least, excess);
+        double height = height2 > 0 ? Math.sqrt(height2) : 0;
+        double p = Math.fma(normalAcross, height - least, cone.sine * normalAlong * a);
         double q = cone.sine * disk[1];
         double middle = Math.fma(cone.cosine, normalAcross, -cone.sine * a);
-        double along = Math.fma(middle, normalAcross, (least + delta) * normalAlong);
+        double along = Math.fma(middle, normalAcross, height * normalAlong);
         setOffset(along, p * normalA - q * normalB, p * normalB + q * normalA);
     }
 
     /** Sets the direction that has the component cos along the cone's axis, and s and t across it. */
     private void setOffset(double cos, double s, double t) {
-        double sin2 = s * s + t * t;
         double distance = cone.distance;
-        double half = Math.sqrt(Math.max(light.radius * light.radius - distance * distance * sin2, 0));
+        double half2 = light.radius * light.radius - distance * distance * (s * s + t * t);
+        double half = half2 > 0 ? Math.sqrt(half2) : 0;
         setDirection(
                 Math.fma(cos, cone.wx, Math.fma(s, ax, t * bx)),
                 Math.fma(cos, cone.wy, Math.fma(s, ay, t * by)),

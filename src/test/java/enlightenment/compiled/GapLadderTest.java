@@ -39,7 +39,9 @@ class GapLadderTest {
                     .size(4, 4)
                     .camera(new Camera.Perspective(
                             eye, new Point(eye.x(), eye.y(), eye.z().add(r)), Vec3.Y, 40))
-                    .object(new Sphere(new Point(BigDecimal.ZERO, r.add(gap), BigDecimal.ZERO), r.doubleValue(), 0), WHITE)
+                    .object(
+                            new Sphere(new Point(BigDecimal.ZERO, r.add(gap), BigDecimal.ZERO), r.doubleValue(), 0),
+                            WHITE)
                     .object(
                             new Rectangle(
                                     new Point(near, BigDecimal.ZERO, near),

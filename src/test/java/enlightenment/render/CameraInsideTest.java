@@ -144,7 +144,9 @@ class CameraInsideTest {
     void insideAnOpaqueBoxItsWallsAreSeenAndNothingElse() {
         Point eye = Point.of(0.3, -0.4, 0.7);
         for (Shape box : new Shape[] {
-            new Box(Point.of(-1, -1, -1), Point.of(1, 1, 1)), Sphere.of(eye, 0.001), Solids.solid().get("frustum")
+            new Box(Point.of(-1, -1, -1), Point.of(1, 1, 1)),
+            Sphere.of(eye, 0.001),
+            Solids.solid().get("frustum")
         }) {
             Point inside = box instanceof Box || box instanceof Sphere ? eye : Point.of(0.05, 0.2, 0.05);
             for (Vec3 along : new Vec3[] {Vec3.Z, Vec3.X, new Vec3(-1, -2, -3)}) {
@@ -165,10 +167,19 @@ class CameraInsideTest {
         Shape box = new Box(Point.of(-1, -1, -1), Point.of(1, 1, 1));
         Shape tube = new Cylinder(Point.of(0, -1, 0), Point.of(0, 1, 0), 1, true);
         Point[] eyes = {
-            Point.of(0, 0, -1), Point.of(1, 0, 0), Point.of(0.6, 0.8, 0), Point.of(0, 1, 0), Point.of(1, 1, 0), Point.of(1, 1, -1)
+            Point.of(0, 0, -1),
+            Point.of(1, 0, 0),
+            Point.of(0.6, 0.8, 0),
+            Point.of(0, 1, 0),
+            Point.of(1, 1, 0),
+            Point.of(1, 1, -1)
         };
         Material[] materials = {
-            TestScenes.matte(0.8, 0.7, 0.6), TestScenes.mirror(0.9), glass(1.5), glass(1), glass(0.7),
+            TestScenes.matte(0.8, 0.7, 0.6),
+            TestScenes.mirror(0.9),
+            glass(1.5),
+            glass(1),
+            glass(0.7),
             new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0.5, 0, true)
         };
         Vec3[] along = {Vec3.Z, Vec3.Z.negated(), Vec3.X, Vec3.Y, new Vec3(1, 1, -1), new Vec3(-1, -1, 1)};

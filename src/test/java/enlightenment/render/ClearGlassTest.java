@@ -77,9 +77,10 @@ class ClearGlassTest {
         DoublePicture without = DoublePicture.of(room().build(), 1, 1);
         for (Map.Entry<String, Shape> e : Solids.solid().entrySet()) {
             for (double ior : new double[] {1 + 1e-15, 1 - 1e-15}) {
-                DoublePicture with =
-                        DoublePicture.of(room().object(e.getValue(), glass(ior, 0)).build(), 1, 1);
-                // At cosine c the ray is bent by |n − 1|/c; total reflection begins below c = 5e-8, too thin for a pixel.
+                DoublePicture with = DoublePicture.of(
+                        room().object(e.getValue(), glass(ior, 0)).build(), 1, 1);
+                // At cosine c the ray is bent by |n − 1|/c; total reflection begins below c = 5e-8, too thin for a
+                // pixel.
                 assertEquals(0, with.difference(without), 1e-9, e.getKey() + " of index " + ior);
             }
         }
@@ -89,7 +90,8 @@ class ClearGlassTest {
     void extremeIndicesGiveFinitePictures() {
         for (double ior : new double[] {0.5, 1e6, 1e-6, 1e100, 1e-100, 1e300, 1e-300, Double.MIN_VALUE}) {
             for (Map.Entry<String, Shape> e : Solids.all().entrySet()) {
-                Scene scene = room().size(16, 16).object(e.getValue(), glass(ior, 0)).build();
+                Scene scene =
+                        room().size(16, 16).object(e.getValue(), glass(ior, 0)).build();
                 DoublePicture p = DoublePicture.of(scene, 1, 1);
                 assertTrue(p.isFinite() && p.least() >= 0, e.getKey() + " of index " + ior);
             }

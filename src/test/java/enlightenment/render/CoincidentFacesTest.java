@@ -10,7 +10,6 @@ import enlightenment.geometry.Box;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
-import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -92,8 +91,8 @@ class CoincidentFacesTest {
                         object(new Box(Point.of(-0.7, 0.3, -0.9), Point.of(0.1, 1.2, 0.7)), m),
                         object(new Box(Point.of(0.1, 0.3, -0.9), Point.of(0.9, 1.2, 0.7)), m),
                         floor);
-                DoublePicture one = inAnyOrder(
-                        lit, object(new Box(Point.of(-0.7, 0.3, -0.9), Point.of(0.9, 1.2, 0.7)), m), floor);
+                DoublePicture one =
+                        inAnyOrder(lit, object(new Box(Point.of(-0.7, 0.3, -0.9), Point.of(0.9, 1.2, 0.7)), m), floor);
                 if (m instanceof Material.Glass) {
                     assertTrue(two.shareBeyond(one, 1e-9) <= 0.001, "share " + two.shareBeyond(one, 1e-9));
                 } else {
@@ -139,7 +138,10 @@ class CoincidentFacesTest {
                         DoublePicture a = inAnyOrder(lit, object(shape, materials[i]));
                         DoublePicture b = inAnyOrder(lit, object(shape, materials[j]));
                         assertEquals(
-                                0, Math.min(both.difference(a), both.difference(b)), 0, shape.type() + " " + i + " " + j);
+                                0,
+                                Math.min(both.difference(a), both.difference(b)),
+                                0,
+                                shape.type() + " " + i + " " + j);
                     }
                 }
             }

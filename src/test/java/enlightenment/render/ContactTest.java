@@ -42,7 +42,8 @@ class ContactTest {
         Light point = new Light.Point(Point.of(0, 8, 0), DisplayRgb.WHITE);
         for (double h : new double[] {1e-1, 1e-2, 1e-4, 1e-6, 1e-9, 1e-12}) {
             // Within the wedge between floor and sphere, four times h from the contact, where it is 8h² high.
-            Camera camera = new Camera.Perspective(Point.of(-4 * h, 4 * h * h, 0), Point.of(0, 4 * h * h, 0), Vec3.Y, 50);
+            Camera camera =
+                    new Camera.Perspective(Point.of(-4 * h, 4 * h * h, 0), Point.of(0, 4 * h * h, 0), Vec3.Y, 50);
             DoublePicture p = picture(Sphere.of(Point.of(0, 1, 0), 1), camera, point);
             assertEquals(AMBIENT, p.least(), "h = " + h);
             assertEquals(AMBIENT, p.greatest(), "h = " + h);
@@ -53,7 +54,8 @@ class ContactTest {
     void theContactHasNoLightPixelsUnderAWideLightEither() {
         Light ball = new Light.Sphere(Point.of(0, 8, 0), 1, DisplayRgb.WHITE);
         for (double h : new double[] {1e-1, 1e-3, 1e-6, 1e-9}) {
-            Camera camera = new Camera.Perspective(Point.of(-4 * h, 4 * h * h, 0), Point.of(0, 4 * h * h, 0), Vec3.Y, 50);
+            Camera camera =
+                    new Camera.Perspective(Point.of(-4 * h, 4 * h * h, 0), Point.of(0, 4 * h * h, 0), Vec3.Y, 50);
             DoublePicture p = picture(Sphere.of(Point.of(0, 1.0, 0), 1), camera, ball);
             assertTrue(p.greatest() <= AMBIENT + 1e-12, "h = " + h + ": " + p.greatest());
         }

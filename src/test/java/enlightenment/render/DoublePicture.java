@@ -22,9 +22,7 @@ public final class DoublePicture {
     }
 
     public static DoublePicture of(Scene scene, int antialias, int shadowSamples) {
-        return of(
-                scene,
-                RenderSettings.of(scene).withAntialias(antialias).withShadowSamples(shadowSamples));
+        return of(scene, RenderSettings.of(scene).withAntialias(antialias).withShadowSamples(shadowSamples));
     }
 
     public static DoublePicture of(Scene scene, RenderSettings settings) {

@@ -91,9 +91,8 @@ class FurnaceTest {
     @Test
     void insideALightEveryDirectionShowsItsColor() {
         for (Map.Entry<String, Shape> e : Solids.all().entrySet()) {
-            for (Material m : new Material[] {
-                TestScenes.mirror(1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)
-            }) {
+            for (Material m :
+                    new Material[] {TestScenes.mirror(1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)}) {
                 Scene scene = inside(e.getValue(), m, Point.of(0.2, -0.1, 0.3), CAMERA);
                 assertWhite(scene, 1e-12, e.getKey() + " " + m.type());
             }

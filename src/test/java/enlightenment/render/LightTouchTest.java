@@ -68,9 +68,9 @@ class LightTouchTest {
             double sine = 0.5 / distance;
             double cosine = Math.sqrt((1 - sine) * (1 + sine));
             double expected = (Math.asin(sine) - sine * cosine) / (2 * Math.PI * (1 - cosine));
-            Camera above = new Camera.Orthographic(
-                    Point.of(distance, 4, 0), Point.of(distance, 0, 0), Vec3.Z, 1e-9);
-            DoublePicture p = DoublePicture.of(floor(above).size(1, 1).light(ball(0, 0.5)).build(), 1, samples);
+            Camera above = new Camera.Orthographic(Point.of(distance, 4, 0), Point.of(distance, 0, 0), Vec3.Z, 1e-9);
+            DoublePicture p =
+                    DoublePicture.of(floor(above).size(1, 1).light(ball(0, 0.5)).build(), 1, samples);
             assertEquals(expected, p.at(0, 0, 0), 4 * sine / 2 / Math.sqrt(samples), "distance " + distance);
         }
     }
@@ -83,9 +83,10 @@ class LightTouchTest {
             double cosine = x / distance;
             double expected = 0.5 / distance * (1 + cosine) / 2;
             // From below the light's middle, so that the light does not stand in the way.
-            Camera camera = new Camera.Orthographic(
-                    Point.of(x + 0.25 * x, 0.25 * x * x, 0), Point.of(x, 0, 0), Vec3.Y, 1e-12);
-            DoublePicture p = DoublePicture.of(floor(camera).size(1, 1).light(ball(0.5, 0.5)).build(), 1, 4096);
+            Camera camera =
+                    new Camera.Orthographic(Point.of(x + 0.25 * x, 0.25 * x * x, 0), Point.of(x, 0, 0), Vec3.Y, 1e-12);
+            DoublePicture p = DoublePicture.of(
+                    floor(camera).size(1, 1).light(ball(0.5, 0.5)).build(), 1, 4096);
             // Rounding may put the light's edge below the horizon; then the mean is sampled.
             assertEquals(expected, p.at(0, 0, 0), 4 * 0.5 / 64, "x = " + x);
         }

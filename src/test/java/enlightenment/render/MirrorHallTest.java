@@ -12,10 +12,10 @@ import enlightenment.math.Point;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.junit.jupiter.api.Test;
 
 /** Two mirrors that face each other (numerics, N28). */
 class MirrorHallTest {
@@ -28,8 +28,16 @@ class MirrorHallTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1, 0.5, 0.25", "10, 0.5, 0.25", "1000, 0.5, 0.25", "1000000, 0.5, 0.25", "1, 1, 0.25", "10, 1, 0.25",
-        "1000, 1, 0.0009765625", "1000000, 1, 0.00000095367431640625"})
+    @CsvSource({
+        "1, 0.5, 0.25",
+        "10, 0.5, 0.25",
+        "1000, 0.5, 0.25",
+        "1000000, 0.5, 0.25",
+        "1, 1, 0.25",
+        "10, 1, 0.25",
+        "1000, 1, 0.0009765625",
+        "1000000, 1, 0.00000095367431640625"
+    })
     void aPaneBetweenThemAddsAGeometricSeries(int limit, double reflectance, double opaque) {
         // The path meets pane, mirror, pane, mirror, ...: pane k (from 0) adds opaque · q^k, q = (1 - opaque) · r.
         // After `limit` bounces one more surface is seen, so limit + 1 surfaces, of which limit/2 + 1 are panes.
@@ -59,14 +67,22 @@ class MirrorHallTest {
         double top = 8 * bounces * slope;
         double beyond = 8 * (bounces + 3) * slope;
         Light emitter = new Light.Rectangle(
-                Point.of(-9, top, -5), Point.of(-9, top, 5), Point.of(9, top, 5), Point.of(9, top, -5), DisplayRgb.WHITE);
+                Point.of(-9, top, -5),
+                Point.of(-9, top, 5),
+                Point.of(9, top, 5),
+                Point.of(9, top, -5),
+                DisplayRgb.WHITE);
         for (int limit : new int[] {bounces - 1, bounces, 1_000_000}) {
             Scene scene = Scene.builder()
                     .size(1, 1)
                     .camera(new Camera.Perspective(Point.of(0, 0, 0), Point.of(0, slope, 1), Vec3.Y, 1e-12))
                     .shading(new ClassicShading(0, 1, DisplayRgb.BLACK, limit))
-                    .object(TestScenes.rectangle(-9, -9, 4, -9, beyond, 4, 9, beyond, 4, 9, -9, 4), TestScenes.mirror(1))
-                    .object(TestScenes.rectangle(-9, -9, -4, -9, beyond, -4, 9, beyond, -4, 9, -9, -4), TestScenes.mirror(1))
+                    .object(
+                            TestScenes.rectangle(-9, -9, 4, -9, beyond, 4, 9, beyond, 4, 9, -9, 4),
+                            TestScenes.mirror(1))
+                    .object(
+                            TestScenes.rectangle(-9, -9, -4, -9, beyond, -4, 9, beyond, -4, 9, -9, -4),
+                            TestScenes.mirror(1))
                     .light(emitter)
                     .build();
             DoublePicture p = DoublePicture.of(scene, 1, 1);
@@ -92,7 +108,8 @@ class MirrorHallTest {
                             Point.of(8, top, -5),
                             DisplayRgb.WHITE))
                     .build();
-            assertEquals(Math.scalb(1.0, -bounces), DoublePicture.of(scene, 1, 1).at(0, 0, 0), 0);
+            assertEquals(
+                    Math.scalb(1.0, -bounces), DoublePicture.of(scene, 1, 1).at(0, 0, 0), 0);
         }
     }
 }

@@ -100,9 +100,8 @@ class OpticsLadderTest {
             assertEquals(sin * 1e-6, into.dx, 1e-6 * 8 * U);
             double sine = 1e-6 * (i % 2 == 0 ? 1 - 1e-7 * r.nextDouble() - 1e-9 : 1 + r.nextDouble() + 1e-9);
             Ray out = towards(sine, 0, -Math.sqrt((1 - sine) * (1 + sine)));
-            boolean exact = exactCosineSquared(out, BigDecimal.valueOf(1_000_000))
-                            .signum()
-                    > 0;
+            boolean exact =
+                    exactCosineSquared(out, BigDecimal.valueOf(1_000_000)).signum() > 0;
             // The cosine of so small an angle is rounded at 1e-16: its sine is known to 1e-4 of 1e-6 only.
             if (Math.abs(sine - 1e-6) > 2.5e-4 * 1e-6) {
                 assertEquals(exact, Optics.refract(out, hit(), 1e6), "sine " + sine);
@@ -114,7 +113,19 @@ class OpticsLadderTest {
     void extremeRatiosGiveAUnitDirectionOrTotalReflection() {
         Random r = new Random(3);
         double[] ratios = {
-            1 + 1e-15, 1 - 1e-15, 0.5, 2, 1e6, 1e-6, 1e100, 1e-100, 1e300, 1e-300, Double.MIN_VALUE, 0, Double.MAX_VALUE,
+            1 + 1e-15,
+            1 - 1e-15,
+            0.5,
+            2,
+            1e6,
+            1e-6,
+            1e100,
+            1e-100,
+            1e300,
+            1e-300,
+            Double.MIN_VALUE,
+            0,
+            Double.MAX_VALUE,
             Double.POSITIVE_INFINITY
         };
         for (double eta : ratios) {

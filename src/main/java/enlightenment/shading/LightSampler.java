@@ -87,16 +87,17 @@ final class LightSampler {
             return false;
         }
         double toMiddle = nx * cone.wx + ny * cone.wy + nz * cone.wz;
-        return switch (light.kind) {
-            case SPHERE -> toMiddle <= -cone.sine;
-            case POINT -> toMiddle <= 0;
-            case RECTANGLE -> {
-                double corner = nx * (light.x - px) + ny * (light.y - py) + nz * (light.z - pz);
-                double right = nx * light.right.x() + ny * light.right.y() + nz * light.right.z();
-                double up = nx * light.up.x() + ny * light.up.y() + nz * light.up.z();
-                yield corner + Math.max(right, 0) + Math.max(up, 0) <= 0;
-            }
-        };
+        if (light.kind == CompiledLight.Kind.SPHERE) {
+            return toMiddle <= -cone.sine;
+        }
+        return light.kind == CompiledLight.Kind.POINT ? toMiddle <= 0 : isRectangleBelow(nx, ny, nz);
+    }
+
+    private boolean isRectangleBelow(double nx, double ny, double nz) {
+        double corner = nx * (light.x - px) + ny * (light.y - py) + nz * (light.z - pz);
+        double right = nx * light.right.x() + ny * light.right.y() + nz * light.right.z();
+        double up = nx * light.up.x() + ny * light.up.y() + nz * light.up.z();
+        return corner + Math.max(right, 0) + Math.max(up, 0) <= 0;
     }
 
     /** Chooses the light point for (u, v) in the unit square: sets direction and length. */
@@ -112,7 +113,9 @@ final class LightSampler {
         }
     }
 
-    /** Prepares {@link #sampleByCosine} for a normal for which {@link #meanCosine} is known. */
+    /**
+     * Prepares {@link #sampleByCosine} for a normal for which {@link #meanCosine} is known.
+     */
     void prepareByCosine(double nx, double ny, double nz) {
         if (light.kind == CompiledLight.Kind.POINT) {
             return;
@@ -132,8 +135,9 @@ final class LightSampler {
      * As {@link #sample}, but the density of the directions is proportional to their cosine with the normal.
      *
      * <p>Seen along the normal, the cone's directions fill an ellipse evenly if they have that density: its middle is
-     * cosθmax times the axis, its half axes are sinθmax and sinθmax·(n·w). The square of what a direction has along the
-     * normal is written as that of the ellipse's middle and the excess over it, because both may be small.
+     * cosθmax times the axis, its half axes are sinθmax and sinθmax·(n·w). With (a, b) in the unit disk, what a direction
+     * has along the normal is c·cosθmax + δ, where δ is written without a difference of like numbers, so that small lights
+     * keep their digits.
      */
     void sampleByCosine(double u, double v) {
         if (light.kind == CompiledLight.Kind.POINT) {
@@ -145,19 +149,21 @@ final class LightSampler {
         double least = normalAlong * cone.cosine;
         double excess =
                 cone.sine * Math.fma(2 * cone.cosine * normalAcross, a, cone.sine * (1 - a * a - disk[1] * disk[1]));
-        double height2 = Math.fma(least, least, excess);
-        double height = height2 > 0 ? Math.sqrt(height2) : 0;
-        double p = Math.fma(normalAcross, height - least, cone.sine * normalAlong * a);
+        double square = least * least + excess;
+        double sum = square > 0 ? least + Math.sqrt(square) : least;
+        double delta = sum > 0 ? excess / sum : 0;
+        double p = Math.fma(normalAcross, delta, cone.sine * normalAlong * a);
         double q = cone.sine * disk[1];
         double middle = Math.fma(cone.cosine, normalAcross, -cone.sine * a);
-        double along = Math.fma(middle, normalAcross, height * normalAlong);
+        double along = Math.fma(middle, normalAcross, (least + delta) * normalAlong);
         setOffset(along, p * normalA - q * normalB, p * normalB + q * normalA);
     }
 
     /** Sets the direction that has the component cos along the cone's axis, and s and t across it. */
     private void setOffset(double cos, double s, double t) {
+        double sin2 = s * s + t * t;
         double distance = cone.distance;
-        double half2 = light.radius * light.radius - distance * distance * (s * s + t * t);
+        double half2 = light.radius * light.radius - distance * distance * sin2;
         double half = half2 > 0 ? Math.sqrt(half2) : 0;
         setDirection(
                 Math.fma(cos, cone.wx, Math.fma(s, ax, t * bx)),
@@ -200,7 +206,8 @@ final class LightSampler {
         double t = disk[1] * spread;
         double distance = cone.distance;
         double sin2 = down * (2 - down);
-        double half = Math.sqrt(Math.max(light.radius * light.radius - distance * distance * sin2, 0));
+        double half2 = light.radius * light.radius - distance * distance * sin2;
+        double half = half2 > 0 ? Math.sqrt(half2) : 0;
         setDirection(
                 Math.fma(cos, cone.wx, Math.fma(s, ax, t * bx)),
                 Math.fma(cos, cone.wy, Math.fma(s, ay, t * by)),

@@ -14,7 +14,6 @@ import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -90,7 +89,7 @@ class GlassOfWaterTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {0.47, 1.3, 3.1, -0.9})
-    @Tag("full")
+    @org.junit.jupiter.api.Tag("full")
     void anUlpOfWaterRadiusDoesNotMatterInLargePictures(double eyeHeight) {
         for (Stand stand : Stand.values()) {
             compare(stand, eyeHeight, 512);

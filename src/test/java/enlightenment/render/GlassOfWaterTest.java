@@ -86,4 +86,13 @@ class GlassOfWaterTest {
             compare(stand, eyeHeight, 96);
         }
     }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.47, 1.3, 3.1, -0.9})
+    @org.junit.jupiter.api.Tag("full")
+    void anUlpOfWaterRadiusDoesNotMatterInLargePictures(double eyeHeight) {
+        for (Stand stand : Stand.values()) {
+            compare(stand, eyeHeight, 512);
+        }
+    }
 }

@@ -23,7 +23,9 @@ import enlightenment.sampling.Sobol;
  * is blocked is sampled, by light points that are as likely as their cosine is great: what is lit wholly or not at all
  * is free of noise. With nothing in the way no sample is needed at all.
  *
- * <p>One per thread.
+ * <p>One per thread. {@code step} and {@code meanCosine} are longer than our methods are as a rule: the just-in-time
+ * compiler does not inline a method of more than 325 bytes of code, and these two borders keep it from compiling the whole
+ * renderer once at each level of calls (docs/benchmarks.md).
  */
 public final class ClassicShader {
     private final CompiledScene scene;
@@ -113,7 +115,13 @@ public final class ClassicShader {
         } else {
             id = glass.id;
             SurfaceMaterial material = scene.material(id, hit.face);
-            lookUpColor(material);
+            if (material.isTextured()) {
+                counters.textureLookups += material.hasImage() ? 1 : 0;
+                hit.primitive.textureCoordinates(hit);
+                material.color(hit.u, hit.v, hit.primitive instanceof SpherePrimitive, surface);
+            } else {
+                material.color(surface);
+            }
             if (material.kind == SurfaceMaterial.Kind.MATTE) {
                 shadeSurface(material, address, bounce, 1);
                 return false;
@@ -238,18 +246,13 @@ public final class ClassicShader {
         if (known) {
             return unshadowed * (1 - (1 - keeps) * blockedShare(nx, ny, nz, first, count, seed));
         }
-        return sampledMean(nx, ny, nz, rays ? keeps : factor, rays, first, count, seed);
-    }
-
-    /** The mean of cosθ over light points, those that are blocked (or all, if no rays are needed) times a factor. */
-    private double sampledMean(
-            double nx, double ny, double nz, double factor, boolean rays, int first, int count, long seed) {
+        double blockedFactor = rays ? keeps : factor;
         double sum = 0;
         for (int j = 0; j < count; j++) {
             sampler.sample(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
             double cosine = nx * sampler.dx + ny * sampler.dy + nz * sampler.dz;
             if (cosine > 0) {
-                sum += !rays || isBlocked() ? factor * cosine : cosine;
+                sum += !rays || isBlocked() ? blockedFactor * cosine : cosine;
             }
         }
         return sum / count;

@@ -130,16 +130,6 @@ public final class DiskPrimitive extends Primitive {
     }
 
     @Override
-    public boolean isSolid() {
-        return false;
-    }
-
-    @Override
-    public boolean contains(double x, double y, double z) {
-        return false;
-    }
-
-    @Override
     Primitive scaledBy(int k) {
         return new DiskPrimitive(center.scaledBy(k), normal, Scale.scalb(radius, k));
     }

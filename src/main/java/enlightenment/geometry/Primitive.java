@@ -90,7 +90,9 @@ public abstract sealed class Primitive
     public abstract Bounds bounds();
 
     /** Whether the primitive encloses a volume. */
-    public abstract boolean isSolid();
+    public boolean isSolid() {
+        return false;
+    }
 
     /** Whether a ray that leaves the outside of the surface can never meet it again. */
     public boolean isConvex() {
@@ -98,7 +100,9 @@ public abstract sealed class Primitive
     }
 
     /** Whether the point lies in the closed volume; false for a primitive that encloses none. */
-    public abstract boolean contains(double x, double y, double z);
+    public boolean contains(double x, double y, double z) {
+        return false;
+    }
 
     /** The number of faces that a hit can name: face is in 0..faceCount−1. */
     public int faceCount() {

@@ -69,16 +69,6 @@ public final class RectanglePrimitive extends Primitive {
         return straight && closed ? k : -1;
     }
 
-    /** The corners: lower left, upper left, upper right, lower right. */
-    public Vec3[] corners() {
-        return new Vec3[] {a, b, c, d};
-    }
-
-    /** The unnormalised normal; a viewer whom it points to sees the corners clockwise in the paper's axes. */
-    public Vec3 planeNormal() {
-        return plane.n;
-    }
-
     @Override
     double nearestOrdinary(Ray ray, double tMax) {
         if (ray.start == this) {
@@ -167,16 +157,6 @@ public final class RectanglePrimitive extends Primitive {
     @Override
     public Bounds bounds() {
         return Bounds.of(a, b, c, d);
-    }
-
-    @Override
-    public boolean isSolid() {
-        return false;
-    }
-
-    @Override
-    public boolean contains(double x, double y, double z) {
-        return false;
     }
 
     @Override

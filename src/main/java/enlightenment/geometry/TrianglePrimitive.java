@@ -67,16 +67,6 @@ public final class TrianglePrimitive extends Primitive {
     }
 
     @Override
-    public boolean isSolid() {
-        return false;
-    }
-
-    @Override
-    public boolean contains(double x, double y, double z) {
-        return false;
-    }
-
-    @Override
     Primitive scaledBy(int k) {
         return new TrianglePrimitive(a.scaledBy(k), b.scaledBy(k), c.scaledBy(k));
     }

@@ -38,13 +38,6 @@ public record Rotation(Vec3 r0, Vec3 r1, Vec3 r2) {
         return aboutZ(degrees.z()).times(aboutY(degrees.y())).times(aboutX(degrees.x()));
     }
 
-    /** Whether this turns nothing; zeros of either sign count. */
-    public boolean isIdentity() {
-        return r0.minus(Vec3.X).maxAbs() == 0
-                && r1.minus(Vec3.Y).maxAbs() == 0
-                && r2.minus(Vec3.Z).maxAbs() == 0;
-    }
-
     public Vec3 apply(Vec3 v) {
         return new Vec3(r0.dot(v), r1.dot(v), r2.dot(v));
     }

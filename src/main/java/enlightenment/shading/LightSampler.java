@@ -156,12 +156,13 @@ final class LightSampler {
         double q = cone.sine * disk[1];
         double middle = Math.fma(cone.cosine, normalAcross, -cone.sine * a);
         double along = Math.fma(middle, normalAcross, (least + delta) * normalAlong);
-        setOffset(along, p * normalA - q * normalB, p * normalB + q * normalA);
+        double s = p * normalA - q * normalB;
+        double t = p * normalB + q * normalA;
+        setOffset(along, s, t, s * s + t * t);
     }
 
-    /** Sets the direction that has the component cos along the cone's axis, and s and t across it. */
-    private void setOffset(double cos, double s, double t) {
-        double sin2 = s * s + t * t;
+    /** Sets the direction that has the component cos along the cone's axis, s and t across it, and sin2 = s² + t². */
+    private void setOffset(double cos, double s, double t, double sin2) {
         double distance = cone.distance;
         double half2 = light.radius * light.radius - distance * distance * sin2;
         double half = half2 > 0 ? Math.sqrt(half2) : 0;
@@ -204,15 +205,7 @@ final class LightSampler {
         double spread = Math.sqrt(cone.oneMinusCosine * (2 - down));
         double s = disk[0] * spread;
         double t = disk[1] * spread;
-        double distance = cone.distance;
-        double sin2 = down * (2 - down);
-        double half2 = light.radius * light.radius - distance * distance * sin2;
-        double half = half2 > 0 ? Math.sqrt(half2) : 0;
-        setDirection(
-                Math.fma(cos, cone.wx, Math.fma(s, ax, t * bx)),
-                Math.fma(cos, cone.wy, Math.fma(s, ay, t * by)),
-                Math.fma(cos, cone.wz, Math.fma(s, az, t * bz)),
-                distance * cos - half);
+        setOffset(cos, s, t, down * (2 - down));
     }
 
     /** Every direction alike: the disk wrapped over the sphere by the equal-area (Lambert) projection. */

@@ -28,6 +28,23 @@ final class OptionValues {
         }
     }
 
+    /** A decimal number between two limits; what Java also takes for one, such as NaN or 1f, is none. */
+    static double number(String option, String text, double lo, double hi) {
+        if (text.matches("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?")) {
+            double value = Double.parseDouble(text);
+            if (value >= lo && value <= hi) {
+                return value;
+            }
+        }
+        String limits =
+                hi == Double.MAX_VALUE ? "of at least " + shorter(lo) : "in " + shorter(lo) + ".." + shorter(hi);
+        throw wrong(option, "a number " + limits, text);
+    }
+
+    private static String shorter(double limit) {
+        return limit == Math.rint(limit) ? Long.toString((long) limit) : Double.toString(limit);
+    }
+
     /** A picture's size: width and height. */
     static int[] size(String option, String text) {
         int[] size = numbers(text, "x", 2);

@@ -10,7 +10,7 @@ import picocli.CommandLine.Option;
         synopsisSubcommandLabel = "COMMAND",
         footer = {
             "",
-            "Exit codes: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used.",
+            "Exit codes: 0 done, 1 failed, 2 wrong usage, or a scene or picture that cannot be used.",
             "'enlightenment help COMMAND' tells more about a command."
         })
 final class RootCommand implements Runnable {

@@ -125,7 +125,7 @@ class CommandsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"render", "validate", "inspect", "schema", "convert"})
+    @ValueSource(strings = {"render", "validate", "inspect", "schema", "convert", "compare"})
     void helpIsTheSameOnBothWays(String command) {
         CliRun help = CliRun.of("help", command);
         assertEquals(0, help.code());
@@ -137,7 +137,8 @@ class CommandsTest {
     void helpListsAllCommands() {
         CliRun run = CliRun.of("help");
         assertEquals(0, run.code());
-        for (String c : new String[] {"render", "validate", "inspect", "schema", "convert", "completion", "help"}) {
+        for (String c :
+                new String[] {"render", "validate", "inspect", "schema", "convert", "compare", "completion", "help"}) {
             assertTrue(run.out().contains("\n  " + c + " "), c);
         }
         assertEquals(run, CliRun.of("--help"));
@@ -161,6 +162,8 @@ class CommandsTest {
         wrong("unknown option: '--foo'", " render", "render", "a.json", "-o", "b.png", "--foo");
         wrong("missing required parameter: 'SCENE'", " validate", "validate");
         wrong("missing required parameter: 'OUT.json'", " convert", "convert", "a.nff");
+        wrong("missing required parameters: 'A', 'B'", " compare", "compare");
+        wrong("missing required parameter: 'B'", " compare", "compare", "a.png");
         wrong("unmatched argument at index 0: 'x'", " schema", "schema", "x");
     }
 

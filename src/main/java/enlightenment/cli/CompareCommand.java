@@ -1,0 +1,119 @@
+package enlightenment.cli;
+
+import enlightenment.image.Flip;
+import enlightenment.image.HeatMap;
+import enlightenment.image.Image;
+import enlightenment.image.ImageError;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.PngOptions;
+import enlightenment.math.Check.InvalidValueException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code enlightenment compare}: tells by how much one picture differs from another. */
+@Command(name = "compare", description = "Tells by how much one picture differs from another.", sortOptions = false)
+final class CompareCommand extends Subcommand {
+    @Parameters(index = "0", paramLabel = "A", description = "the picture to judge: .png or .pfm")
+    private Path test;
+
+    @Parameters(index = "1", paramLabel = "B", description = "the reference: .png or .pfm, of the same size")
+    private Path reference;
+
+    @Option(names = "--heatmap", paramLabel = "OUT.png", description = "show where they differ (FLIP) in this picture")
+    private Path heatMap;
+
+    @Option(names = "--json", description = "print the figures as JSON")
+    private boolean json;
+
+    @Option(names = "--max-rmse", paramLabel = "X", description = "end with 1 if the RMSE is larger than this")
+    private String maxRmse;
+
+    @Option(
+            names = "--pixels-per-degree",
+            paramLabel = "N",
+            description = "for FLIP: pixels in one degree of the viewer's sight, 1..1000 (default: 67.02)")
+    private String pixelsPerDegree;
+
+    CompareCommand(Terminal terminal) {
+        super(terminal);
+    }
+
+    @Override
+    int execute() throws IOException {
+        Double limit = maxRmse == null ? null : OptionValues.number("--max-rmse", maxRmse, 0, Double.MAX_VALUE);
+        double density = pixelsPerDegree == null
+                ? Flip.DEFAULT_PIXELS_PER_DEGREE
+                : OptionValues.number(
+                        "--pixels-per-degree", pixelsPerDegree, Flip.MIN_PIXELS_PER_DEGREE, Flip.MAX_PIXELS_PER_DEGREE);
+        checkHeatMap();
+        Image a = read(test);
+        Image b = read(reference);
+        if (a.width() != b.width() || a.height() != b.height()) {
+            throw CliException.wrongUsage("the pictures differ in size: " + test + " has " + size(a) + " pixels, "
+                    + reference + " has " + size(b));
+        }
+        ImageError error;
+        Flip flip;
+        try {
+            error = ImageError.between(a, b);
+            flip = Flip.between(a, b, density);
+        } catch (InvalidValueException e) {
+            throw CliException.wrongUsage((e.key().equals("test") ? test : reference) + ": " + e.getMessage());
+        }
+        if (heatMap != null) {
+            ImageFiles.writePng(HeatMap.withScale(flip), heatMap, comments(flip, density));
+        }
+        Comparison comparison = new Comparison(test, reference, error, flip, density, limit);
+        terminal.out().print(json ? comparison.toJson() : comparison.toTable());
+        if (!comparison.passed()) {
+            terminal.say("the RMSE is " + error.rmse() + ", larger than --max-rmse " + maxRmse);
+            return CliException.FAILED;
+        }
+        return CliException.DONE;
+    }
+
+    private void checkHeatMap() throws IOException {
+        if (heatMap == null) {
+            return;
+        }
+        if (!Target.extension(heatMap).equals(".png")) {
+            throw CliException.wrongUsage("--heatmap must name a file that ends in .png, not \"" + heatMap + "\"");
+        }
+        if (Target.same(heatMap, test) || Target.same(heatMap, reference)) {
+            throw CliException.wrongUsage("--heatmap must name a file of its own, not \"" + heatMap + "\"");
+        }
+        Target.check(heatMap);
+    }
+
+    /** Whatever keeps a picture from being read, the exit code must not be the one of pictures that differ. */
+    private static Image read(Path file) {
+        try {
+            return ImageFiles.read(file);
+        } catch (IOException e) {
+            throw CliException.wrongUsage(Failures.describe(e));
+        }
+    }
+
+    /** What the file says of itself: nothing that differs from run to run. */
+    private static PngOptions comments(Flip flip, double density) {
+        return PngOptions.DEFAULT
+                .withText("Title", "FLIP error")
+                .withText("Software", "Enlightenment " + Version.number())
+                .withText(
+                        "Comment",
+                        String.format(
+                                Locale.ROOT,
+                                "FLIP: mean %.6f, largest %.6f, %.2f pixels per degree; magma, 0..1",
+                                flip.mean(),
+                                flip.largest(),
+                                density));
+    }
+
+    private static String size(Image image) {
+        return image.width() + "x" + image.height();
+    }
+}

@@ -1,0 +1,96 @@
+package enlightenment.cli;
+
+import enlightenment.image.Flip;
+import enlightenment.image.ImageError;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/**
+ * What {@code enlightenment compare} tells.
+ *
+ * @param maxRmse the largest RMSE that will do, or null if any does
+ */
+record Comparison(Path test, Path reference, ImageError error, Flip flip, double pixelsPerDegree, Double maxRmse) {
+
+    /** Whether the RMSE is small enough; what is no number is not. */
+    boolean passed() {
+        return maxRmse == null || error.rmse() <= maxRmse;
+    }
+
+    /** Lines of a label and a value, for people. */
+    String toTable() {
+        ImageError.Largest largest = error.largest();
+        StringBuilder text = new StringBuilder();
+        line(text, "size", "%dx%d", flip.width(), flip.height());
+        line(text, "RMSE", "%s", figure(error.rmse()));
+        line(text, "relative MSE", "%s", figure(error.relativeMeanSquaredError()));
+        line(text, "mean absolute error", "%s", figure(error.meanAbsoluteError()));
+        if (Double.isInfinite(error.psnr())) {
+            line(text, "PSNR", "%s", "infinite");
+        } else {
+            line(text, "PSNR", "%.2f dB", error.psnr());
+        }
+        line(
+                text,
+                "FLIP",
+                "%s (largest %s, %.2f pixels per degree)",
+                figure(flip.mean()),
+                figure(flip.largest()),
+                pixelsPerDegree);
+        if (largest.difference() > 0) {
+            line(
+                    text,
+                    "largest difference",
+                    "%s at column %d, row %d, %s",
+                    figure(largest.difference()),
+                    largest.column(),
+                    largest.row(),
+                    largest.channelName());
+        } else {
+            line(text, "largest difference", "0: the pictures are equal");
+        }
+        return text.toString();
+    }
+
+    private static void line(StringBuilder text, String label, String format, Object... values) {
+        text.append(String.format(Locale.ROOT, "%-21s", label + ":"));
+        text.append(String.format(Locale.ROOT, format, values)).append('\n');
+    }
+
+    /** Six decimals, or an exponent where they would show too little of a small number. */
+    private static String figure(double value) {
+        boolean small = value != 0 && value < 1e-3;
+        return value == 0 ? "0" : String.format(Locale.ROOT, small ? "%.4e" : "%.6f", value);
+    }
+
+    /** All digits, for programs; docs/cli.md lists the keys. */
+    String toJson() {
+        ImageError.Largest largest = error.largest();
+        JsonText json = new JsonText().beginObject();
+        json.key("enlightenment").value(Version.number());
+        json.key("test").value(test.toString());
+        json.key("reference").value(reference.toString());
+        json.key("width").value(flip.width());
+        json.key("height").value(flip.height());
+        json.key("rmse").value(error.rmse());
+        json.key("relativeMse").value(error.relativeMeanSquaredError());
+        json.key("meanAbsoluteError").value(error.meanAbsoluteError());
+        json.key("psnr").value(error.psnr());
+        json.key("flip").beginObject();
+        json.key("mean").value(flip.mean());
+        json.key("largest").value((double) flip.largest());
+        json.key("pixelsPerDegree").value(pixelsPerDegree);
+        json.endObject();
+        json.key("largestDifference").beginObject();
+        json.key("value").value(largest.difference());
+        json.key("column").value(largest.column());
+        json.key("row").value(largest.row());
+        json.key("channel").value(largest.channelName());
+        json.endObject();
+        if (maxRmse != null) {
+            json.key("maxRmse").value(maxRmse.doubleValue());
+            json.key("passed").value(passed());
+        }
+        return json.endObject().finish();
+    }
+}

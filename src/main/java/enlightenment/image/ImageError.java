@@ -1,0 +1,79 @@
+package enlightenment.image;
+
+/**
+ * By how much one image differs from another, in figures. All of them are in display units: 0 is black, 1 is white, and the
+ * components are taken as they are stored (an sRGB picture's are not linear light). Components outside 0..1 count as they
+ * are. Means run over all components of all pixels, row by row, with compensated sums: the same images give the same bits on
+ * every machine.
+ *
+ * @param meanSquaredError mean of (a − b)²
+ * @param relativeMeanSquaredError mean of (a − b)² / (b² + {@link #RELATIVE_EPSILON}), b being the reference: an error in
+ *     the dark counts more than the same error in the light (F. Rousselle, C. Knaus, M. Zwicker, "Adaptive sampling and
+ *     reconstruction using greedy error minimization", 2011)
+ * @param meanAbsoluteError mean of |a − b|
+ * @param largest the component that differs most
+ */
+public record ImageError(
+        double meanSquaredError, double relativeMeanSquaredError, double meanAbsoluteError, Largest largest) {
+    /** What keeps the relative error finite where the reference is black: the customary hundredth. */
+    public static final double RELATIVE_EPSILON = 0.01;
+
+    /**
+     * The component that differs most: the first of them from the upper left, row by row.
+     *
+     * @param difference |a − b|; 0 where the images are equal
+     * @param column counted from 0 at the left
+     * @param row counted from 0 at the top
+     * @param channel 0 red, 1 green, 2 blue
+     */
+    public record Largest(double difference, int column, int row, int channel) {
+        /** The channel in words. */
+        public String channelName() {
+            return ImagePair.channel(channel);
+        }
+    }
+
+    /**
+     * Compares two images. Only the relative error depends on which of them is the reference.
+     *
+     * @throws enlightenment.math.Check.InvalidValueException if the sizes differ (key "size", the message has both) or if a
+     *     component is infinite or not a number (key "test" or "reference", the message tells where)
+     */
+    public static ImageError between(Image test, Image reference) {
+        ImagePair.check(test, reference);
+        CompensatedSum squares = new CompensatedSum();
+        CompensatedSum relative = new CompensatedSum();
+        CompensatedSum absolute = new CompensatedSum();
+        Largest largest = new Largest(0, 0, 0, 0);
+        for (int y = 0; y < test.height(); y++) {
+            for (int x = 0; x < test.width(); x++) {
+                for (int c = 0; c < 3; c++) {
+                    double b = reference.component(x, y, c);
+                    double difference = Math.abs(test.component(x, y, c) - b);
+                    double square = difference * difference;
+                    squares.add(square);
+                    relative.add(square / (b * b + RELATIVE_EPSILON));
+                    absolute.add(difference);
+                    if (difference > largest.difference()) {
+                        largest = new Largest(difference, x, y, c);
+                    }
+                }
+            }
+        }
+        double count = 3.0 * test.width() * test.height();
+        return new ImageError(squares.value() / count, relative.value() / count, absolute.value() / count, largest);
+    }
+
+    /** Root of the mean squared error. */
+    public double rmse() {
+        return Math.sqrt(meanSquaredError);
+    }
+
+    /**
+     * Peak signal-to-noise ratio in decibels, −10 log₁₀ of the mean squared error for a peak of 1; positive infinity for
+     * equal images.
+     */
+    public double psnr() {
+        return meanSquaredError == 0 ? Double.POSITIVE_INFINITY : -10 * StrictMath.log10(meanSquaredError);
+    }
+}

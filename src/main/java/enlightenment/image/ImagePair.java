@@ -1,0 +1,42 @@
+package enlightenment.image;
+
+import enlightenment.math.Check.InvalidValueException;
+
+/** What two images must have in common to be compared. */
+final class ImagePair {
+    private static final String[] CHANNELS = {"red", "green", "blue"};
+
+    private ImagePair() {}
+
+    /** Fails unless both have one size and finite components. */
+    static void check(Image test, Image reference) {
+        if (test.width() != reference.width() || test.height() != reference.height()) {
+            throw new InvalidValueException(
+                    "size", "the images differ in size: " + size(test) + " and " + size(reference) + " pixels");
+        }
+        checkFinite("test", test);
+        checkFinite("reference", reference);
+    }
+
+    private static void checkFinite(String which, Image image) {
+        for (int y = 0; y < image.height(); y++) {
+            for (int x = 0; x < image.width(); x++) {
+                for (int c = 0; c < 3; c++) {
+                    float value = image.component(x, y, c);
+                    if (!Float.isFinite(value)) {
+                        throw new InvalidValueException(
+                                which, "there is " + value + " in column " + x + ", row " + y + ", " + CHANNELS[c]);
+                    }
+                }
+            }
+        }
+    }
+
+    static String size(Image image) {
+        return image.width() + "x" + image.height();
+    }
+
+    static String channel(int c) {
+        return CHANNELS[c];
+    }
+}

@@ -39,7 +39,7 @@ public sealed interface Distribution permits NormalDistribution, ZetaDistributio
 
     /**
      * The integral of the density from −∞ to z, in 0..1. Below 0 its relative error is under 1e-13 unless it underflows,
-     * so small tails are exact; above 0 its absolute error is under 2e-16, so ask for −z where a tail is wanted.
+     * so small tails are exact; above 0 its absolute error is under 3e-16, so ask for −z where a tail is wanted.
      */
     double cumulative(double z);
 

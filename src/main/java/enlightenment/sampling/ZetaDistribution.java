@@ -1,7 +1,7 @@
 package enlightenment.sampling;
 
 /**
- * The zeta distribution: Σ n^-|x| over n = 2 … 50, with x = s·z and s = 2.0 or so, the deviation of the sum, divided by its
+ * The zeta distribution: Σ n^-|x| over n = 2 … 50, with x = s·z and s = 0.8206…, the deviation of the sum, divided by its
  * integral 2 Σ 1/ln n. This is the original's symmetric zeta function without its first term, the constant 1, which has no
  * integral. It is a mixture of 49 double exponentials: peaked at the mean, with tails that fall like 2^-|x|.
  */

@@ -169,7 +169,10 @@ class DistributionTest {
                     p += Math.max(step, 0x1p-1074)) {
                 double z = d.quantile(p);
                 assertTrue(z >= before - 4 * Math.ulp(before), name + " at " + p);
-                assertEquals(-z, d.quantile(1 - p), 1e-9 + (p < 1e-6 ? Double.POSITIVE_INFINITY : 0));
+                if (p > 1e-6) {
+                    assertEquals(-z, d.quantile(1 - p), 1e-9);
+                }
+
                 before = z;
             }
         }

@@ -1,0 +1,74 @@
+package enlightenment.sampling;
+
+/**
+ * The exponential function and the natural logarithm by fused operations only: the same on every machine, several times as
+ * fast as {@link StrictMath}, right to 2 units in the last place.
+ *
+ * <p>Powers of two are taken out, the rest is Taylor's series. Arguments that are not ordinary go to {@link StrictMath}.
+ */
+final class Exponential {
+    /** ln 2 and what its rounding left off. */
+    private static final double LN_2 = StrictMath.log(2);
+
+    private static final double LN_2_REST = 2.3190468138462996e-17;
+
+    private static final double PER_LN_2 = 1 / LN_2;
+
+    /** Beyond, powers of two are not normal numbers. */
+    private static final int ORDINARY = 700;
+
+    private static final int MANTISSA_BITS = 52;
+    private static final long BIAS = 1023;
+    private static final long ROOT_HALF_BITS = Double.doubleToRawLongBits(Math.sqrt(0.5));
+
+    private Exponential() {}
+
+    /** e to the power of x. */
+    static double exp(double x) {
+        if (!(Math.abs(x) <= ORDINARY)) {
+            return StrictMath.exp(x);
+        }
+        double k = Math.rint(x * PER_LN_2);
+        double r = Math.fma(k, -LN_2_REST, Math.fma(k, -LN_2, x));
+        // |r| ≤ ln(2)/2: the first term left out, r^14/14!, is below 2^-57. Even and odd terms apart: half the latency.
+        double s = r * r;
+        double even = Math.fma(s, 1.0 / 479001600, 1.0 / 3628800);
+        double odd = Math.fma(s, 1.0 / 6227020800L, 1.0 / 39916800);
+        even = Math.fma(s, even, 1.0 / 40320);
+        odd = Math.fma(s, odd, 1.0 / 362880);
+        even = Math.fma(s, even, 1.0 / 720);
+        odd = Math.fma(s, odd, 1.0 / 5040);
+        even = Math.fma(s, even, 1.0 / 24);
+        odd = Math.fma(s, odd, 1.0 / 120);
+        even = Math.fma(s, even, 0.5);
+        odd = Math.fma(s, odd, 1.0 / 6);
+        double rest = Math.fma(s, Math.fma(r, odd, even), r);
+        double power = Double.longBitsToDouble(((long) k + BIAS) << MANTISSA_BITS);
+        return Math.fma(power, rest, power);
+    }
+
+    /** The natural logarithm of x. */
+    static double log(double x) {
+        if (!(x >= Double.MIN_NORMAL && x <= Double.MAX_VALUE)) {
+            return StrictMath.log(x);
+        }
+        long bits = Double.doubleToRawLongBits(x);
+        long k = (bits - ROOT_HALF_BITS) >> MANTISSA_BITS;
+        double m = Double.longBitsToDouble(bits - (k << MANTISSA_BITS));
+        // √½ ≤ m < √2; ln m = 2 artanh q with |q| ≤ 0.172: the first term left out, q^23 · 2/23, is below 2^-60 of it.
+        double q = (m - 1) / (m + 1);
+        double s = q * q;
+        double t = s * s;
+        double even = Math.fma(t, 1.0 / 21, 1.0 / 17);
+        double odd = Math.fma(t, 1.0 / 19, 1.0 / 15);
+        even = Math.fma(t, even, 1.0 / 13);
+        odd = Math.fma(t, odd, 1.0 / 11);
+        even = Math.fma(t, even, 1.0 / 9);
+        odd = Math.fma(t, odd, 1.0 / 7);
+        even = Math.fma(t, even, 1.0 / 5);
+        odd = Math.fma(t, odd, 1.0 / 3);
+        double series = s * Math.fma(s, even, odd);
+        double ofM = 2 * Math.fma(q, series, q);
+        return Math.fma(k, LN_2, Math.fma(k, LN_2_REST, ofM));
+    }
+}

@@ -3,15 +3,22 @@ package enlightenment.film;
 import enlightenment.image.Image;
 
 /**
- * The picture in the making: the mean of each finished pixel. Tiles cover disjoint pixels, so the order in which threads
- * put them does not matter.
+ * The picture in the making: the mean of each finished pixel, and what its samples tell about the error of that. Tiles
+ * cover disjoint pixels, so the order in which threads put them does not matter.
  */
 public final class Film {
-    private final int x;
-    private final int y;
-    private final int width;
-    private final int height;
+    public final int x;
+    public final int y;
+    public final int width;
+    public final int height;
     private final double[] rgb;
+
+    /** Per pixel; see {@link SampleSpread}. */
+    private final float[] halves;
+
+    private final float[] quarters;
+    private final int[] counts;
+    private long surveyRays;
 
     /** A film for a rectangle of the whole picture. */
     public Film(int x, int y, int width, int height) {
@@ -19,24 +26,59 @@ public final class Film {
         this.y = y;
         this.width = width;
         this.height = height;
+        int pixels = width * height;
         rgb = new double[Math.toIntExact(3L * width * height)];
+        halves = new float[pixels];
+        quarters = new float[pixels];
+        counts = new int[pixels];
     }
 
     /** Puts a finished tile. */
     public void put(FilmTile tile) {
         for (int row = tile.y; row < tile.y + tile.height; row++) {
-            int k = 3 * ((row - y) * width + tile.x - x);
-            for (int column = tile.x; column < tile.x + tile.width; column++) {
+            int pixel = pixel(tile.x, row);
+            for (int column = tile.x; column < tile.x + tile.width; column++, pixel++) {
                 for (int c = 0; c < 3; c++) {
-                    rgb[k++] = tile.mean(column, row, c);
+                    rgb[3 * pixel + c] = tile.mean(column, row, c);
                 }
+                halves[pixel] = tile.halves(column, row);
+                quarters[pixel] = tile.quarters(column, row);
+                counts[pixel] = tile.count(column, row);
             }
         }
+        addSurveyRays(tile.surveyRays());
+    }
+
+    private synchronized void addSurveyRays(long rays) {
+        surveyRays += rays;
+    }
+
+    private int pixel(int column, int row) {
+        return (row - y) * width + column - x;
     }
 
     /** Component 0, 1 or 2 of the pixel in column and row of the whole picture, in full precision. */
     public double component(int column, int row, int c) {
-        return rgb[3 * ((row - y) * width + column - x) + c];
+        return rgb[3 * pixel(column, row) + c];
+    }
+
+    /** The number of samples of the pixel in column and row of the whole picture; 0 if it is not finished. */
+    public int count(int column, int row) {
+        return counts[pixel(column, row)];
+    }
+
+    /** How far the samples say that the pixels are from the truth. */
+    public ErrorEstimate error() {
+        return ErrorEstimate.of(halves, quarters, counts);
+    }
+
+    /** Camera rays of all finished pixels: their samples, and those that only showed where samples are needed. */
+    public long cameraSamples() {
+        long sum = surveyRays;
+        for (int count : counts) {
+            sum += count;
+        }
+        return sum;
     }
 
     /** The picture as it stands. */

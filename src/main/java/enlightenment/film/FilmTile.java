@@ -2,7 +2,7 @@ package enlightenment.film;
 
 /**
  * Sums of the samples of a rectangle of pixels: compensated, so that a billion samples lose nothing (Neumaier, "Rounding
- * error analysis of some methods for summing finite sums", 1974).
+ * error analysis of some methods for summing finite sums", 1974); and what the samples tell about their own error.
  */
 public final class FilmTile {
     private static final int PER_PIXEL = 6;
@@ -15,7 +15,15 @@ public final class FilmTile {
     /** Per pixel: sum and compensation of red, green, blue. */
     private final double[] sums;
 
-    private final long[] counts;
+    /** Per pixel: the known part of red, green, blue, from which the samples are differences; null for none. */
+    private double[] known;
+
+    private final int[] counts;
+
+    /** Per pixel: {@link SampleSpread#halves} and {@link SampleSpread#quarters}. */
+    private final float[] spreads;
+
+    private long surveyRays;
 
     /**
      * @param x first column in the whole picture
@@ -29,12 +37,18 @@ public final class FilmTile {
         this.width = width;
         this.height = height;
         sums = new double[PER_PIXEL * width * height];
-        counts = new long[width * height];
+        counts = new int[width * height];
+        spreads = new float[2 * width * height];
+    }
+
+    /** Whether a pixel, given by its place in the whole picture, belongs to the tile. */
+    public boolean contains(int column, int row) {
+        return column >= x && column < x + width && row >= y && row < y + height;
     }
 
     /** Adds a sample to the pixel in column and row of the whole picture. */
     public void add(int column, int row, double r, double g, double b) {
-        int pixel = (row - y) * width + column - x;
+        int pixel = pixel(column, row);
         int k = PER_PIXEL * pixel;
         accumulate(k, r);
         accumulate(k + 2, g);
@@ -49,15 +63,91 @@ public final class FilmTile {
         sums[k] = t;
     }
 
+    /** Says that the pixel's samples are differences from something whose mean over the pixel is known: this colour. */
+    public void known(int column, int row, double r, double g, double b) {
+        if (known == null) {
+            known = new double[3 * width * height];
+        }
+        int k = 3 * pixel(column, row);
+        known[k] = r;
+        known[k + 1] = g;
+        known[k + 2] = b;
+    }
+
+    /** Keeps what the finished samples of a pixel tell about their error. */
+    public void spread(int column, int row, SampleSpread spread) {
+        int k = 2 * pixel(column, row);
+        spreads[k] = (float) spread.halves();
+        spreads[k + 1] = (float) spread.quarters();
+    }
+
+    /** Counts camera rays that are not samples of a pixel of their own. */
+    public void addSurveyRays(long rays) {
+        surveyRays += rays;
+    }
+
     /** The mean of component 0, 1 or 2 of a pixel; 0 where there are no samples. */
     public double mean(int column, int row, int component) {
-        int pixel = (row - y) * width + column - x;
+        int pixel = pixel(column, row);
+        return counts[pixel] == 0 ? 0 : knownPart(pixel, component) + meanDifference(pixel, component);
+    }
+
+    private double knownPart(int pixel, int component) {
+        return known == null ? 0 : known[3 * pixel + component];
+    }
+
+    private double meanDifference(int pixel, int component) {
         int k = PER_PIXEL * pixel + 2 * component;
-        return counts[pixel] == 0 ? 0 : (sums[k] + sums[k + 1]) / counts[pixel];
+        return (sums[k] + sums[k + 1]) / counts[pixel];
     }
 
     /** The number of samples of a pixel. */
-    public long count(int column, int row) {
-        return counts[(row - y) * width + column - x];
+    public int count(int column, int row) {
+        return counts[pixel(column, row)];
+    }
+
+    /** See {@link SampleSpread#halves}. For a single sample: from the differences between neighbours. */
+    float halves(int column, int row) {
+        int pixel = pixel(column, row);
+        return counts[pixel] == 1 ? (float) spreadOfNeighbours(column, row) : spreads[2 * pixel];
+    }
+
+    /** See {@link SampleSpread#quarters}. */
+    float quarters(int column, int row) {
+        return spreads[2 * pixel(column, row) + 1];
+    }
+
+    /** Half the mean squared difference between a single sample and those of the pixels beside it, in this tile. */
+    private double spreadOfNeighbours(int column, int row) {
+        double sum = 0;
+        int neighbours = 0;
+        for (int k = 0; k < 4; k++) {
+            int c = column + (k == 0 ? -1 : k == 1 ? 1 : 0);
+            int r = row + (k == 2 ? -1 : k == 3 ? 1 : 0);
+            if (contains(c, r) && counts[pixel(c, r)] == 1) {
+                sum += squaredDifference(pixel(column, row), pixel(c, r)) / 2;
+                neighbours++;
+            }
+        }
+        // A pixel on its own among others with more samples: the known part is all there is to compare with.
+        return neighbours > 0 ? sum / neighbours : squaredDifference(pixel(column, row), -1);
+    }
+
+    private double squaredDifference(int pixel, int other) {
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            double d = meanDifference(pixel, c) - (other < 0 ? 0 : meanDifference(other, c));
+            sum += d * d;
+        }
+        return sum / 3;
+    }
+
+    /** See {@link #addSurveyRays}. */
+    long surveyRays() {
+        return surveyRays;
+    }
+
+    private int pixel(int column, int row) {
+        return (row - y) * width + column - x;
     }
 }

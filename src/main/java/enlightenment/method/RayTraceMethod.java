@@ -3,30 +3,56 @@ package enlightenment.method;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
+import enlightenment.film.SampleSpread;
 import enlightenment.geometry.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
 
 /**
- * Evenly spaced camera rays, the paper's first phase: antialias² well-distributed positions in every pixel, each of them
- * shaded once. One per thread; a tile is a pure function of scene, settings and tile.
+ * Evenly spaced camera rays, the paper's first phase: well-distributed positions in every pixel, each of them shaded once;
+ * antialias² of them unless a budget says how many.
  */
-public final class RayTraceMethod {
+public final class RayTraceMethod implements TileMethod {
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final ClassicShader shader;
     private final Ray ray = new Ray();
     private final SampleAddress address = new SampleAddress();
+    private final SampleSpread spread = new SampleSpread();
     private final double[] color = new double[3];
 
+    /** Samples of the pixels that get fewer; others get twice as many. */
+    private final int fewer;
+
+    /** The share of pixels that get twice as many. */
+    private final double doubled;
+
+    /** Takes antialias² samples in each pixel. */
     public RayTraceMethod(CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        this(scene, settings, counters, settings.antialias() * settings.antialias(), 0);
+    }
+
+    private RayTraceMethod(
+            CompiledScene scene, RenderSettings settings, RayCounters counters, int fewer, double doubled) {
         this.scene = scene;
         this.settings = settings;
         this.shader = new ClassicShader(scene, settings.shadowSamples(), counters);
+        this.fewer = fewer;
+        this.doubled = doubled;
     }
 
-    /** Renders the pixels of a tile. */
+    /**
+     * Takes so many samples per pixel in the mean, at least 1: the next power of two below in some pixels and that above in
+     * the others, since these are the numbers for which the points are best distributed.
+     */
+    public static RayTraceMethod withMeanSamples(
+            CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
+        int fewer = Integer.highestOneBit((int) samples);
+        return new RayTraceMethod(scene, settings, counters, fewer, samples / fewer - 1);
+    }
+
+    @Override
     public void render(FilmTile tile) {
         double width = settings.width();
         double height = settings.height();
@@ -41,7 +67,8 @@ public final class RayTraceMethod {
 
     private void renderPixel(FilmTile tile, int x, int y) {
         address.pixel(settings.seed(), x, y);
-        int samples = settings.antialias() * settings.antialias();
+        int samples = Dither.at(x, y) < doubled ? 2 * fewer : fewer;
+        spread.begin(samples);
         for (int s = 0; s < samples; s++) {
             address.sample(s);
             double filmX = (x + address.filmX()) / settings.width();
@@ -49,6 +76,8 @@ public final class RayTraceMethod {
             scene.camera.ray(filmX, filmY, ray);
             shader.shade(ray, address, color);
             tile.add(x, y, color[0], color[1], color[2]);
+            spread.add(color[0], color[1], color[2]);
         }
+        tile.spread(x, y, spread);
     }
 }

@@ -9,6 +9,7 @@ import enlightenment.geometry.Hit;
 import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 import enlightenment.geometry.SpherePrimitive;
+import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;
 
 /**
@@ -36,7 +37,6 @@ public final class ClassicShader {
     private final Hit hit = new Hit();
     private final Ray shadowRay = new Ray();
     private final double[] surface = new double[3];
-    private final int shadowSamples;
     private final int maxBounces;
     private final double ambient;
     private final double shadow;
@@ -51,10 +51,23 @@ public final class ClassicShader {
     private double green;
     private double blue;
 
-    public ClassicShader(CompiledScene scene, int shadowSamples, RayCounters counters) {
+    /** Light points per hit and light. */
+    private int lightPoints;
+
+    private LightGuide guide;
+
+    /** How much direct light the last call of {@code meanCosine} left to rays. */
+    private double atStake;
+
+    private long pathKey;
+    private int askedPoints;
+    private int blockedPoints;
+    private double lightEnergy;
+
+    public ClassicShader(CompiledScene scene, int lightPoints, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
-        this.shadowSamples = shadowSamples;
+        this.lightPoints = lightPoints;
         tracer = new Tracer(scene, counters);
         glass = new GlassTracer(scene, counters);
         maxBounces = scene.shading.maxBounces();
@@ -65,6 +78,39 @@ public final class ClassicShader {
     /** Announces that the camera rays to come lie at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
     public void beginTile(double x0, double y0, double x1, double y1) {
         tracer.beginTile(x0, y0, x1, y1);
+    }
+
+    /** Sets how many points of each light are taken at each hit. */
+    public void lightPoints(int count) {
+        lightPoints = count;
+    }
+
+    /** Lets somebody else choose the points of lights that may be hidden; null for well-distributed ones. */
+    public void guide(LightGuide chooser) {
+        guide = chooser;
+    }
+
+    /** A hash of what the last path met, in order: where it is the same for neighbouring rays, no edge lies between. */
+    public long pathKey() {
+        return pathKey;
+    }
+
+    /** How many light points of the last path rays had to tell about. */
+    public int askedPoints() {
+        return askedPoints;
+    }
+
+    /** How many of them were blocked. */
+    public int blockedPoints() {
+        return blockedPoints;
+    }
+
+    /**
+     * What those rays decided about: the squared difference in colour between all points visible and all blocked, mean of
+     * the three components, summed over the lights and surfaces concerned.
+     */
+    public double lightEnergy() {
+        return lightEnergy;
     }
 
     /**
@@ -80,6 +126,10 @@ public final class ClassicShader {
         throughputR = 1;
         throughputG = 1;
         throughputB = 1;
+        pathKey = 0;
+        askedPoints = 0;
+        blockedPoints = 0;
+        lightEnergy = 0;
         counters.cameraRays++;
         glass.begin(ray);
         int bounce = 0;
@@ -105,11 +155,13 @@ public final class ClassicShader {
                 return false;
             }
             if (tracer.light != null) {
+                pathKey = Hash.mix(pathKey + 1);
                 add(tracer.light.r, tracer.light.g, tracer.light.b);
                 return false;
             }
             id = tracer.id;
         }
+        pathKey = Hash.mix(pathKey - 1 - id - ((long) hit.face << 32));
         if (glass.arrive(ray, id, hit)) {
             crossGlass(ray, address, bounce);
         } else {
@@ -136,6 +188,7 @@ public final class ClassicShader {
 
     private void crossGlass(Ray ray, SampleAddress address, int bounce) {
         boolean through = glass.cross(ray, hit);
+        pathKey += through ? 1 : 0;
         for (int k = 0; k < glass.surfaces(); k++) {
             if (glass.filters(k, through)) {
                 id = glass.surface(k);
@@ -204,6 +257,9 @@ public final class ClassicShader {
             CompiledLight light = lights[i];
             double mean = meanCosine(light, i, nx, ny, nz, keeps, address, bounce);
             double factor = Math.fma(1 - ambient, mean, ambient);
+            if (atStake > 0) {
+                noteLightEnergy(light, atStake * (1 - ambient) * share / lights.length);
+            }
             r += light.r * factor;
             g += light.g * factor;
             b += light.b * factor;
@@ -211,6 +267,13 @@ public final class ClassicShader {
         // Divided last: n white lights on white make exactly white, whatever n is.
         double n = lights.length;
         add(surface[0] * (r * share) / n, surface[1] * (g * share) / n, surface[2] * (b * share) / n);
+    }
+
+    private void noteLightEnergy(CompiledLight light, double amount) {
+        double r = throughputR * surface[0] * light.r;
+        double g = throughputG * surface[1] * light.g;
+        double b = throughputB * surface[2] * light.b;
+        lightEnergy += amount * amount * (r * r + g * g + b * b) / 3;
     }
 
     /** The mean over light points of (visible ? 1 : keeps) · cosθ at the hit. */
@@ -223,8 +286,9 @@ public final class ClassicShader {
             double keeps,
             SampleAddress address,
             int bounce) {
+        atStake = 0;
         sampler.aim(light, hit.px, hit.py, hit.pz);
-        int count = sampler.isPoint() ? 1 : shadowSamples;
+        int count = sampler.isPoint() ? 1 : lightPoints;
         counters.lightSamples += count;
         if (sampler.isBelow(nx, ny, nz)) {
             counters.lightSamplesWithoutRay += count;
@@ -244,7 +308,11 @@ public final class ClassicShader {
         long seed = address.lightSeed(index, bounce);
         int first = address.firstLightPoint(seed, count);
         if (known) {
-            return unshadowed * (1 - (1 - keeps) * blockedShare(nx, ny, nz, first, count, seed));
+            atStake = (1 - keeps) * unshadowed;
+            sampler.prepareByCosine(nx, ny, nz);
+            boolean guided = guide != null && !sampler.isPoint() && guide.begin(id, index, bounce);
+            double blocked = guided ? guidedShare(first, count, seed) : blockedShare(first, count, seed);
+            return Math.fma(-atStake, blocked, unshadowed);
         }
         double blockedFactor = rays ? keeps : factor;
         double sum = 0;
@@ -255,18 +323,35 @@ public final class ClassicShader {
                 sum += !rays || isBlocked() ? blockedFactor * cosine : cosine;
             }
         }
+        // Rays told about cosines; how they are distributed decides little for what is at stake.
+        atStake = rays ? (1 - keeps) * sum / count : 0;
         return sum / count;
     }
 
     /** The share of light points that are blocked, each of them as likely as its cosine is great. */
-    private double blockedShare(double nx, double ny, double nz, int first, int count, long seed) {
-        sampler.prepareByCosine(nx, ny, nz);
+    private double blockedShare(int first, int count, long seed) {
         int blocked = 0;
         for (int j = 0; j < count; j++) {
             sampler.sampleByCosine(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
             blocked += isBlocked() ? 1 : 0;
         }
         return (double) blocked / count;
+    }
+
+    /** The same with light points that the guide chooses, weighted by how much rarer it makes them. */
+    private double guidedShare(int first, int count, long seed) {
+        double sum = 0;
+        for (int j = 0; j < count; j++) {
+            double weight = guide.propose(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
+            if (weight > 0) {
+                sampler.sampleDisk(guide.p(), guide.q());
+                boolean blocked = isBlocked();
+                guide.tell(hit, sampler.dx, sampler.dy, sampler.dz, sampler.length, blocked);
+                sum += blocked == guide.wantsBlocked() ? weight : 0;
+            }
+        }
+        double share = sum / count;
+        return guide.wantsBlocked() ? share : 1 - share;
     }
 
     private Tracer.Visibility visibility() {
@@ -278,6 +363,9 @@ public final class ClassicShader {
     private boolean isBlocked() {
         sampler.ray(shadowRay, hit.px, hit.py, hit.pz);
         shadowRay.from(hit.primitive, hit.side);
-        return tracer.occluded(shadowRay, sampler.length);
+        boolean blocked = tracer.occluded(shadowRay, sampler.length);
+        askedPoints++;
+        blockedPoints += blocked ? 1 : 0;
+        return blocked;
     }
 }

@@ -145,15 +145,26 @@ final class LightSampler {
             return;
         }
         Warp.toDisk(u, v, disk);
-        double a = normalAlong * disk[0];
+        mapDisk(disk[0], disk[1]);
+    }
+
+    /**
+     * As {@link #sampleByCosine} for the place (p, q) in the unit disk itself, whose axes stay where they are when the
+     * normal turns, so that neighbouring surface points see the same part of the light at nearly the same place.
+     */
+    void sampleDisk(double p, double q) {
+        mapDisk(Math.fma(p, normalA, q * normalB), Math.fma(q, normalA, -p * normalB));
+    }
+
+    private void mapDisk(double x, double y) {
+        double a = normalAlong * x;
         double least = normalAlong * cone.cosine;
-        double excess =
-                cone.sine * Math.fma(2 * cone.cosine * normalAcross, a, cone.sine * (1 - a * a - disk[1] * disk[1]));
+        double excess = cone.sine * Math.fma(2 * cone.cosine * normalAcross, a, cone.sine * (1 - a * a - y * y));
         double square = least * least + excess;
         double sum = square > 0 ? least + Math.sqrt(square) : least;
         double delta = sum > 0 ? excess / sum : 0;
         double p = Math.fma(normalAcross, delta, cone.sine * normalAlong * a);
-        double q = cone.sine * disk[1];
+        double q = cone.sine * y;
         double middle = Math.fma(cone.cosine, normalAcross, -cone.sine * a);
         double along = Math.fma(middle, normalAcross, (least + delta) * normalAlong);
         double s = p * normalA - q * normalB;

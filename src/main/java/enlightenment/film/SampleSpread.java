@@ -1,0 +1,71 @@
+package enlightenment.film;
+
+import java.util.Arrays;
+
+/**
+ * What the samples of one pixel tell about the error of their mean, when they come from a sequence whose runs of 2^k points
+ * are each as well distributed as the next.
+ *
+ * <p>Let V(n) be the variance of the mean of n = 2^k points. Two runs of n/2 that together make a run of n have means A and
+ * B whose covariance follows from V(n) = (V(n/2) + Cov)/2; so the expectation of (A − B)²/4 is exactly V(n/2) − V(n),
+ * however strongly the halves depend on each other. That of the quarters, in the same way, is V(n/4) − V(n/2). Where V falls
+ * by a constant factor from level to level the two give V(n) itself: {@link ErrorEstimate}.
+ */
+public final class SampleSpread {
+    private static final int QUARTERS = 4;
+
+    private final double[] sums = new double[3 * QUARTERS];
+    private final int[] sizes = new int[QUARTERS];
+    private int count;
+    private int taken;
+
+    /** The spread of no samples. */
+    public SampleSpread() {}
+
+    /** Starts over, with a pixel of so many samples. */
+    public void begin(int samples) {
+        count = samples;
+        taken = 0;
+        Arrays.fill(sums, 0);
+        Arrays.fill(sizes, 0);
+    }
+
+    /** Adds the next sample. */
+    public void add(double r, double g, double b) {
+        int quarter = (int) ((long) QUARTERS * taken++ / count);
+        int k = 3 * quarter;
+        sums[k] += r;
+        sums[k + 1] += g;
+        sums[k + 2] += b;
+        sizes[quarter]++;
+    }
+
+    /** (A − B)²/4 for the means A, B of the two halves, mean of the components; 0 for less than two samples. */
+    public double halves() {
+        if (count < 2) {
+            return 0;
+        }
+        double first = 1.0 / (sizes[0] + sizes[1]);
+        double second = 1.0 / (sizes[2] + sizes[3]);
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            double d = (sums[c] + sums[3 + c]) * first - (sums[6 + c] + sums[9 + c]) * second;
+            sum += d * d;
+        }
+        return sum / 12;
+    }
+
+    /** The same for the two quarters of each half, mean of both; 0 for less than four samples. */
+    public double quarters() {
+        return count < QUARTERS ? 0 : (difference(0) + difference(2)) / 24;
+    }
+
+    private double difference(int quarter) {
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            double d = sums[3 * quarter + c] / sizes[quarter] - sums[3 * quarter + 3 + c] / sizes[quarter + 1];
+            sum += d * d;
+        }
+        return sum;
+    }
+}

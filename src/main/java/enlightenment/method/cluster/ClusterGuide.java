@@ -1,0 +1,132 @@
+package enlightenment.method.cluster;
+
+import enlightenment.geometry.Hit;
+import enlightenment.sampling.Distribution;
+import enlightenment.sampling.Warp;
+import enlightenment.shading.LightGuide;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The ray clusters of one block: its paths grouped by last surface, light and number of bounces before. First it only
+ * watches where the light is hidden and where not; then it proposes light points and learns from what becomes of them.
+ */
+final class ClusterGuide implements LightGuide {
+    private final Distribution family;
+    private final List<RayCluster> pool = new ArrayList<>();
+    private int size;
+    private RayCluster current;
+    private boolean proposing;
+
+    /** The film position that is being sampled, in pixels from the block's middle. */
+    private double x;
+
+    private double y;
+    private double p;
+    private double q;
+    private double weight;
+    private final double[] disk = new double[3];
+
+    ClusterGuide(Distribution family) {
+        this.family = family;
+    }
+
+    /** Forgets everything and starts to watch. */
+    void reset() {
+        size = 0;
+        proposing = false;
+    }
+
+    /** Sets the film position, in pixels from the block's upper left corner. */
+    void at(double i, double j) {
+        x = i - Block.SIDE / 2.0;
+        y = j - Block.SIDE / 2.0;
+    }
+
+    /** Ends the watching: fits proposals. Returns whether any cluster has some worth using. */
+    boolean fit() {
+        proposing = true;
+        boolean any = false;
+        for (int k = 0; k < size; k++) {
+            any |= pool.get(k).fit();
+        }
+        return any;
+    }
+
+    /** Lets what was accepted since the last time change the proposals. */
+    void learn() {
+        for (int k = 0; k < size; k++) {
+            pool.get(k).learn();
+        }
+    }
+
+    @Override
+    public boolean begin(int surface, int light, int bounce) {
+        current = find(surface, light, bounce);
+        if (!proposing) {
+            if (current == null) {
+                current = add(surface, light, bounce);
+            }
+            return true;
+        }
+        return current != null && current.aim(x, y);
+    }
+
+    private RayCluster find(int surface, int light, int bounce) {
+        for (int k = 0; k < size; k++) {
+            RayCluster c = pool.get(k);
+            if (c.is(surface, light, bounce)) {
+                return c;
+            }
+        }
+        return null;
+    }
+
+    private RayCluster add(int surface, int light, int bounce) {
+        if (size == pool.size()) {
+            pool.add(new RayCluster(family));
+        }
+        RayCluster c = pool.get(size++);
+        c.begin(surface, light, bounce);
+        return c;
+    }
+
+    @Override
+    public double propose(double u, double v) {
+        if (!proposing) {
+            Warp.toDisk(u, v, disk);
+            p = disk[0];
+            q = disk[1];
+            weight = 1;
+        } else {
+            weight = current.propose(u, v);
+            p = current.p;
+            q = current.q;
+        }
+        return weight;
+    }
+
+    @Override
+    public double p() {
+        return p;
+    }
+
+    @Override
+    public double q() {
+        return q;
+    }
+
+    @Override
+    public boolean wantsBlocked() {
+        return current.wantsBlocked();
+    }
+
+    @Override
+    public void tell(Hit from, double dx, double dy, double dz, double distance, boolean blocked) {
+        if (!proposing) {
+            current.watch(x, y, p, q, blocked);
+        } else if (blocked == current.wantsBlocked()) {
+            current.accept(x, y, p, q, weight);
+        }
+    }
+}

@@ -1,0 +1,117 @@
+package enlightenment.method.cluster;
+
+/**
+ * How much each pixel of a block needs samples, as the survey shows it: the expected variance of a single sample, once from
+ * where in the pixel it lies, once from which light point it takes.
+ *
+ * <p>An edge (corners whose rays met different things) makes a sample vary as much as the corners do; without one, what the
+ * interpolation between the corners misses is a share of their second differences. The shares are the mean ratios of
+ * measured variance and corner differences over the shipped scenes (docs/cluster-sampler.md); the result changes little if
+ * they are doubled or halved.
+ */
+final class Needs {
+    private static final double OF_EDGE = 0.6;
+    private static final double OF_CURVATURE = 0.015;
+    private static final double OF_TWIST = 0.05;
+
+    /** What every pixel gets of its block's curvature: what the corners miss here they may have seen there. */
+    private static final double OF_BLOCK = 0.002;
+
+    /** A second difference of three corners of variance v each has the variance (1 + 4 + 1) v. */
+    private static final double NOISE_OF_SECOND_DIFFERENCE = 6;
+
+    private final double[] second = new double[Survey.SIDE * Survey.SIDE];
+
+    /** Per pixel of the block, row by row of 8. */
+    final double[] film = new double[Block.SIDE * Block.SIDE];
+
+    final double[] light = new double[Block.SIDE * Block.SIDE];
+
+    /** Whether no pixel's light is in doubt. */
+    boolean lightIsSettled;
+
+    /** Works out the needs of a block from its survey. */
+    void of(Survey survey, Block block) {
+        double mean = secondDifferences(survey, block);
+        lightIsSettled = !survey.hasDoubtfulLight();
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                int k = Block.SIDE * j + i;
+                film[k] = filmVariance(survey, i, j) + OF_BLOCK * mean;
+                light[k] = lightIsSettled ? 0 : survey.lightVariance(i, j);
+            }
+        }
+    }
+
+    private double filmVariance(Survey survey, int i, int j) {
+        int k = Survey.node(i, j);
+        int below = k + Survey.SIDE;
+        long key = survey.keys[k];
+        if (key != survey.keys[k + 1] || key != survey.keys[below] || key != survey.keys[below + 1]) {
+            return OF_EDGE * cornerVariance(survey.rgb, 3 * k, 3 * below);
+        }
+        double curvature = (second[k] + second[k + 1] + second[below] + second[below + 1]) / 4;
+        return OF_CURVATURE * curvature + OF_TWIST * twist(survey.rgb, 3 * k, 3 * below);
+    }
+
+    private static double cornerVariance(double[] rgb, int k, int below) {
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            double p = rgb[k + c];
+            double q = rgb[k + 3 + c];
+            double r = rgb[below + c];
+            double s = rgb[below + 3 + c];
+            double mean = (p + q + r + s) / 4;
+            sum += (p - mean) * (p - mean)
+                    + (q - mean) * (q - mean)
+                    + (r - mean) * (r - mean)
+                    + (s - mean) * (s - mean);
+        }
+        return sum / 12;
+    }
+
+    /** How far the four corners are from a plane. */
+    private static double twist(double[] rgb, int k, int below) {
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            double d = rgb[k + c] - rgb[k + 3 + c] - rgb[below + c] + rgb[below + 3 + c];
+            sum += d * d;
+        }
+        return sum / 3;
+    }
+
+    /** Squared second differences at each corner, in both directions; returns their mean over the corners. */
+    private double secondDifferences(Survey survey, Block block) {
+        int columns = block.width() + 1;
+        int rows = block.height() + 1;
+        double sum = 0;
+        for (int j = 0; j < rows; j++) {
+            for (int i = 0; i < columns; i++) {
+                int k = Survey.node(i, j);
+                double s = 0;
+                if (columns >= 3) {
+                    int inner = Math.min(Math.max(i, 1), columns - 2);
+                    s += squared(survey, Survey.node(inner, j), 1);
+                }
+                if (rows >= 3) {
+                    int inner = Math.min(Math.max(j, 1), rows - 2);
+                    s += squared(survey, Survey.node(i, inner), Survey.SIDE);
+                }
+                second[k] = s;
+                sum += s;
+            }
+        }
+        return sum / (columns * rows);
+    }
+
+    private static double squared(Survey survey, int node, int step) {
+        double[] rgb = survey.rgb;
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            int k = 3 * node + c;
+            double d = rgb[k - 3 * step] - 2 * rgb[k] + rgb[k + 3 * step];
+            sum += d * d;
+        }
+        return Math.max(sum / 3 - NOISE_OF_SECOND_DIFFERENCE * survey.lightNoise(node), 0);
+    }
+}

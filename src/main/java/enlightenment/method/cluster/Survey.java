@@ -1,0 +1,154 @@
+package enlightenment.method.cluster;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.geometry.Ray;
+import enlightenment.sampling.Hash;
+import enlightenment.scene.RenderSettings;
+import enlightenment.shading.ClassicShader;
+import enlightenment.shading.SampleAddress;
+
+/**
+ * The paper's evenly spaced rays: one through each corner of the block's pixels. They are no samples of the pixels; they say
+ * where samples are needed, and between them the colour is interpolated, so that samples need only tell the difference.
+ *
+ * <p>A corner's ray is a pure function of scene, seed and corner, so that neighbouring blocks see the same at their border.
+ */
+final class Survey {
+    static final int SIDE = Block.SIDE + 1;
+
+    private static final int NODES = SIDE * SIDE;
+
+    /** Light points of a corner's ray at first, and where it turns out that a light is partly hidden. */
+    private static final int FEW = 4;
+
+    private static final int MANY = 16;
+
+    /** Keeps the survey's random numbers apart from those of pixels, which have the same places. */
+    private static final long PURPOSE = 0x737572766579L;
+
+    private final CompiledScene scene;
+    private final RenderSettings settings;
+    private final ClassicShader shader;
+    private final long seed;
+    private final Ray ray = new Ray();
+    private final SampleAddress address = new SampleAddress();
+    private final double[] color = new double[3];
+
+    /** Red, green and blue of each corner, row by row. */
+    final double[] rgb = new double[3 * NODES];
+
+    final long[] keys = new long[NODES];
+    private final int[] asked = new int[NODES];
+    private final int[] blocked = new int[NODES];
+    private final double[] energy = new double[NODES];
+    private Block block;
+    private int askedInAll;
+    private int blockedInAll;
+    private int rays;
+
+    Survey(CompiledScene scene, RenderSettings settings, ClassicShader shader) {
+        this.scene = scene;
+        this.settings = settings;
+        this.shader = shader;
+        seed = Hash.of(settings.seed(), PURPOSE);
+    }
+
+    /** Looks through all corners of a block. */
+    void take(Block target) {
+        block = target;
+        rays = 0;
+        askedInAll = 0;
+        blockedInAll = 0;
+        shader.lightPoints(FEW);
+        for (int j = 0; j <= block.height(); j++) {
+            for (int i = 0; i <= block.width(); i++) {
+                look(i, j, 0);
+            }
+        }
+    }
+
+    /** Looks again, at more points of the lights, through the corners where something may hide a light. */
+    void takeMore(ClusterGuide observer) {
+        askedInAll = 0;
+        blockedInAll = 0;
+        shader.lightPoints(MANY);
+        shader.guide(observer);
+        for (int j = 0; j <= block.height(); j++) {
+            for (int i = 0; i <= block.width(); i++) {
+                if (asked[node(i, j)] > 0) {
+                    observer.at(i, j);
+                    look(i, j, 1);
+                }
+            }
+        }
+        shader.guide(null);
+    }
+
+    private void look(int i, int j, int round) {
+        int column = block.x() + i;
+        int row = block.y() + j;
+        address.pixel(seed, column, row);
+        address.sample(round);
+        scene.camera.ray((double) column / settings.width(), (double) row / settings.height(), ray);
+        shader.shade(ray, address, color);
+        int k = node(i, j);
+        System.arraycopy(color, 0, rgb, 3 * k, 3);
+        keys[k] = shader.pathKey();
+        asked[k] = shader.askedPoints();
+        blocked[k] = shader.blockedPoints();
+        energy[k] = shader.lightEnergy();
+        askedInAll += asked[k];
+        blockedInAll += blocked[k];
+        rays++;
+    }
+
+    static int node(int i, int j) {
+        return SIDE * j + i;
+    }
+
+    /** Whether some light points are hidden and others are not. */
+    boolean isMixed() {
+        return blockedInAll > 0 && blockedInAll < askedInAll;
+    }
+
+    boolean hasDoubtfulLight() {
+        return askedInAll > 0;
+    }
+
+    /** How many rays were followed. */
+    int rays() {
+        return rays;
+    }
+
+    /**
+     * The variance of the colour of one sample in pixel (i, j) that comes from the choice of its light point, if it takes
+     * one: the energy at stake times p (1 − p), where p is the share of hidden points around the pixel, with that of the
+     * block counted in as two more points.
+     */
+    double lightVariance(int i, int j) {
+        int points = 0;
+        int hidden = 0;
+        double stake = 0;
+        for (int k = 0; k < 4; k++) {
+            int node = node(i + (k & 1), j + (k >> 1));
+            points += asked[node];
+            hidden += blocked[node];
+            stake = Math.max(stake, energy[node]);
+        }
+        if (stake == 0) {
+            return 0;
+        }
+        double before = (blockedInAll + 0.5) / (askedInAll + 1);
+        double p = (hidden + 2 * before) / (points + 2);
+        return stake * p * (1 - p);
+    }
+
+    /** The variance of a corner's own colour for the same reason. */
+    double lightNoise(int node) {
+        if (energy[node] == 0 || blocked[node] == 0 || blocked[node] == asked[node]) {
+            return 0;
+        }
+        double p = (double) blocked[node] / asked[node];
+        return energy[node] * p * (1 - p) / asked[node];
+    }
+}

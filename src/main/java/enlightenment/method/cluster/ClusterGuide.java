@@ -17,6 +17,7 @@ final class ClusterGuide implements LightGuide {
     private int size;
     private RayCluster current;
     private boolean proposing;
+    private double gain;
 
     /** The film position that is being sampled, in pixels from the block's middle. */
     private double x;
@@ -47,10 +48,31 @@ final class ClusterGuide implements LightGuide {
     boolean fit() {
         proposing = true;
         boolean any = false;
+        gain = 0;
+        int most = 0;
         for (int k = 0; k < size; k++) {
-            any |= pool.get(k).fit();
+            RayCluster c = pool.get(k);
+            any |= c.fit();
+            if (c.watched() > most) {
+                most = c.watched();
+                gain = c.judgedGain();
+            }
         }
         return any;
+    }
+
+    /** The points of the rarer kind in the cluster that has most of them. */
+    int rarePoints() {
+        int most = 0;
+        for (int k = 0; k < size; k++) {
+            most = Math.max(most, pool.get(k).rare());
+        }
+        return most;
+    }
+
+    /** How many times smaller the variance of a light point has become in the largest cluster; 1 if not at all. */
+    double gain() {
+        return gain;
     }
 
     /** Lets what was accepted since the last time change the proposals. */

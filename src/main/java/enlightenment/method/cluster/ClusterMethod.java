@@ -19,8 +19,16 @@ import enlightenment.shading.SampleAddress;
  * survey, proposals from the survey and the pixels before it.
  */
 public final class ClusterMethod implements TileMethod {
-    /** With fewer light points per pixel than this, binary logarithm, it does not pay to learn where they should go. */
-    private static final int LEARN_FROM = 4;
+    /** Learning looks at more light points; the block must be going to take so many times as many. */
+    private static final double PATIENCE = 1;
+
+    /** Points of the rarer kind that make a good fit, and how often to look for them. */
+    private static final int ENOUGH_TO_LEARN = 64;
+
+    private static final int MOST_LOOKS = 4;
+
+    /** A share of points above this leaves little to gain by seeking them. */
+    private static final double RARE = 0.2;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
@@ -91,21 +99,31 @@ public final class ClusterMethod implements TileMethod {
         survey.take(block);
         needs.of(survey, block);
         guided = false;
-        if (survey.isMixed() && mostLightPoints() >= LEARN_FROM) {
+        if (isWorthLearning()) {
             guide.reset();
-            survey.takeMore(guide);
+            for (int round = 1; round <= MOST_LOOKS && guide.rarePoints() < ENOUGH_TO_LEARN; round++) {
+                survey.takeMore(guide, round);
+            }
             needs.of(survey, block);
             guided = guide.fit();
-            shader.guide(guided ? guide : null);
+            if (guided) {
+                needs.guided(guide.gain());
+                shader.guide(guide);
+            }
         }
     }
 
-    private int mostLightPoints() {
-        int most = 0;
-        for (double light : needs.light) {
-            most = Math.max(most, allocation.lightPoints(light));
+    /** Whether the block is going to ask so often about lights of which so little is seen or hidden. */
+    private boolean isWorthLearning() {
+        double rare = survey.rareShare();
+        if (rare == 0 || rare > RARE) {
+            return false;
         }
-        return most;
+        long points = 0;
+        for (double light : needs.light) {
+            points += 1L << allocation.lightPoints(light);
+        }
+        return points >= PATIENCE * survey.pointsOfMore();
     }
 
     private void renderPixel(Block block, int i, int j, FilmTile tile) {

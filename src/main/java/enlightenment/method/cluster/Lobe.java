@@ -140,7 +140,9 @@ final class Lobe {
         double pp = s[12] * n - middleP * middleP - pByX * xp - pByY * yp;
         double pq = s[13] * n - middleP * middleQ - pByX * xq - pByY * yq;
         double qq = s[14] * n - middleQ * middleQ - qByX * xq - qByY * yq;
-        principalAxes(pp, pq, qq);
+        // Three numbers were fitted to the points, and a new point has the error of the fit on top of its own.
+        double unseen = s[0] > 3 ? (s[0] + 3) / (s[0] - 3) : 1;
+        principalAxes(unseen * pp, unseen * pq, unseen * qq);
     }
 
     /** Eigenvectors of ((pp, pq), (pq, qq)). */

@@ -43,6 +43,13 @@ final class Needs {
         }
     }
 
+    /** Takes into account that proposals make the variance from light points so many times smaller. */
+    void guided(double gain) {
+        for (int k = 0; k < light.length; k++) {
+            light[k] /= gain;
+        }
+    }
+
     private double filmVariance(Survey survey, int i, int j) {
         int k = Survey.node(i, j);
         int below = k + Survey.SIDE;

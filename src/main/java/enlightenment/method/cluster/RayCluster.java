@@ -19,6 +19,9 @@ final class RayCluster {
     /** Fewer points than this are no ground for a fit. */
     private static final int ENOUGH = 6;
 
+    /** Each of two lobes must have so many points to be told from chance. */
+    private static final int ENOUGH_FOR_TWO = 16;
+
     /** Rounds of assigning points to the nearer lobe and fitting again. */
     private static final int ROUNDS = 6;
 
@@ -26,7 +29,7 @@ final class RayCluster {
     private static final int JUDGES = 64;
 
     /** A proposal must be expected to make the variance this much smaller: choosing costs, and evenness is lost. */
-    private static final double WORTHWHILE = 2;
+    private static final double WORTHWHILE = 3;
 
     private static final double EVEN_DENSITY = 1 / Math.PI;
     private static final double[] EVEN_SHARES = {0.125, 0.25, 0.5};
@@ -78,6 +81,16 @@ final class RayCluster {
         return lobeCount == 0 ? 1 : judgedGain;
     }
 
+    /** How many points of the rarer kind were watched. */
+    int rare() {
+        return Math.min(watched[0].size, watched[1].size);
+    }
+
+    /** How many light points were watched. */
+    int watched() {
+        return watched[0].size + watched[1].size;
+    }
+
     void watch(double x, double y, double pp, double qq, boolean blocked) {
         watched[blocked ? 1 : 0].add(x, y, pp, qq);
     }
@@ -100,7 +113,6 @@ final class RayCluster {
             if (!place(points, count, finest)) {
                 break;
             }
-            lobeCount = count;
             for (double candidate : EVEN_SHARES) {
                 double gain = gain(points, all, candidate);
                 if (gain > best) {
@@ -110,7 +122,7 @@ final class RayCluster {
                 }
             }
         }
-        if (chosen > 0 && chosen < lobeCount) {
+        if (chosen > 0) {
             place(points, chosen, finest);
         }
         lobeCount = chosen;
@@ -126,6 +138,7 @@ final class RayCluster {
             whole.add(points.x(k), points.y(k), points.p(k), points.q(k), 1);
         }
         whole.fit();
+        lobeCount = count;
         if (count == 1) {
             whole.share = 1;
             return true;
@@ -137,7 +150,7 @@ final class RayCluster {
         lobes[1].move(-apart);
         for (int round = 0; round < ROUNDS; round++) {
             assign(points);
-            if (lobes[0].weight() < ENOUGH || lobes[1].weight() < ENOUGH) {
+            if (lobes[0].weight() < ENOUGH_FOR_TWO || lobes[1].weight() < ENOUGH_FOR_TWO) {
                 return false;
             }
             lobes[0].fit();
@@ -166,16 +179,12 @@ final class RayCluster {
 
     private void shares() {
         double sum = 0;
-        for (int k = 0; k < lobeCount(); k++) {
+        for (int k = 0; k < lobeCount; k++) {
             sum += lobes[k].weight();
         }
-        for (int k = 0; k < lobeCount(); k++) {
+        for (int k = 0; k < lobeCount; k++) {
             lobes[k].share = lobes[k].weight() / sum;
         }
-    }
-
-    private int lobeCount() {
-        return Math.max(lobeCount, 1) == 1 && lobes[1].weight() > 0 ? MOST_LOBES : Math.max(lobeCount, 1);
     }
 
     /** The variance with even points over that with proposals, estimated from the points themselves. */
@@ -190,9 +199,9 @@ final class RayCluster {
             second += weight(points.p(k), points.q(k));
             judges++;
         }
-        second *= f / judges;
-        // At least the variance of weights that differ by a tenth: a fit judged by its own points flatters itself.
-        double variance = Math.max(second - f * f, f * f / 100);
+        // Laplace's rule of succession: the next point may be one that only the even part finds.
+        second = (second + 1 / candidate) * f / (judges + 1);
+        double variance = Math.max(second - f * f, 0);
         return f * (1 - f) / variance;
     }
 

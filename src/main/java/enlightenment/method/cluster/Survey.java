@@ -23,6 +23,9 @@ final class Survey {
 
     private static final int MANY = 16;
 
+    /** The points around a pixel alone would miss what is rare; those of the block blur what is sharp. */
+    private static final int BLOCK_POINTS = 32;
+
     /** Keeps the survey's random numbers apart from those of pixels, which have the same places. */
     private static final long PURPOSE = 0x737572766579L;
 
@@ -67,8 +70,8 @@ final class Survey {
         }
     }
 
-    /** Looks again, at more points of the lights, through the corners where something may hide a light. */
-    void takeMore(ClusterGuide observer) {
+    /** Looks again, at more points of the lights, through the corners where something may hide a light; round 1, 2, … */
+    void takeMore(ClusterGuide observer, int round) {
         askedInAll = 0;
         blockedInAll = 0;
         shader.lightPoints(MANY);
@@ -77,7 +80,7 @@ final class Survey {
             for (int i = 0; i <= block.width(); i++) {
                 if (asked[node(i, j)] > 0) {
                     observer.at(i, j);
-                    look(i, j, 1);
+                    look(i, j, round);
                 }
             }
         }
@@ -106,9 +109,14 @@ final class Survey {
         return SIDE * j + i;
     }
 
-    /** Whether some light points are hidden and others are not. */
-    boolean isMixed() {
-        return blockedInAll > 0 && blockedInAll < askedInAll;
+    /** The share of the rarer kind of light points, hidden or visible; 0 if all are of one kind. */
+    double rareShare() {
+        return askedInAll == 0 ? 0 : (double) Math.min(blockedInAll, askedInAll - blockedInAll) / askedInAll;
+    }
+
+    /** How many light points {@link #takeMore} would look at. */
+    long pointsOfMore() {
+        return (long) askedInAll * MANY / FEW;
     }
 
     boolean hasDoubtfulLight() {
@@ -123,7 +131,7 @@ final class Survey {
     /**
      * The variance of the colour of one sample in pixel (i, j) that comes from the choice of its light point, if it takes
      * one: the energy at stake times p (1 − p), where p is the share of hidden points around the pixel, with that of the
-     * block counted in as two more points.
+     * block counted in as so many more points.
      */
     double lightVariance(int i, int j) {
         int points = 0;
@@ -139,7 +147,7 @@ final class Survey {
             return 0;
         }
         double before = (blockedInAll + 0.5) / (askedInAll + 1);
-        double p = (hidden + 2 * before) / (points + 2);
+        double p = (hidden + BLOCK_POINTS * before) / (points + BLOCK_POINTS);
         return stake * p * (1 - p);
     }
 

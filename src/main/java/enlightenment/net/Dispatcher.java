@@ -1,0 +1,242 @@
+package enlightenment.net;
+
+import enlightenment.sampling.Hash;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * Who gets what next: audits first, then free tiles, then, where none are free, copies of what is expected to come last.
+ *
+ * <p>A lease is sized so that its worker needs the time of {@link CoordinatorSettings#leaseNanos()} for it, a quarter of
+ * it while its speed is not known. No lease takes more than half of the worker's fair part (by speed) of what is free, so
+ * that leases shrink towards the end; with workers alike that is what is free / (2 × workers).
+ */
+final class Dispatcher {
+    private static final int AUDITS_LOOKED_AT = 16;
+    private static final double UNKNOWN_SPEED = 1;
+
+    private final CoordinatorSettings settings;
+    private final TileBoard board;
+    private final Audits audits;
+    private final Collection<Member> members;
+    private final Consumer<Action> actions;
+
+    /** Members without work, and members that should get a lease before they run out of it; first come, first served. */
+    private final Set<Member> idle = new LinkedHashSet<>();
+
+    private final Set<Member> hungry = new LinkedHashSet<>();
+
+    private long leasesGranted;
+
+    /** What a worker of weight 1 is expected to make in a second, and what all make together. */
+    private double unitSpeed = UNKNOWN_SPEED;
+
+    private double totalSpeed;
+    private boolean isSpeedKnown;
+
+    Dispatcher(
+            CoordinatorSettings settings,
+            TileBoard board,
+            Audits audits,
+            Collection<Member> members,
+            Consumer<Action> actions) {
+        this.settings = settings;
+        this.board = board;
+        this.audits = audits;
+        this.members = members;
+        this.actions = actions;
+    }
+
+    /** The member's leases have changed. */
+    void changed(Member member) {
+        int leases = member.workLeases();
+        boolean usable = !member.isStalled();
+        if (usable && leases == 0) {
+            idle.add(member);
+        } else {
+            idle.remove(member);
+        }
+        if (usable && leases == 1 && isNearItsEnd(member)) {
+            hungry.add(member);
+        } else {
+            hungry.remove(member);
+        }
+    }
+
+    private static boolean isNearItsEnd(Member member) {
+        Lease work = null;
+        for (Lease lease : member.leases.values()) {
+            work = lease.kind == Lease.Kind.AUDIT ? work : lease;
+        }
+        return work != null && work.owed() <= Math.max(member.threads, (work.last - work.first) / 2);
+    }
+
+    void left(Member member) {
+        idle.remove(member);
+        hungry.remove(member);
+    }
+
+    /** Adds up the speeds; to be called when members come or go, and now and then. */
+    void measure() {
+        double speed = 0;
+        double weight = 0;
+        double unknown = 0;
+        for (Member member : members) {
+            if (member.speed.isKnown()) {
+                speed += member.speed.perSecond();
+                weight += member.weight;
+            } else {
+                unknown += member.weight;
+            }
+        }
+        isSpeedKnown = speed > 0;
+        unitSpeed = isSpeedKnown ? speed / weight : UNKNOWN_SPEED;
+        totalSpeed = speed + unknown * unitSpeed;
+    }
+
+    /** Tiles per second of all members, 0 if nothing is known. */
+    double totalSpeed() {
+        return isSpeedKnown ? totalSpeed : 0;
+    }
+
+    /** Hands out whatever can be handed out now. */
+    void serve(long now) {
+        serveAudits(now);
+        serveFree(idle, now);
+        serveFree(hungry, now);
+        while (board.free() == 0 && board.copyable() > 0 && !idle.isEmpty()) {
+            if (!copyToIdle(now)) {
+                return;
+            }
+        }
+    }
+
+    private void serveAudits(long now) {
+        if (idle.isEmpty() && hungry.isEmpty()) {
+            return;
+        }
+        for (Audits.Open open : audits.someWaiting(AUDITS_LOOKED_AT)) {
+            Member auditor = firstAble(open, idle);
+            auditor = auditor == null ? firstAble(open, hungry) : auditor;
+            if (auditor != null) {
+                audits.lease(open, grant(auditor, open.tile, open.tile + 1, Lease.Kind.AUDIT, now));
+            }
+        }
+    }
+
+    private static Member firstAble(Audits.Open open, Set<Member> candidates) {
+        for (Member member : candidates) {
+            if (!member.hasAudit() && open.voteOf(member.key) == null) {
+                return member;
+            }
+        }
+        return null;
+    }
+
+    /** Whether anybody who is connected could vote on the tile, now or later. */
+    boolean canBeVotedOn(Audits.Open open) {
+        for (Member member : members) {
+            if (!member.isStalled() && open.voteOf(member.key) == null) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void serveFree(Set<Member> candidates, long now) {
+        if (board.free() == 0 || candidates.isEmpty()) {
+            return;
+        }
+        for (Member member : new ArrayList<>(candidates)) {
+            if (board.free() == 0) {
+                return;
+            }
+            int first = board.nextFree();
+            int last = board.endOfFree(first, size(member));
+            board.hold(grant(member, first, last, Lease.Kind.WORK, now));
+            changed(member);
+        }
+    }
+
+    /** How many tiles the member should get, at least one. */
+    int size(Member member) {
+        double speed = member.speedOr(unitSpeed);
+        double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;
+        double wanted = member.threads;
+        if (member.speed.isKnown()) {
+            wanted = Math.max(wanted, speed * seconds);
+        } else if (isSpeedKnown) {
+            wanted = Math.max(wanted, speed * seconds / 4);
+        }
+        double most = board.free() * speed / (2 * totalSpeed);
+        return (int) Math.max(1, Math.min(wanted, most));
+    }
+
+    private Lease grant(Member member, int first, int last, Lease.Kind kind, long now) {
+        long id = Hash.of(settings.seed(), ++leasesGranted);
+        Lease lease = new Lease(id, member, first, last, kind, now);
+        if (member.leases.isEmpty()) {
+            member.progress = now;
+        }
+        member.leases.put(id, lease);
+        actions.accept(new Action.Grant(member.worker, id, first, last));
+        return lease;
+    }
+
+    /** Copies half of what is expected to come last to the first idle member; false if there is nothing to copy. */
+    private boolean copyToIdle(long now) {
+        Lease late = latest(now);
+        int[] half = late == null ? null : board.halfToCopy(late);
+        if (half == null) {
+            return false;
+        }
+        Member helper = idle.iterator().next();
+        int last = Math.min(half[1], half[0] + sizeOfCopy(helper, half[1] - half[0]));
+        board.hold(grant(helper, half[0], last, Lease.Kind.COPY, now));
+        changed(helper);
+        return true;
+    }
+
+    private int sizeOfCopy(Member helper, int tiles) {
+        double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;
+        double inTime = Math.max(helper.threads, helper.speedOr(unitSpeed) * seconds);
+        return (int) Math.max(1, Math.min(tiles, inTime));
+    }
+
+    /** The last lease with something to copy of the member that is expected to be done last. */
+    private Lease latest(long now) {
+        Lease latest = null;
+        double longest = -1;
+        for (Member member : members) {
+            Lease copyable = lastCopyable(member);
+            if (copyable == null) {
+                continue;
+            }
+            // Who has been silent for long is believed to stay so for as long again.
+            double since = (now - member.progress) / (double) CoordinatorSettings.SECOND;
+            double remaining = Math.max(member.owed() / member.speedOr(unitSpeed), since);
+            if (remaining > longest) {
+                longest = remaining;
+                latest = copyable;
+            }
+        }
+        return latest;
+    }
+
+    private static Lease lastCopyable(Member member) {
+        Lease last = null;
+        for (Lease lease : member.leases.values()) {
+            last = lease.single > 0 ? lease : last;
+        }
+        return last;
+    }
+
+    /** The members that have nothing to do, for the status. */
+    List<Member> idle() {
+        return List.copyOf(idle);
+    }
+}

@@ -36,7 +36,10 @@ sealed interface Action {
      */
     record Expel(long worker, String key, String reason) implements Action {}
 
-    /** Workers disagree on this tile and nobody else is there to decide: let the server itself join as a worker. */
+    /**
+     * Workers disagree on this tile and nobody else is there to decide: let the server itself join as a worker. Said again
+     * with every event until it has.
+     */
     record CallLocal(int tile) implements Action {}
 
     /** Everything is done. */

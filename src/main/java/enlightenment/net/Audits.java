@@ -12,7 +12,7 @@ import java.util.TreeMap;
 /**
  * Who said what about which tile. Every result is a vote of a worker's key for a hash. A tile counts with its first vote;
  * some tiles are chosen to need a second one, and a tile on which votes differ stays open until two votes agree. Then
- * whoever voted otherwise is a liar.
+ * whoever voted otherwise is a liar. The server's own vote decides alone.
  */
 final class Audits {
     private final double rate;
@@ -32,7 +32,11 @@ final class Audits {
     }
 
     /** What a worker says that a tile is. */
-    record Vote(String key, ContentHash hash) {}
+    record Vote(String key, ContentHash hash) {
+        boolean isLocal() {
+            return key.equals(Coordinator.LOCAL);
+        }
+    }
 
     /** A tile that needs another vote. */
     static final class Open {
@@ -41,8 +45,6 @@ final class Audits {
 
         /** The lease that will bring the next vote, null if there is none. */
         Lease lease;
-
-        boolean calledLocal;
 
         Open(int tile, Vote first) {
             this.tile = tile;
@@ -114,21 +116,29 @@ final class Audits {
         if (earlier != null) {
             return earlier.hash.equals(hash) ? Verdict.REPEATED : Verdict.liar(key);
         }
-        if (confirmed.get(tile)) {
-            return first.hash.equals(hash) ? Verdict.NOTHING : Verdict.liar(key);
-        }
         if (opened == null) {
-            if (first.hash.equals(hash)) {
-                confirmed.set(tile);
-                return Verdict.CONFIRMED;
-            }
-            opened = open(tile, first);
+            return voteOnClosed(tile, first, mine);
         }
         return count(opened, mine);
     }
 
+    private Verdict voteOnClosed(int tile, Vote first, Vote mine) {
+        if (first.hash.equals(mine.hash)) {
+            boolean isNew = !confirmed.get(tile);
+            confirmed.set(tile);
+            return isNew ? Verdict.CONFIRMED : Verdict.NOTHING;
+        }
+        if (confirmed.get(tile) && !mine.isLocal()) {
+            return Verdict.liar(mine.key);
+        }
+        return count(open(tile, first), mine);
+    }
+
     private Verdict count(Open opened, Vote mine) {
-        boolean agreed = opened.votes.stream().anyMatch(v -> v.hash.equals(mine.hash));
+        boolean agreed = mine.isLocal() || opened.votes.stream().anyMatch(v -> v.hash.equals(mine.hash));
+        if (!agreed && opened.voteOf(Coordinator.LOCAL) != null) {
+            return Verdict.liar(mine.key);
+        }
         opened.votes.add(mine);
         if (!agreed) {
             return Verdict.NOTHING;

@@ -22,7 +22,7 @@ import java.util.Set;
  * <p>Not for use by several threads at once. Times are nanoseconds of any origin; they must not run backwards.
  */
 final class Coordinator {
-    /** The key of the server's own threads. Its word decides where no third worker can. */
+    /** The key of the server's own threads, whose word decides: the picture is in the server's hands anyway. */
     static final String LOCAL = "local";
 
     private static final int EVENTS_REMEMBERED = 200;
@@ -242,7 +242,7 @@ final class Coordinator {
     }
 
     private void expel(String key, String reason) {
-        if (!expelled.add(key)) {
+        if (key.equals(LOCAL) || !expelled.add(key)) {
             return;
         }
         Member member = byKey.get(key);
@@ -293,30 +293,14 @@ final class Coordinator {
             if (open.lease != null || dispatcher.canBeVotedOn(open)) {
                 return;
             }
-            if (open.isDisputed() && !settleDispute(open)) {
+            if (open.isDisputed()) {
+                actions.add(new Action.CallLocal(open.tile));
                 return;
             }
         }
         finished = true;
         actions.add(new Action.Finish());
         note("finished");
-    }
-
-    private boolean settleDispute(Audits.Open open) {
-        if (open.voteOf(LOCAL) == null) {
-            if (!open.calledLocal) {
-                open.calledLocal = true;
-                actions.add(new Action.CallLocal(open.tile));
-            }
-            return false;
-        }
-        for (Audits.Vote vote : List.copyOf(open.votes)) {
-            if (!vote.key().equals(LOCAL)) {
-                expel(vote.key(), "its tile " + open.tile + " differs from what the server made of it");
-            }
-        }
-        // What the expelled had made is to be done again first.
-        return false;
     }
 
     private void note(String text) {

@@ -19,6 +19,9 @@ final class Dispatcher {
     private static final int AUDITS_LOOKED_AT = 16;
     private static final double UNKNOWN_SPEED = 1;
 
+    /** Most leases of work that a worker holds: well below what a heartbeat can name. */
+    private static final int MOST_LEASES = 16;
+
     private final CoordinatorSettings settings;
     private final TileBoard board;
     private final Audits audits;
@@ -60,14 +63,18 @@ final class Dispatcher {
         } else {
             idle.remove(member);
         }
-        if (usable && leases == 1 && isNearItsEnd(member)) {
+        if (usable && leases > 0 && leases < MOST_LEASES && isNearItsEnd(member, leases)) {
             hungry.add(member);
         } else {
             hungry.remove(member);
         }
     }
 
-    private static boolean isNearItsEnd(Member member) {
+    /** Whether it has work for some of its threads only, or one lease of which half is done. */
+    private static boolean isNearItsEnd(Member member, int leases) {
+        if (leases > 1) {
+            return member.owed() < member.threads;
+        }
         Lease work = null;
         for (Lease lease : member.leases.values()) {
             work = lease.kind == Lease.Kind.AUDIT ? work : lease;
@@ -107,7 +114,10 @@ final class Dispatcher {
     void serve(long now) {
         serveAudits(now);
         serveFree(idle, now);
-        serveFree(hungry, now);
+        // Towards the end leases are small, and a worker of many threads may need several at once.
+        while (board.free() > 0 && !hungry.isEmpty()) {
+            serveFree(hungry, now);
+        }
         while (board.free() == 0 && board.copyable() > 0 && !idle.isEmpty()) {
             if (!copyToIdle(now)) {
                 return;

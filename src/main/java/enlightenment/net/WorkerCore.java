@@ -106,8 +106,8 @@ final class WorkerCore {
             Held held = entry.getValue();
             for (Iterator<Integer> tiles = held.waiting.iterator(); tiles.hasNext(); ) {
                 int tile = tiles.next();
-                // A tile that came back by another lease is not rendered twice; it is sent again instead.
-                if (!inHand.contains(tile)) {
+                // A tile that came by two leases is not rendered twice.
+                if (!inHand.contains(tile) && !box.containsKey(tile)) {
                     tiles.remove();
                     held.begun.add(tile);
                     inHand.add(tile);
@@ -148,10 +148,10 @@ final class WorkerCore {
         if (boxed == null) {
             return;
         }
-        Held held = leases.get(boxed.lease);
-        if (held != null) {
-            held.begun.remove(tile);
-            forgetIfDone(boxed.lease, held);
+        for (Map.Entry<Long, Held> entry : List.copyOf(leases.entrySet())) {
+            entry.getValue().begun.remove(tile);
+            entry.getValue().waiting.remove(tile);
+            forgetIfDone(entry.getKey(), entry.getValue());
         }
     }
 

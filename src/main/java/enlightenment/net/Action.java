@@ -18,7 +18,7 @@ sealed interface Action {
     record Acknowledge(long worker, int tile) implements Action {}
 
     /** These are the sums of this tile now; write them to the journal and into the picture, over older ones. */
-    record Keep(int tile, String key, TileData data) implements Action {}
+    record Keep(int tile, String machine, TileData data) implements Action {}
 
     /** Two workers agree on this tile; write that to the journal. */
     record Confirm(int tile) implements Action {}
@@ -30,11 +30,13 @@ sealed interface Action {
     record HangUp(long worker, String reason) implements Action {}
 
     /**
-     * This worker is not to be trusted: write that to the journal, refuse its key for ever and close its connection.
-     *
-     * @param worker its connection, -1 if it has none now
+     * This machine is not to be trusted: write that to the journal and refuse it for ever. Its connections follow as
+     * {@link Refuse}.
      */
-    record Expel(long worker, String key, String reason) implements Action {}
+    record Expel(String machine, String reason) implements Action {}
+
+    /** Close the connection and tell why; the worker is not to come back. */
+    record Refuse(long worker, String reason) implements Action {}
 
     /**
      * Workers disagree on this tile and nobody else is there to decide: let the server itself join as a worker. Said again

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * Who said what about which tile. Every result is a vote of a worker's key for a hash. A tile counts with its first vote;
+ * Who said what about which tile. Every result is a vote of a machine for a hash. A tile counts with its first vote;
  * some tiles are chosen to need a second one, and a tile on which votes differ stays open until two votes agree. Then
  * whoever voted otherwise is a liar. The server's own vote decides alone.
  */
@@ -31,10 +31,10 @@ final class Audits {
         confirmed = new BitSet(settings.tiles());
     }
 
-    /** What a worker says that a tile is. */
-    record Vote(String key, ContentHash hash) {
+    /** What a machine says that a tile is. */
+    record Vote(String machine, ContentHash hash) {
         boolean isLocal() {
-            return key.equals(Coordinator.LOCAL);
+            return machine.equals(Coordinator.LOCAL);
         }
     }
 
@@ -55,17 +55,20 @@ final class Audits {
             return votes.stream().map(Vote::hash).distinct().count() > 1;
         }
 
-        Vote voteOf(String key) {
-            return votes.stream().filter(v -> v.key.equals(key)).findFirst().orElse(null);
+        Vote voteOf(String machine) {
+            return votes.stream()
+                    .filter(v -> v.machine.equals(machine))
+                    .findFirst()
+                    .orElse(null);
         }
     }
 
     /**
      * What a vote changed.
      *
-     * @param repeated the same worker had said the same before
+     * @param repeated the same machine had said the same before
      * @param keep the data that came with the vote are the tile's result now
-     * @param confirmed two workers agree now
+     * @param confirmed two machines agree now
      * @param liars who voted against those two, or against itself
      * @param moot a lease for another vote that is not needed any more, or null
      */
@@ -75,8 +78,8 @@ final class Audits {
         private static final Verdict FIRST = new Verdict(false, true, false, List.of(), null);
         private static final Verdict CONFIRMED = new Verdict(false, false, true, List.of(), null);
 
-        private static Verdict liar(String key) {
-            return new Verdict(false, false, false, List.of(key), null);
+        private static Verdict liar(String machine) {
+            return new Verdict(false, false, false, List.of(machine), null);
         }
     }
 
@@ -101,8 +104,8 @@ final class Audits {
         return opened;
     }
 
-    Verdict vote(int tile, String key, ContentHash hash) {
-        Vote mine = new Vote(key, hash);
+    Verdict vote(int tile, String machine, ContentHash hash) {
+        Vote mine = new Vote(machine, hash);
         Vote first = kept[tile];
         if (first == null) {
             kept[tile] = mine;
@@ -112,9 +115,9 @@ final class Audits {
             return Verdict.FIRST;
         }
         Open opened = open.get(tile);
-        Vote earlier = opened != null ? opened.voteOf(key) : first.key.equals(key) ? first : null;
+        Vote earlier = opened != null ? opened.voteOf(machine) : first.machine.equals(machine) ? first : null;
         if (earlier != null) {
-            return earlier.hash.equals(hash) ? Verdict.REPEATED : Verdict.liar(key);
+            return earlier.hash.equals(hash) ? Verdict.REPEATED : Verdict.liar(machine);
         }
         if (opened == null) {
             return voteOnClosed(tile, first, mine);
@@ -128,8 +131,8 @@ final class Audits {
             confirmed.set(tile);
             return isNew ? Verdict.CONFIRMED : Verdict.NOTHING;
         }
-        if (confirmed.get(tile) && !mine.isLocal()) {
-            return Verdict.liar(mine.key);
+        if ((confirmed.get(tile) || first.isLocal()) && !mine.isLocal()) {
+            return Verdict.liar(mine.machine);
         }
         return count(open(tile, first), mine);
     }
@@ -137,7 +140,7 @@ final class Audits {
     private Verdict count(Open opened, Vote mine) {
         boolean agreed = mine.isLocal() || opened.votes.stream().anyMatch(v -> v.hash.equals(mine.hash));
         if (!agreed && opened.voteOf(Coordinator.LOCAL) != null) {
-            return Verdict.liar(mine.key);
+            return Verdict.liar(mine.machine);
         }
         opened.votes.add(mine);
         if (!agreed) {
@@ -151,7 +154,7 @@ final class Audits {
         close(opened);
         List<String> liars = opened.votes.stream()
                 .filter(v -> !v.hash.equals(mine.hash))
-                .map(Vote::key)
+                .map(Vote::machine)
                 .toList();
         return new Verdict(false, replaced, true, liars, opened.lease);
     }
@@ -161,11 +164,11 @@ final class Audits {
         waiting.remove(opened.tile);
     }
 
-    /** The worker's votes count no longer. Returns the tiles that rest on its word alone and must be done again. */
-    List<Integer> expel(String key) {
+    /** The machine's votes count no longer. Returns the tiles that rest on its word alone and must be done again. */
+    List<Integer> expel(String machine) {
         List<Integer> lost = new ArrayList<>();
         for (int tile = 0; tile < kept.length; tile++) {
-            if (kept[tile] != null && kept[tile].key.equals(key) && !confirmed.get(tile)) {
+            if (kept[tile] != null && kept[tile].machine.equals(machine) && !confirmed.get(tile)) {
                 kept[tile] = null;
                 lost.add(tile);
             }
@@ -174,7 +177,7 @@ final class Audits {
             if (kept[opened.tile] == null) {
                 // The others' votes go too: their data were not kept, so the tile starts afresh.
                 close(opened);
-            } else if (opened.votes.removeIf(v -> v.key.equals(key))
+            } else if (opened.votes.removeIf(v -> v.machine.equals(machine))
                     && opened.votes.size() == 1
                     && !isChosen(rate, salt, opened.tile)) {
                 close(opened);

@@ -22,7 +22,7 @@ import java.util.Set;
  * <p>Not for use by several threads at once. Times are nanoseconds of any origin; they must not run backwards.
  */
 final class Coordinator {
-    /** The key of the server's own threads, whose word decides: the picture is in the server's hands anyway. */
+    /** The machine of the server's own threads, whose word decides: the picture is in the server's hands anyway. */
     static final String LOCAL = "local";
 
     private static final int EVENTS_REMEMBERED = 200;
@@ -57,7 +57,7 @@ final class Coordinator {
         dispatcher = new Dispatcher(settings, board, audits, members.values(), a -> actions.add(a));
         expelled.addAll(restored.expelled());
         for (Restored.Tile tile : restored.tiles()) {
-            audits.restore(tile.tile(), new Audits.Vote(tile.key(), tile.hash()), tile.confirmed());
+            audits.restore(tile.tile(), new Audits.Vote(tile.machine(), tile.hash()), tile.confirmed());
             board.finish(tile.tile());
         }
     }
@@ -77,7 +77,7 @@ final class Coordinator {
         } else if (event instanceof Event.Misbehaved misbehaved) {
             Member member = members.get(misbehaved.worker());
             if (member != null) {
-                expel(member.key, misbehaved.reason());
+                expel(member.machine, misbehaved.reason());
             }
         } else {
             expire();
@@ -94,8 +94,8 @@ final class Coordinator {
     }
 
     private void join(Event.Joined event) {
-        if (expelled.contains(event.key())) {
-            actions.add(new Action.Expel(event.worker(), event.key(), "expelled before"));
+        if (expelled.contains(event.machine())) {
+            actions.add(new Action.Refuse(event.worker(), "this machine was expelled: it gave wrong results"));
             return;
         }
         Member before = byKey.get(event.key());
@@ -168,7 +168,7 @@ final class Coordinator {
         }
         int tile = event.tile();
         if (tile < 0 || tile >= settings.tiles()) {
-            expel(member.key, "sent tile " + tile + " of 0.." + (settings.tiles() - 1));
+            expel(member.machine, "sent tile " + tile + " of 0.." + (settings.tiles() - 1));
             return;
         }
         member.heard = now;
@@ -182,9 +182,9 @@ final class Coordinator {
         int tile = event.tile();
         Audits.Open open = audits.open(tile);
         boolean isAudit = open != null && open.lease != null && open.lease.member == member;
-        Audits.Verdict verdict = audits.vote(tile, member.key, event.data().hash());
+        Audits.Verdict verdict = audits.vote(tile, member.machine, event.data().hash());
         if (verdict.keep()) {
-            actions.add(new Action.Keep(tile, member.key, event.data()));
+            actions.add(new Action.Keep(tile, member.machine, event.data()));
         } else {
             duplicates++;
         }
@@ -241,15 +241,19 @@ final class Coordinator {
         }
     }
 
-    private void expel(String key, String reason) {
-        if (key.equals(LOCAL) || !expelled.add(key)) {
+    private void expel(String machine, String reason) {
+        if (machine.equals(LOCAL) || !expelled.add(machine)) {
             return;
         }
-        Member member = byKey.get(key);
-        note((member == null ? key : member.name) + " expelled: " + reason);
-        actions.add(new Action.Expel(member == null ? -1 : member.worker, key, reason));
-        leave(member, "expelled");
-        for (Integer tile : audits.expel(key)) {
+        note(machine + " expelled: " + reason);
+        actions.add(new Action.Expel(machine, reason));
+        for (Member member : List.copyOf(members.values())) {
+            if (member.machine.equals(machine)) {
+                actions.add(new Action.Refuse(member.worker, reason));
+                leave(member, "expelled");
+            }
+        }
+        for (Integer tile : audits.expel(machine)) {
             board.undo(tile);
             actions.add(new Action.Revoke(tile));
         }

@@ -140,7 +140,7 @@ final class Dispatcher {
 
     private static Member firstAble(Audits.Open open, Set<Member> candidates) {
         for (Member member : candidates) {
-            if (!member.hasAudit() && open.voteOf(member.key) == null) {
+            if (!member.hasAudit() && open.voteOf(member.machine) == null) {
                 return member;
             }
         }
@@ -150,7 +150,7 @@ final class Dispatcher {
     /** Whether anybody who is connected could vote on the tile, now or later. */
     boolean canBeVotedOn(Audits.Open open) {
         for (Member member : members) {
-            if (!member.isStalled() && open.voteOf(member.key) == null) {
+            if (!member.isStalled() && open.voteOf(member.machine) == null) {
                 return true;
             }
         }

@@ -7,11 +7,12 @@ sealed interface Event {
     /**
      * A worker is authenticated, has the job, and wants work.
      *
-     * @param key identity of the worker process: the same over all its connections, {@link Coordinator#LOCAL} for the
-     *     server's own threads
+     * @param key identity of the worker process: the same over all its connections
+     * @param machine identity of the machine, whose word the results are: it may be doubted and expelled;
+     *     {@link Coordinator#LOCAL} for the server's own threads
      * @param weight its speed relative to others, from the paper's speed map; 1 if nothing is known
      */
-    record Joined(long worker, String key, String name, int threads, double weight) implements Event {
+    record Joined(long worker, String key, String machine, String name, int threads, double weight) implements Event {
         public Joined {
             if (!(weight > 0 && weight < Double.POSITIVE_INFINITY) || threads < 1) {
                 throw new IllegalArgumentException("weight and threads must be greater than 0");

@@ -6,11 +6,11 @@ import java.nio.charset.StandardCharsets;
 
 /** One entry of a {@link Journal}. A later one about the same tile overrules an earlier one. */
 sealed interface JournalRecord {
-    /** A tile was made by this worker; {@code data} are its sums. */
-    record Kept(int tile, String key, byte[] data) implements JournalRecord {
+    /** A tile was made by this machine; {@code data} are its sums. */
+    record Kept(int tile, String machine, byte[] data) implements JournalRecord {
         @Override
         public byte[] encode() {
-            byte[] name = key.getBytes(StandardCharsets.UTF_8);
+            byte[] name = machine.getBytes(StandardCharsets.UTF_8);
             return ByteBuffer.allocate(1 + 2 * Integer.BYTES + name.length + data.length)
                     .put(KEPT)
                     .putInt(tile)
@@ -21,7 +21,7 @@ sealed interface JournalRecord {
         }
     }
 
-    /** Two workers agree on the tile. */
+    /** Two machines agree on the tile. */
     record Confirmed(int tile) implements JournalRecord {
         @Override
         public byte[] encode() {
@@ -43,11 +43,11 @@ sealed interface JournalRecord {
         }
     }
 
-    /** A worker is not to be trusted. */
-    record Expelled(String key) implements JournalRecord {
+    /** A machine is not to be trusted. */
+    record Expelled(String machine) implements JournalRecord {
         @Override
         public byte[] encode() {
-            byte[] name = key.getBytes(StandardCharsets.UTF_8);
+            byte[] name = machine.getBytes(StandardCharsets.UTF_8);
             return ByteBuffer.allocate(1 + name.length).put(EXPELLED).put(name).array();
         }
     }
@@ -83,10 +83,10 @@ sealed interface JournalRecord {
         if (length < 0 || length > in.remaining()) {
             throw senseless(kind);
         }
-        String key = text(in, length);
+        String machine = text(in, length);
         byte[] data = new byte[in.remaining()];
         in.get(data);
-        return new Kept(tile, key, data);
+        return new Kept(tile, machine, data);
     }
 
     private static IOException senseless(byte kind) {

@@ -7,6 +7,7 @@ import java.util.Map;
 final class Member {
     final long worker;
     final String key;
+    final String machine;
     final String name;
     final int threads;
     final double weight;
@@ -27,6 +28,7 @@ final class Member {
     Member(Event.Joined event, long now) {
         worker = event.worker();
         key = event.key();
+        machine = event.machine();
         name = event.name();
         threads = event.threads();
         weight = event.weight();

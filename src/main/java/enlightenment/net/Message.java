@@ -45,6 +45,7 @@ sealed interface Message {
      * @param build version of the program: both sides must have the same, as it decides bits
      * @param name for people
      * @param key identity of the worker process, drawn at its start; outlives its connections
+     * @param machine identity of the machine, which outlives its processes: workers of one machine do not check each other
      * @param threads number of tiles rendered at once
      * @param arithmetic hash of the canary tile as this machine computes it
      * @param nonce 32 random bytes
@@ -56,6 +57,7 @@ sealed interface Message {
             String build,
             String name,
             String key,
+            String machine,
             int threads,
             ContentHash arithmetic,
             byte[] nonce)
@@ -66,7 +68,8 @@ sealed interface Message {
             text(build);
             text(name);
             text(key);
-            require(!key.isEmpty(), "the worker's key is empty");
+            text(machine);
+            require(!key.isEmpty() && !machine.isEmpty(), "the worker's key or machine is empty");
             within("threads", threads, 1, Limits.THREADS);
             length("nonce", nonce, Handshake.NONCE_BYTES);
         }

@@ -11,13 +11,13 @@ import java.util.TreeMap;
  * What an earlier incarnation of the server had.
  *
  * @param tiles the tiles that are done, in their order
- * @param expelled keys of workers that are not to be trusted
+ * @param expelled machines that are not to be trusted
  */
 record Restored(List<Tile> tiles, Set<String> expelled) {
     static final Restored NOTHING = new Restored(List.of(), Set.of());
 
-    /** A tile: who made it, what it is, and whether another worker made the same. */
-    record Tile(int tile, String key, ContentHash hash, boolean confirmed) {}
+    /** A tile: which machine made it, what it is, and whether another made the same. */
+    record Tile(int tile, String machine, ContentHash hash, boolean confirmed) {}
 
     /** Puts it together from the records of a journal, in their order. */
     static final class Builder {
@@ -26,28 +26,28 @@ record Restored(List<Tile> tiles, Set<String> expelled) {
 
         void add(JournalRecord record) {
             if (record instanceof JournalRecord.Kept kept) {
-                kept(kept.tile(), kept.key(), ContentHash.of(kept.data()));
+                kept(kept.tile(), kept.machine(), ContentHash.of(kept.data()));
             } else if (record instanceof JournalRecord.Confirmed confirmed) {
-                tiles.computeIfPresent(confirmed.tile(), (tile, t) -> new Tile(tile, t.key(), t.hash(), true));
+                tiles.computeIfPresent(confirmed.tile(), (tile, t) -> new Tile(tile, t.machine(), t.hash(), true));
             } else if (record instanceof JournalRecord.Revoked revoked) {
                 tiles.remove(revoked.tile());
-            } else if (record instanceof JournalRecord.Expelled worker) {
-                expelled.add(worker.key());
+            } else if (record instanceof JournalRecord.Expelled machine) {
+                expelled.add(machine.machine());
             }
         }
 
-        void kept(int tile, String key, ContentHash hash) {
-            tiles.put(tile, new Tile(tile, key, hash, false));
+        void kept(int tile, String machine, ContentHash hash) {
+            tiles.put(tile, new Tile(tile, machine, hash, false));
         }
 
         /**
          * What is restored. The server may have died between an expulsion and the revocations that follow from it; so
-         * what rests on the word of an expelled worker alone is left out.
+         * what rests on the word of an expelled machine alone is left out.
          */
         Restored build() {
             List<Tile> trusted = new ArrayList<>();
             for (Tile tile : tiles.values()) {
-                if (tile.confirmed() || !expelled.contains(tile.key())) {
+                if (tile.confirmed() || !expelled.contains(tile.machine())) {
                     trusted.add(tile);
                 }
             }

@@ -19,7 +19,7 @@ import java.util.Set;
  * @param elapsedSeconds since this incarnation of the server began
  * @param remainingSeconds expected time to the end, empty if no speed is known
  * @param workers the workers that are connected, in the order of their joining
- * @param expelled keys of workers that are not trusted
+ * @param expelled machines that are not trusted
  * @param notes the last joins, losses and other events, oldest first
  */
 record Snapshot(
@@ -55,6 +55,7 @@ record Snapshot(
     record Worker(
             long worker,
             String key,
+            String machine,
             String name,
             int threads,
             double connectedSeconds,
@@ -103,6 +104,7 @@ record Snapshot(
         return new Worker(
                 member.worker,
                 member.key,
+                member.machine,
                 member.name,
                 member.threads,
                 seconds(now - member.joined),

@@ -27,6 +27,7 @@ final class Coordinator {
 
     private static final int EVENTS_REMEMBERED = 200;
     private static final int STALL_FACTOR = 8;
+    private static final int MOST_DOUBLINGS = 6;
 
     private final CoordinatorSettings settings;
     private final TileBoard board;
@@ -210,6 +211,8 @@ final class Coordinator {
         long took = Math.max(now - member.progress, 0);
         member.speed.delivered(took / (double) CoordinatorSettings.SECOND);
         member.progress = now;
+        member.stalls = 0;
+        member.resting = false;
         member.tiles++;
         member.audits += isAudit ? 1 : 0;
         member.bytes += data.bytes().length;
@@ -272,20 +275,29 @@ final class Coordinator {
                 if (now - lease.renewed >= settings.silenceNanos()) {
                     actions.add(new Action.Cancel(member.worker, lease.id));
                     end(lease);
-                } else if (!lease.stalled && now - member.progress >= stall) {
-                    stall(lease);
                 }
+            }
+            if (!member.isStalled() && !member.leases.isEmpty() && now - member.progress >= stall) {
+                stall(member, stall);
+            } else if (member.resting && now - member.restsUntil >= 0) {
+                member.resting = false;
+                dispatcher.changed(member);
             }
         }
     }
 
-    /** The holder lives and delivers nothing: others get the tiles, but its own result is welcome whenever it comes. */
-    private void stall(Lease lease) {
-        note(lease.member.name + " delivers nothing; its tiles go to others");
-        lease.stalled = true;
-        giveBack(lease);
-        actions.add(new Action.Cancel(lease.member.worker, lease.id));
-        dispatcher.changed(lease.member);
+    /** The member lives and delivers nothing: others get its tiles, but its own results are welcome whenever they come. */
+    private void stall(Member member, long time) {
+        note(member.name + " delivers nothing; its tiles go to others");
+        member.resting = true;
+        member.restsUntil = now + (time << Math.min(member.stalls, MOST_DOUBLINGS));
+        member.stalls++;
+        for (Lease lease : List.copyOf(member.leases.values())) {
+            lease.stalled = true;
+            giveBack(lease);
+            actions.add(new Action.Cancel(member.worker, lease.id));
+        }
+        dispatcher.changed(member);
     }
 
     /** Whether all is done. Audits that nobody can make are forgone; disputes that nobody can decide go to the server. */

@@ -21,6 +21,11 @@ final class Member {
     /** When it last delivered a tile or, if that is later, was given work after it had none. */
     long progress;
 
+    /** It was given up on this often since it last delivered; it is tried again after longer and longer times. */
+    int stalls;
+
+    long restsUntil;
+    boolean resting;
     int tiles;
     int audits;
     long bytes;
@@ -59,7 +64,11 @@ final class Member {
         return leases.size() > workLeases();
     }
 
+    /** Gets nothing now: it lives, but delivered nothing of what it had. */
     boolean isStalled() {
+        if (resting) {
+            return true;
+        }
         for (Lease lease : leases.values()) {
             if (lease.stalled) {
                 return true;

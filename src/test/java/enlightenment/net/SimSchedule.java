@@ -120,6 +120,7 @@ final class SimSchedule {
         for (SimWorker worker : workers) {
             join(worker);
             worker.frozen = false;
+            worker.slowness = Math.min(worker.slowness, 5);
             worker.start();
         }
     }
@@ -131,8 +132,8 @@ final class SimSchedule {
             complaints.add("did not end");
             return complaints;
         }
-        if (server.last.done() != tiles || server.last.leased() != 0 || server.last.free() != 0) {
-            complaints.add("finished with " + server.last);
+        if (server.atEnd.done() != tiles || server.atEnd.leased() != 0 || server.atEnd.free() != 0) {
+            complaints.add("finished with " + server.atEnd);
         }
         for (int tile = 0; tile < tiles; tile++) {
             SimServer.Made made = server.picture.get(tile);

@@ -18,7 +18,7 @@ final class SimServer {
     boolean finished;
     int restarts;
     int expulsions;
-    Snapshot last;
+    Snapshot atEnd;
     final Map<Integer, Made> picture = new HashMap<>();
 
     private final SimWorld world;
@@ -85,9 +85,16 @@ final class SimServer {
         coordinator = null;
         connected.clear();
         if (power) {
+            // A journal loses its end only: what follows a bad record is cut off.
             long forced = world.now - Journal.FORCE_EVERY_NANOS;
-            journal.removeIf(w -> w.time - forced > 0 && world.chance(0.5));
+            while (!journal.isEmpty() && last().time - forced > 0 && world.chance(0.7)) {
+                journal.remove(journal.size() - 1);
+            }
         }
+    }
+
+    private Written last() {
+        return journal.get(journal.size() - 1);
     }
 
     private void tick(int mine) {
@@ -170,7 +177,7 @@ final class SimServer {
             write(b -> b.add(new JournalRecord.Expelled(a.machine())));
         } else if (action instanceof Action.Finish) {
             finished = true;
-            last = coordinator.snapshot(world.now);
+            atEnd = coordinator.snapshot(world.now);
         }
     }
 

@@ -83,7 +83,7 @@ class SimulationTest {
             SimSchedule again = new SimSchedule(seed).run();
             assertEquals(once.world.elapsed(), again.world.elapsed());
             assertEquals(once.world.events, again.world.events);
-            assertEquals(once.server.last, again.server.last);
+            assertEquals(once.server.atEnd, again.server.atEnd);
         }
     }
 }

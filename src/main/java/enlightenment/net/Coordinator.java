@@ -209,7 +209,7 @@ final class Coordinator {
 
     private void credit(Member member, TileData data, boolean isAudit) {
         long took = Math.max(now - member.progress, 0);
-        member.speed.delivered(took / (double) CoordinatorSettings.SECOND);
+        dispatcher.delivered(member, took / (double) CoordinatorSettings.SECOND);
         member.progress = now;
         member.stalls = 0;
         member.resting = false;

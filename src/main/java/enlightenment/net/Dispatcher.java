@@ -35,11 +35,11 @@ final class Dispatcher {
 
     private long leasesGranted;
 
-    /** What a worker of weight 1 is expected to make in a second, and what all make together. */
-    private double unitSpeed = UNKNOWN_SPEED;
+    /** Tiles per second of the members whose speed is known, their weight, and the weight of the others. */
+    private double knownSpeed;
 
-    private double totalSpeed;
-    private boolean isSpeedKnown;
+    private double knownWeight;
+    private double unknownWeight;
 
     Dispatcher(
             CoordinatorSettings settings,
@@ -87,27 +87,45 @@ final class Dispatcher {
         hungry.remove(member);
     }
 
-    /** Adds up the speeds; to be called when members come or go, and now and then. */
+    /** Adds up the speeds afresh; to be called when members come or go and, against rounding, now and then. */
     void measure() {
-        double speed = 0;
-        double weight = 0;
-        double unknown = 0;
+        knownSpeed = 0;
+        knownWeight = 0;
+        unknownWeight = 0;
         for (Member member : members) {
             if (member.speed.isKnown()) {
-                speed += member.speed.perSecond();
-                weight += member.weight;
+                knownSpeed += member.speed.perSecond();
+                knownWeight += member.weight;
             } else {
-                unknown += member.weight;
+                unknownWeight += member.weight;
             }
         }
-        isSpeedKnown = speed > 0;
-        unitSpeed = isSpeedKnown ? speed / weight : UNKNOWN_SPEED;
-        totalSpeed = speed + unknown * unitSpeed;
+    }
+
+    /** The member has delivered a tile, this long after the one before. */
+    void delivered(Member member, double afterSeconds) {
+        double before = member.speed.isKnown() ? member.speed.perSecond() : 0;
+        boolean wasKnown = member.speed.isKnown();
+        member.speed.delivered(afterSeconds);
+        if (member.speed.isKnown()) {
+            knownSpeed += member.speed.perSecond() - before;
+            knownWeight += wasKnown ? 0 : member.weight;
+            unknownWeight -= wasKnown ? 0 : member.weight;
+        }
+    }
+
+    private boolean isSpeedKnown() {
+        return knownWeight > 0;
+    }
+
+    /** What a worker of weight 1 is expected to make in a second. */
+    private double unitSpeed() {
+        return isSpeedKnown() ? knownSpeed / knownWeight : UNKNOWN_SPEED;
     }
 
     /** Tiles per second of all members, 0 if nothing is known. */
     double totalSpeed() {
-        return isSpeedKnown ? totalSpeed : 0;
+        return isSpeedKnown() ? knownSpeed + unknownWeight * unitSpeed() : 0;
     }
 
     /** Hands out whatever can be handed out now. */
@@ -174,15 +192,16 @@ final class Dispatcher {
 
     /** How many tiles the member should get, at least one. */
     int size(Member member) {
-        double speed = member.speedOr(unitSpeed);
+        double speed = member.speedOr(unitSpeed());
         double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;
         double wanted = member.threads;
         if (member.speed.isKnown()) {
             wanted = Math.max(wanted, speed * seconds);
-        } else if (isSpeedKnown) {
+        } else if (isSpeedKnown()) {
             wanted = Math.max(wanted, speed * seconds / 4);
         }
-        double most = board.free() * speed / (2 * totalSpeed);
+        double all = knownSpeed + unknownWeight * unitSpeed();
+        double most = board.free() * Math.min(speed / all, 1) / 2;
         return (int) Math.max(1, Math.min(wanted, most));
     }
 
@@ -213,7 +232,7 @@ final class Dispatcher {
 
     private int sizeOfCopy(Member helper, int tiles) {
         double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;
-        double inTime = Math.max(helper.threads, helper.speedOr(unitSpeed) * seconds);
+        double inTime = Math.max(helper.threads, helper.speedOr(unitSpeed()) * seconds);
         return (int) Math.max(1, Math.min(tiles, inTime));
     }
 
@@ -228,7 +247,7 @@ final class Dispatcher {
             }
             // Who has been silent for long is believed to stay so for as long again.
             double since = (now - member.progress) / (double) CoordinatorSettings.SECOND;
-            double remaining = Math.max(member.owed() / member.speedOr(unitSpeed), since);
+            double remaining = Math.max(member.owed() / member.speedOr(unitSpeed()), since);
             if (remaining > longest) {
                 longest = remaining;
                 latest = copyable;

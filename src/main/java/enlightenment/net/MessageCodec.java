@@ -124,14 +124,13 @@ final class MessageCodec {
             }
             return message;
         } catch (StreamConstraintsException e) {
-            throw new ProtocolException("message beyond the limits: " + brief(e), e);
+            throw new ProtocolException("message beyond the limits: " + e.getOriginalMessage(), e);
         } catch (JacksonException e) {
-            throw new ProtocolException("message is not CBOR: " + brief(e), e);
+            throw new ProtocolException("message is not CBOR: " + e.getOriginalMessage(), e);
+        } catch (RuntimeException e) {
+            // Whatever else a parser may stumble over in bytes that a stranger chose must not end the server.
+            throw new ProtocolException("message cannot be read: " + e, e);
         }
-    }
-
-    private static String brief(JacksonException e) {
-        return e.getOriginalMessage();
     }
 
     private static Message read(JsonParser in, Shape shape) throws ProtocolException {
@@ -182,6 +181,10 @@ final class MessageCodec {
         }
         expect(in, token, JsonToken.VALUE_EMBEDDED_OBJECT, "bytes");
         byte[] bytes = in.getBinaryValue();
+        if (bytes == null) {
+            // The parser shows CBOR's "undefined" and unassigned simple values as embedded objects, too.
+            throw new ProtocolException("bytes expected, not an undefined value");
+        }
         if (type == byte[].class) {
             return bytes;
         }

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 /** The coordinator among machines and networks that fail: whole renders in simulated time, repeatable by their seeds. */
 class SimulationTest {
-    private static final int SCHEDULES = 3_000;
+    private static final int SCHEDULES = 10_000;
 
     /** What happened in many schedules. */
     private record Sum(

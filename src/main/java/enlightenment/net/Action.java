@@ -8,8 +8,8 @@ sealed interface Action {
     /** Tell the worker that what it has not begun of the lease is not wanted. */
     record Cancel(long worker, long lease) implements Action {}
 
-    /** Tell the worker that it may skip the tile. */
-    record Skip(long worker, long lease, int tile) implements Action {}
+    /** Tell the worker that it may skip the tiles {@code first} (included) to {@code last} (excluded). */
+    record Skip(long worker, long lease, int first, int last) implements Action {}
 
     /** Answer a heartbeat. */
     record Answer(long worker, int done) implements Action {}

@@ -239,7 +239,7 @@ final class Coordinator {
     /** Somebody else was faster with this tile. */
     private void skip(Lease lease, int tile) {
         if (lease.clear(tile)) {
-            actions.add(new Action.Skip(lease.member.worker, lease.id, tile));
+            actions.add(new Action.Skip(lease.member.worker, lease.id, tile, tile + 1));
             endIfDone(lease);
         }
     }

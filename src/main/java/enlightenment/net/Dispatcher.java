@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * Who gets what next: audits first, then free tiles, then, where none are free, copies of what is expected to come last.
+ * Who gets what next: audits first, then free tiles, then, where none are free, help with what is expected to come last.
  *
  * <p>A lease is sized so that its worker needs the time of {@link CoordinatorSettings#leaseNanos()} for it, a quarter of
  * it while its speed is not known. No lease takes more than half of the worker's fair part (by speed) of what is free, so
@@ -28,7 +28,7 @@ final class Dispatcher {
     private final Collection<Member> members;
     private final Consumer<Action> actions;
 
-    /** Members without work, and members that should get a lease before they run out of it; first come, first served. */
+    /** Members with threads to spare, and members that should get a lease before they have; first come, first served. */
     private final Set<Member> idle = new LinkedHashSet<>();
 
     private final Set<Member> hungry = new LinkedHashSet<>();
@@ -58,23 +58,20 @@ final class Dispatcher {
     void changed(Member member) {
         int leases = member.workLeases();
         boolean usable = !member.isStalled();
-        if (usable && leases == 0) {
+        if (usable && leases < MOST_LEASES && member.owed() < member.threads) {
             idle.add(member);
         } else {
             idle.remove(member);
         }
-        if (usable && leases > 0 && leases < MOST_LEASES && isNearItsEnd(member, leases)) {
+        if (usable && leases == 1 && isNearItsEnd(member)) {
             hungry.add(member);
         } else {
             hungry.remove(member);
         }
     }
 
-    /** Whether it has work for some of its threads only, or one lease of which half is done. */
-    private static boolean isNearItsEnd(Member member, int leases) {
-        if (leases > 1) {
-            return member.owed() < member.threads;
-        }
+    /** Whether half of its only lease is done. */
+    private static boolean isNearItsEnd(Member member) {
         Lease work = null;
         for (Lease lease : member.leases.values()) {
             work = lease.kind == Lease.Kind.AUDIT ? work : lease;
@@ -131,13 +128,13 @@ final class Dispatcher {
     /** Hands out whatever can be handed out now. */
     void serve(long now) {
         serveAudits(now);
-        serveFree(idle, now);
         // Towards the end leases are small, and a worker of many threads may need several at once.
-        while (board.free() > 0 && !hungry.isEmpty()) {
-            serveFree(hungry, now);
+        while (board.free() > 0 && !idle.isEmpty()) {
+            serveFree(idle, now);
         }
+        serveFree(hungry, now);
         while (board.free() == 0 && board.copyable() > 0 && !idle.isEmpty()) {
-            if (!copyToIdle(now)) {
+            if (!help(now)) {
                 return;
             }
         }
@@ -216,24 +213,71 @@ final class Dispatcher {
         return lease;
     }
 
-    /** Copies half of what is expected to come last to the first idle member; false if there is nothing to copy. */
-    private boolean copyToIdle(long now) {
+    /**
+     * Helps with what is expected to come last; false if nobody can. Of tiles that its holder has hardly begun the latter
+     * half moves to a member with nothing to do, and can be divided again; tiles that are in hand are copied.
+     */
+    private boolean help(long now) {
         Lease late = latest(now);
-        int[] half = late == null ? null : board.halfToCopy(late);
-        if (half == null) {
+        Member helper = late == null ? null : firstOtherThan(late.member);
+        if (helper == null) {
             return false;
         }
-        Member helper = idle.iterator().next();
-        int last = Math.min(half[1], half[0] + sizeOfCopy(helper, half[1] - half[0]));
-        board.hold(grant(helper, half[0], last, Lease.Kind.COPY, now));
+        int[] singles = board.lastSingles(late);
+        int begun = firstNotBegun(late, singles[0]);
+        boolean isMove = begun < singles[1];
+        int from = isMove ? begun : singles[0];
+        int first = from + (singles[1] - from) / 2;
+        int last = Math.min(singles[1], first + sizeOfHelp(helper));
+        if (isMove) {
+            for (int tile = first; tile < last; tile++) {
+                board.takeFrom(late, tile);
+            }
+            actions.accept(new Action.Skip(late.member.worker, late.id, first, last));
+            if (late.owed() == 0) {
+                late.member.leases.remove(late.id);
+            }
+            changed(late.member);
+        }
+        board.hold(grant(helper, first, last, isMove ? Lease.Kind.WORK : Lease.Kind.COPY, now));
         changed(helper);
         return true;
     }
 
-    private int sizeOfCopy(Member helper, int tiles) {
+    private Member firstOtherThan(Member member) {
+        for (Member candidate : idle) {
+            if (candidate != member) {
+                return candidate;
+            }
+        }
+        return null;
+    }
+
+    /**
+     * The first tile from {@code from} on that the holder has not begun, as it begins as many as it has threads. Audits do
+     * not count, here as in {@link Member#owed()}: so only who has more than it can begin loses tiles by this, nobody
+     * becomes idle by it, and two members cannot pass a tile to and fro.
+     */
+    private static int firstNotBegun(Lease lease, int from) {
+        int inHand = lease.member.threads;
+        for (Lease earlier : lease.member.leases.values()) {
+            if (earlier == lease) {
+                break;
+            }
+            inHand -= earlier.kind == Lease.Kind.AUDIT ? 0 : earlier.owed();
+        }
+        int tile = lease.first;
+        while (tile < lease.last && inHand > 0) {
+            inHand -= lease.owes(tile) ? 1 : 0;
+            tile++;
+        }
+        return Math.max(tile, from);
+    }
+
+    private int sizeOfHelp(Member helper) {
         double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;
-        double inTime = Math.max(helper.threads, helper.speedOr(unitSpeed()) * seconds);
-        return (int) Math.max(1, Math.min(tiles, inTime));
+        double inTime = Math.max(helper.threads - helper.owed(), helper.speedOr(unitSpeed()) * seconds);
+        return (int) Math.max(1, Math.min(inTime, board.undone()));
     }
 
     /** The last lease with something to copy of the member that is expected to be done last. */

@@ -152,19 +152,17 @@ sealed interface Message {
     /** Server to worker: render the tile columns {@code first} (included) to {@code last} (excluded). */
     record Grant(long lease, ContentHash job, int first, int last) implements Message {
         public Grant {
-            require(
-                    first >= 0 && first < last && last <= Limits.TILES,
-                    "there is no range " + first + ".." + last + " of tiles");
+            require(isRange(first, last), "there is no range " + first + ".." + last + " of tiles");
         }
     }
 
     /** Server to worker: what you have not begun of this lease is not wanted any more. */
     record Cancel(long lease) implements Message {}
 
-    /** Server to worker: this tile came from someone else; skip it unless you have begun it. */
-    record Skip(long lease, int tile) implements Message {
+    /** Server to worker: others made or make these tiles; skip those that you have not begun. */
+    record Skip(long lease, int first, int last) implements Message {
         public Skip {
-            within("tile", tile, 0, Limits.TILES - 1);
+            require(isRange(first, last), "there is no range " + first + ".." + last + " of tiles");
         }
     }
 
@@ -203,6 +201,10 @@ sealed interface Message {
         public Bye {
             text(reason);
         }
+    }
+
+    private static boolean isRange(int first, int last) {
+        return first >= 0 && first < last && last <= Limits.TILES;
     }
 
     private static void require(boolean condition, String message) {

@@ -146,8 +146,8 @@ final class TileBoard {
         setFree(tile);
     }
 
-    /** The latter half, rounded up, of the last run of tiles that only this lease holds, as {first, last}; null if none. */
-    int[] halfToCopy(Lease lease) {
+    /** The last run of tiles that only this lease holds, as {first, last}; null if there is none. */
+    int[] lastSingles(Lease lease) {
         int last = lease.last;
         while (last > lease.first && !isSingle(last - 1, lease)) {
             last--;
@@ -156,7 +156,13 @@ final class TileBoard {
         while (first > lease.first && isSingle(first - 1, lease)) {
             first--;
         }
-        return first == last ? null : new int[] {first + (last - first) / 2, last};
+        return first == last ? null : new int[] {first, last};
+    }
+
+    /** Takes a tile that only this lease holds away from it; the tile is free. */
+    void takeFrom(Lease lease, int tile) {
+        detach(tile, lease);
+        lease.clear(tile);
     }
 
     private boolean isSingle(int tile, Lease lease) {

@@ -83,10 +83,10 @@ final class WorkerCore {
         }
     }
 
-    void skipped(long lease, int tile) {
+    void skipped(long lease, int first, int last) {
         Held held = leases.get(lease);
         if (held != null) {
-            held.waiting.remove(tile);
+            held.waiting.removeIf(tile -> tile >= first && tile < last);
             forgetIfDone(lease, held);
         }
     }

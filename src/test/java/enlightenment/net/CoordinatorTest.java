@@ -215,24 +215,45 @@ class CoordinatorTest {
     }
 
     @Test
-    void atTheEndHalfOfTheLastLeaseIsCopiedAndTheFirstResultWins() {
-        Coordinator c = coordinator(64, 0);
+    void atTheEndHalfOfWhatIsNotBegunMovesToAnIdleWorker() {
+        Coordinator c = coordinator(40, 0);
+        // Slow probes, then leases that are too large for what comes.
         Deque<Action.Grant> todo = granted(join(c, 1, 1));
         while (c.snapshot(now).free() > 0) {
             workThrough(c, todo, 1, SECOND / 1000);
         }
-        Action.Grant next = todo.getLast();
-        Action.Grant copy = grant(join(c, 2, 1));
-        assertEquals(next.last(), copy.last());
-        assertEquals((next.last() - next.first() + 1) / 2, copy.last() - copy.first());
-        int tile = copy.first();
-        List<Action> first = deliver(c, 2, tile);
-        assertTrue(first.contains(new Action.Keep(tile, "m2", SimTile.right(tile))));
-        assertTrue(first.contains(new Action.Skip(1, next.lease(), tile)));
-        List<Action> second = deliver(c, 1, tile);
+        int before = c.snapshot(now).workers().get(0).owed();
+        assertTrue(before > 1, "owes " + before);
+        Action.Grant held = todo.getLast();
+        int notBegun = Math.min(before - 1, held.last() - held.first());
+        List<Action> actions = join(c, 2, 1);
+        Action.Grant moved = grant(actions);
+        assertEquals(
+                List.of(new Action.Skip(1, held.lease(), moved.first(), moved.last())),
+                only(Action.Skip.class, actions).stream().map(a -> (Action) a).toList());
+        assertEquals(held.last(), moved.last());
+        assertEquals((notBegun + 1) / 2, moved.last() - moved.first());
+        assertEquals(
+                before,
+                c.snapshot(now).workers().stream()
+                        .mapToInt(Snapshot.Worker::owed)
+                        .sum());
+    }
+
+    @Test
+    void whatIsInHandIsCopiedAndTheFirstResultWins() {
+        Coordinator c = coordinator(2, 0);
+        Deque<Action.Grant> mine = granted(join(c, 1, 1));
+        assertEquals(2, mine.size());
+        assertEquals("2: 1..2", range(grant(join(c, 2, 1))), "moved");
+        assertEquals("3: 0..1", range(grant(join(c, 3, 1))), "copied");
+        List<Action> first = deliver(c, 3, 0);
+        assertTrue(first.contains(new Action.Keep(0, "m3", SimTile.right(0))));
+        assertTrue(first.contains(new Action.Skip(1, mine.getFirst().lease(), 0, 1)));
+        List<Action> second = deliver(c, 1, 0);
         assertEquals(List.of(), only(Action.Keep.class, second));
-        assertTrue(second.contains(new Action.Confirm(tile)));
-        assertTrue(second.contains(new Action.Acknowledge(1, tile)));
+        assertTrue(second.contains(new Action.Confirm(0)));
+        assertTrue(second.contains(new Action.Acknowledge(1, 0)));
     }
 
     @Test

@@ -37,7 +37,7 @@ class FramesTest {
             new Message.Ready(HASH),
             new Message.Grant(Long.MIN_VALUE, HASH, 0, Limits.TILES),
             new Message.Cancel(-1),
-            new Message.Skip(Long.MAX_VALUE, 0),
+            new Message.Skip(Long.MAX_VALUE, 0, 1),
             new Message.Heartbeat(List.of(1L, Long.MIN_VALUE, -7L)),
             new Message.Alive(0, 1),
             new Message.Result(3, HASH, Limits.TILES - 1, new byte[100_000]),
@@ -109,8 +109,8 @@ class FramesTest {
 
     @Test
     void aMessageIsACborArrayOfItsKindAndItsFields() {
-        // RFC 8949: array of 3, 12, 5, 258.
-        assertArrayEquals(body("83 0c 05 190102"), frame(new Message.Skip(5, 258)));
+        // RFC 8949: array of 12, 5, 258, 259.
+        assertArrayEquals(body("84 0c 05 190102 190103"), frame(new Message.Skip(5, 258, 259)));
         // Array of 2, 13, array of 2: 1, -1.
         assertArrayEquals(body("82 0d 82 01 20"), frame(new Message.Heartbeat(List.of(1L, -1L))));
     }
@@ -149,12 +149,12 @@ class FramesTest {
         assertEquals("message of unknown kind 99", refusal(body("82 1863 00")));
         assertEquals("a number is out of range", refusal(body("82 00 00")));
         assertTrue(refusal(body("a0")).startsWith("an array expected, not START_OBJECT"));
-        assertTrue(refusal(body("81 0c")).startsWith("Skip: a whole number expected, not END_ARRAY"));
-        assertTrue(refusal(body("83 0c 05 6178")).startsWith("Skip: a whole number expected, not VALUE_STRING"));
-        assertTrue(refusal(body("84 0c 05 05 05")).startsWith("the end of the message expected"));
-        assertEquals("something follows the end of the message", refusal(body("83 0c 05 05 00")));
-        assertEquals("Skip: the tile must lie in 0..16777215, not -1", refusal(body("83 0c 05 20")));
-        assertEquals("Skip: a number is out of range", refusal(body("83 0c 05 1b7fffffffffffffff")));
+        assertTrue(refusal(body("81 10")).startsWith("Acknowledge: a whole number expected, not END_ARRAY"));
+        assertTrue(refusal(body("82 10 6178")).startsWith("Acknowledge: a whole number expected, not VALUE_STRING"));
+        assertTrue(refusal(body("83 10 05 05")).startsWith("the end of the message expected"));
+        assertEquals("something follows the end of the message", refusal(body("82 10 05 00")));
+        assertEquals("Acknowledge: the tile must lie in 0..16777215, not -1", refusal(body("82 10 20")));
+        assertEquals("Acknowledge: a number is out of range", refusal(body("82 10 1b7fffffffffffffff")));
         // A lease of 2^64 - 1 and a big number as a tag do not fit a long.
         assertEquals("Cancel: a number is out of range", refusal(body("82 0b 1bffffffffffffffff")));
         assertEquals("Cancel: a number is out of range", refusal(body("82 0b c249010000000000000000")));

@@ -173,7 +173,7 @@ final class SimWorker {
         } else if (action instanceof Action.Cancel cancel) {
             core.cancelled(cancel.lease());
         } else if (action instanceof Action.Skip skip) {
-            core.skipped(skip.lease(), skip.tile());
+            core.skipped(skip.lease(), skip.first(), skip.last());
         } else if (action instanceof Action.Acknowledge ack) {
             core.acknowledged(ack.tile());
         } else if (action instanceof Action.HangUp) {

@@ -76,7 +76,7 @@ class WorkerCoreTest {
     void aSkippedTileIsNotBegun() {
         WorkerCore core = new WorkerCore(1, 8, NEVER);
         core.granted(7, 0, 3);
-        core.skipped(7, 1);
+        core.skipped(7, 1, 2);
         assertEquals(0, core.begin().orElseThrow().tile());
         assertEquals(2, core.begin().orElseThrow().tile());
         assertTrue(core.begin().isEmpty());

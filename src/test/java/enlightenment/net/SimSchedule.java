@@ -147,11 +147,13 @@ final class SimSchedule {
     }
 
     /**
-     * Whether a wrong tile should have been found: it should unless a liar made it and nobody honest was asked. (An audit is
-     * forgone if nobody else is connected, and most tiles are not audited.)
+     * Whether a wrong tile should have been found: it should unless a liar made it that was never found out, and nobody
+     * honest was asked. (An audit is forgone if nobody else is connected, and most tiles are not audited.)
      */
     private boolean isBlamable(SimServer.Made made) {
-        return made.confirmed() || isHonest(made.machine());
+        return made.confirmed()
+                || isHonest(made.machine())
+                || server.atEnd.expelled().contains(made.machine());
     }
 
     private boolean isHonest(String machine) {

@@ -7,6 +7,8 @@ module enlightenment {
     requires java.management;
     requires jdk.jfr;
     requires jdk.management;
+    // Only server and workers need this.
+    requires static tools.jackson.dataformat.cbor;
     // Only the command line needs these; whoever embeds the library does not.
     requires static info.picocli;
     requires static me.tongfei.progressbar;

@@ -1,0 +1,49 @@
+package enlightenment.net;
+
+/** What a {@link Coordinator} wants done, in this order. */
+sealed interface Action {
+    /** Tell the worker to render the tiles {@code first} (included) to {@code last} (excluded). */
+    record Grant(long worker, long lease, int first, int last) implements Action {}
+
+    /** Tell the worker that what it has not begun of the lease is not wanted. */
+    record Cancel(long worker, long lease) implements Action {}
+
+    /** Tell the worker that it may skip the tiles {@code first} (included) to {@code last} (excluded). */
+    record Skip(long worker, long lease, int first, int last) implements Action {}
+
+    /** Answer a heartbeat. */
+    record Answer(long worker, int done) implements Action {}
+
+    /** Tell the worker that its tile has arrived; to be done after the keeping, which comes before it. */
+    record Acknowledge(long worker, int tile) implements Action {}
+
+    /** These are the sums of this tile now; write them to the journal and into the picture, over older ones. */
+    record Keep(int tile, String machine, TileData data) implements Action {}
+
+    /** Two workers agree on this tile; write that to the journal. */
+    record Confirm(int tile) implements Action {}
+
+    /** What was kept of this tile is not to be trusted; write that to the journal and take it out of the picture. */
+    record Revoke(int tile) implements Action {}
+
+    /** Close the connection and tell why; the worker may come back. */
+    record HangUp(long worker, String reason) implements Action {}
+
+    /**
+     * This machine is not to be trusted: write that to the journal and refuse it for ever. Its connections follow as
+     * {@link Refuse}.
+     */
+    record Expel(String machine, String reason) implements Action {}
+
+    /** Close the connection and tell why; the worker is not to come back. */
+    record Refuse(long worker, String reason) implements Action {}
+
+    /**
+     * Workers disagree on this tile and nobody else is there to decide: let the server itself join as a worker. Said again
+     * with every event until it has.
+     */
+    record CallLocal(int tile) implements Action {}
+
+    /** Everything is done. */
+    record Finish() implements Action {}
+}

@@ -1,0 +1,39 @@
+package enlightenment.net;
+
+/** Every limit of the protocol, as a number. */
+final class Limits {
+    /** Largest frame body before a worker has proved that it knows the token. */
+    static final int FRAME_BEFORE_AUTHENTICATION = 4 << 10;
+
+    /** Largest frame body after that. */
+    static final int FRAME = 8 << 20;
+
+    /** Deepest nesting of a frame body. */
+    static final int NESTING = 16;
+
+    /** Most values in a frame body. */
+    static final int TOKENS = 16_384;
+
+    /** Longest text in a message, in characters. */
+    static final int TEXT = 1_024;
+
+    /** Most bytes of content (scene, texture) in one message; longer content travels in pieces. */
+    static final int CONTENT_PIECE = 4 << 20;
+
+    /** Most contents (scene and textures) of a job. */
+    static final int CONTENTS = 1_000;
+
+    /** Most leases that a heartbeat may name. */
+    static final int LEASES_IN_HEARTBEAT = 64;
+
+    /** Most tiles that a worker may have sent without having heard that they arrived. */
+    static final int UNACKNOWLEDGED_TILES = 8;
+
+    /** Most threads that a worker may claim. */
+    static final int THREADS = 65_536;
+
+    /** Most tiles of a job. */
+    static final int TILES = 1 << 24;
+
+    private Limits() {}
+}

@@ -1,0 +1,123 @@
+package enlightenment.net;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.Set;
+
+/**
+ * How far a distributed render is, for people and scripts: a picture of one moment that never changes.
+ *
+ * @param finished whether everything is done
+ * @param tiles number of tiles
+ * @param done tiles that are done
+ * @param leased tiles that someone is rendering
+ * @param free tiles that wait
+ * @param auditsOpen tiles that need another worker's word
+ * @param confirmed tiles that two workers agree on
+ * @param duplicates results that came for tiles that were done, audits among them
+ * @param elapsedSeconds since this incarnation of the server began
+ * @param remainingSeconds expected time to the end, empty if no speed is known
+ * @param workers the workers that are connected, in the order of their joining
+ * @param expelled machines that are not trusted
+ * @param notes the last joins, losses and other events, oldest first
+ */
+record Snapshot(
+        boolean finished,
+        int tiles,
+        int done,
+        int leased,
+        int free,
+        int auditsOpen,
+        int confirmed,
+        long duplicates,
+        double elapsedSeconds,
+        OptionalDouble remainingSeconds,
+        List<Worker> workers,
+        Set<String> expelled,
+        List<Note> notes) {
+
+    /** Something that happened, this many seconds after the start. */
+    record Note(double seconds, String text) {}
+
+    /**
+     * A connected worker.
+     *
+     * @param worker number of its connection
+     * @param tiles tiles that it delivered over this connection, audits and copies among them
+     * @param audits audits among them
+     * @param bytes bytes of these tiles
+     * @param tilesPerSecond smoothed speed, empty until it has delivered
+     * @param owed tiles that it has been asked for
+     * @param silentSeconds since it was last heard of
+     * @param stalled whether it lives but delivers nothing
+     */
+    record Worker(
+            long worker,
+            String key,
+            String machine,
+            String name,
+            int threads,
+            double connectedSeconds,
+            int tiles,
+            int audits,
+            long bytes,
+            OptionalDouble tilesPerSecond,
+            int owed,
+            double silentSeconds,
+            boolean stalled) {}
+
+    static Snapshot of(Coordinator coordinator, long now) {
+        Coordinator.Parts parts = coordinator.parts();
+        TileBoard board = parts.board();
+        int leased = board.undone() - board.free();
+        double speed = parts.dispatcher().totalSpeed();
+        double left = board.undone() + parts.audits().openCount();
+        List<Worker> workers = new ArrayList<>();
+        for (Member member : parts.members()) {
+            workers.add(worker(member, now));
+        }
+        return new Snapshot(
+                coordinator.isFinished(),
+                coordinator.settings().tiles(),
+                board.done(),
+                leased,
+                board.free(),
+                parts.audits().openCount(),
+                parts.audits().confirmedCount(),
+                parts.duplicates(),
+                seconds(now - parts.started()),
+                remaining(coordinator.isFinished() ? 0 : left, speed),
+                List.copyOf(workers),
+                parts.expelled(),
+                parts.notes());
+    }
+
+    private static OptionalDouble remaining(double left, double speed) {
+        if (left == 0) {
+            return OptionalDouble.of(0);
+        }
+        return speed > 0 ? OptionalDouble.of(left / speed) : OptionalDouble.empty();
+    }
+
+    private static Worker worker(Member member, long now) {
+        return new Worker(
+                member.worker,
+                member.key,
+                member.machine,
+                member.name,
+                member.threads,
+                seconds(now - member.joined),
+                member.tiles,
+                member.audits,
+                member.bytes,
+                member.speed.isKnown() ? OptionalDouble.of(member.speed.perSecond()) : OptionalDouble.empty(),
+                member.owed(),
+                seconds(now - member.heard),
+                member.isStalled());
+    }
+
+    private static double seconds(long nanos) {
+        return nanos / (double) CoordinatorSettings.SECOND;
+    }
+}

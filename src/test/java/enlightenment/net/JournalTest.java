@@ -1,0 +1,194 @@
+package enlightenment.net;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class JournalTest {
+    private static final ContentHash JOB = ContentHash.of(new byte[] {1});
+    private static final ContentHash OTHER = ContentHash.of(new byte[] {2});
+    private static final int TILES = 10;
+
+    private static final List<JournalRecord> RECORDS = List.of(
+            new JournalRecord.Kept(3, "machine-ü", new byte[] {1, 2, 3, 4, 5}),
+            new JournalRecord.Kept(9, "b", new byte[0]),
+            new JournalRecord.Confirmed(3),
+            new JournalRecord.Expelled("b"),
+            new JournalRecord.Revoked(9),
+            new JournalRecord.Kept(9, "c", new byte[40]));
+
+    @TempDir
+    Path folder;
+
+    private Path file;
+
+    @BeforeEach
+    void name() {
+        file = folder.resolve("job.journal");
+    }
+
+    private List<String> open(ContentHash job) throws IOException {
+        List<String> found = new ArrayList<>();
+        Journal.open(file, job, TILES, 0, r -> found.add(text(r))).close();
+        return found;
+    }
+
+    private static String text(JournalRecord record) {
+        return record instanceof JournalRecord.Kept kept
+                ? kept.tile() + kept.machine() + Arrays.toString(kept.data())
+                : record.toString();
+    }
+
+    private static List<String> texts(List<JournalRecord> records) {
+        return records.stream().map(JournalTest::text).toList();
+    }
+
+    private byte[] write() throws IOException {
+        try (Journal journal = Journal.open(file, JOB, TILES, 0, r -> {})) {
+            for (JournalRecord record : RECORDS) {
+                journal.append(0, record);
+            }
+        }
+        return Files.readAllBytes(file);
+    }
+
+    @Test
+    void whatWasWrittenIsReadInItsOrder() throws IOException {
+        write();
+        assertEquals(texts(RECORDS), open(JOB));
+    }
+
+    @Test
+    void aFileCutAtAnyByteKeepsEveryRecordThatIsWholeAndGoesOn() throws IOException {
+        byte[] whole = write();
+        List<Integer> ends = new ArrayList<>();
+        int at = Journal.HEADER_BYTES;
+        for (JournalRecord record : RECORDS) {
+            at += 8 + record.encode().length;
+            ends.add(at);
+        }
+        assertEquals(whole.length, at);
+        JournalRecord more = new JournalRecord.Confirmed(1);
+        for (int cut = 0; cut <= whole.length; cut++) {
+            Files.write(file, Arrays.copyOf(whole, cut));
+            int length = cut;
+            int complete = (int) ends.stream().filter(end -> end <= length).count();
+            List<String> found = new ArrayList<>();
+            try (Journal journal = Journal.open(file, JOB, TILES, 0, r -> found.add(text(r)))) {
+                int good = complete == 0 ? Journal.HEADER_BYTES : ends.get(complete - 1);
+                assertEquals(Math.max(cut - good, 0), journal.cutBytes(), "cut at " + cut);
+                journal.append(0, more);
+            }
+            assertEquals(texts(RECORDS.subList(0, complete)), found, "cut at " + cut);
+            List<JournalRecord> expected = new ArrayList<>(RECORDS.subList(0, complete));
+            expected.add(more);
+            assertEquals(texts(expected), open(JOB), "cut at " + cut);
+        }
+    }
+
+    @Test
+    void aFlippedBitAnywhereIsNeverReadAsARecord() throws IOException {
+        byte[] whole = write();
+        for (int at = Journal.HEADER_BYTES; at < whole.length; at++) {
+            byte[] damaged = whole.clone();
+            damaged[at] ^= (byte) (1 << at % 8);
+            Files.write(file, damaged);
+            List<String> found = open(JOB);
+            assertTrue(found.size() < RECORDS.size(), "byte " + at);
+            assertEquals(texts(RECORDS).subList(0, found.size()), found, "byte " + at);
+        }
+    }
+
+    @Test
+    void aDamagedHeaderIsRefusedAndTheFileIsLeftAsItIs() throws IOException {
+        byte[] whole = write();
+        for (int at = 0; at < Journal.HEADER_BYTES; at++) {
+            byte[] damaged = whole.clone();
+            damaged[at] ^= 4;
+            Files.write(file, damaged);
+            assertThrows(Journal.JournalException.class, () -> open(JOB), "byte " + at);
+            assertArrayEquals(damaged, Files.readAllBytes(file));
+        }
+    }
+
+    @Test
+    void theJournalOfAnotherJobIsRefusedWithBothHashes() throws IOException {
+        byte[] whole = write();
+        String message =
+                assertThrows(Journal.JournalException.class, () -> open(OTHER)).getMessage();
+        assertTrue(message.contains(JOB.toString()), message);
+        assertTrue(message.contains(OTHER.toString()), message);
+        assertArrayEquals(whole, Files.readAllBytes(file));
+    }
+
+    @Test
+    void aFileThatIsNoJournalIsNotTouched() throws IOException {
+        byte[] letter = "Dear Ryan, here is the picture of the spheres that you wanted to see.".getBytes();
+        Files.write(file, letter);
+        String message =
+                assertThrows(Journal.JournalException.class, () -> open(JOB)).getMessage();
+        assertTrue(message.contains("is not a checkpoint"), message);
+        assertArrayEquals(letter, Files.readAllBytes(file));
+    }
+
+    @Test
+    void twoServersCannotHaveTheSameJournal() throws IOException {
+        Journal first = Journal.open(file, JOB, TILES, 0, r -> {});
+        try (first) {
+            String message = assertThrows(Journal.JournalException.class, () -> open(JOB))
+                    .getMessage();
+            assertTrue(message.contains("in use"), message);
+        }
+        assertEquals(List.of(), open(JOB));
+    }
+
+    @Test
+    void writesAreForcedAtMostEveryFifthOfASecond() throws IOException {
+        long millis = 1_000_000;
+        long start = Long.MAX_VALUE - 100 * millis;
+        try (Journal journal = Journal.open(file, JOB, TILES, start, r -> {})) {
+            journal.append(start + 199 * millis, RECORDS.get(0));
+            assertTrue(journal.isDirty());
+            journal.tick(start + 200 * millis - 1);
+            assertTrue(journal.isDirty());
+            journal.tick(start + 200 * millis);
+            assertFalse(journal.isDirty());
+            journal.append(start + 399 * millis, RECORDS.get(1));
+            assertTrue(journal.isDirty());
+            journal.append(start + 400 * millis, RECORDS.get(2));
+            assertFalse(journal.isDirty());
+        }
+    }
+
+    @Test
+    void whatRestsOnAnExpelledMachineAloneIsNotRestored() {
+        Restored.Builder builder = new Restored.Builder();
+        builder.add(new JournalRecord.Kept(1, "liar", new byte[] {1}));
+        builder.add(new JournalRecord.Kept(2, "liar", new byte[] {2}));
+        builder.add(new JournalRecord.Confirmed(2));
+        builder.add(new JournalRecord.Kept(3, "honest", new byte[] {3}));
+        builder.add(new JournalRecord.Kept(4, "honest", new byte[] {4}));
+        builder.add(new JournalRecord.Revoked(4));
+        builder.add(new JournalRecord.Expelled("liar"));
+        Restored restored = builder.build();
+        assertEquals(
+                List.of(
+                        new Restored.Tile(2, "liar", ContentHash.of(new byte[] {2}), true),
+                        new Restored.Tile(3, "honest", ContentHash.of(new byte[] {3}), false)),
+                restored.tiles());
+        assertEquals(Set.of("liar"), restored.expelled());
+    }
+}

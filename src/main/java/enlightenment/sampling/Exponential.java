@@ -17,6 +17,9 @@ final class Exponential {
     /** Beyond, powers of two are not normal numbers. */
     private static final int ORDINARY = 700;
 
+    /** Below, the result is less than half of the least positive number. */
+    private static final int NOTHING = -746;
+
     private static final int MANTISSA_BITS = 52;
     private static final long BIAS = 1023;
     private static final long ROOT_HALF_BITS = Double.doubleToRawLongBits(Math.sqrt(0.5));
@@ -26,7 +29,8 @@ final class Exponential {
     /** e to the power of x. */
     static double exp(double x) {
         if (!(Math.abs(x) <= ORDINARY)) {
-            return StrictMath.exp(x);
+            // Far from a density's middle: common, and the library takes long to find out.
+            return x < NOTHING ? 0 : StrictMath.exp(x);
         }
         double k = Math.rint(x * PER_LN_2);
         double r = Math.fma(k, -LN_2_REST, Math.fma(k, -LN_2, x));

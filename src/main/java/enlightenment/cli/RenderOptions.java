@@ -2,9 +2,12 @@ package enlightenment.cli;
 
 import enlightenment.math.Check.InvalidValueException;
 import enlightenment.render.Renderer;
+import enlightenment.sampling.Distribution;
+import enlightenment.scene.Budget;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import java.math.BigDecimal;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -12,7 +15,13 @@ import picocli.CommandLine.Option;
 final class RenderOptions {
     private static final int MAX_THREADS = 4096;
 
-    @Option(names = "--method", paramLabel = "METHOD", description = "how: raytrace")
+    /** Smaller errors are below the rounding of the picture's floats. */
+    private static final double LEAST_ERROR = 1e-7;
+
+    private static final double LEAST_TIME = 0.001;
+    private static final double MOST_TIME = 1e9;
+
+    @Option(names = "--method", paramLabel = "METHOD", description = "how: raytrace or cluster")
     private String method;
 
     @Option(names = "--size", paramLabel = "WxH", description = "size of the whole picture in pixels")
@@ -23,6 +32,27 @@ final class RenderOptions {
 
     @Option(names = "--shadow-samples", paramLabel = "N", description = "light points per hit and light, 1..1000000")
     private String shadowSamples;
+
+    @Option(
+            names = "--samples",
+            paramLabel = "N",
+            description = "camera rays per pixel, in the mean; instead of --antialias")
+    private String samples;
+
+    @Option(
+            names = "--error",
+            paramLabel = "E",
+            description = "stop when the picture's root mean square error is at most E, in 0..1")
+    private String error;
+
+    @Option(names = "--time", paramLabel = "SECONDS", description = "take about this long")
+    private String time;
+
+    @Option(
+            names = "--proposal",
+            paramLabel = "KIND",
+            description = "what ray clusters propose light points from: normal (default), zeta or linear")
+    private String proposal;
 
     @Option(names = "--seed", paramLabel = "N", description = "another choice of random numbers")
     private String seed;
@@ -54,6 +84,7 @@ final class RenderOptions {
     /** Fails on what is wrong whatever the scene; called before the scene is read. */
     void check() {
         frame();
+        budget();
         if (method != null) {
             OptionValues.word("--method", method, Renderer.METHODS.toArray(new String[0]));
         }
@@ -104,6 +135,11 @@ final class RenderOptions {
             int n = OptionValues.integer("--shadow-samples", shadowSamples, 1, RenderDefaults.MAX_SHADOW_SAMPLES);
             s = s == null ? null : s.withShadowSamples(n);
         }
+        if (proposal != null) {
+            OptionValues.word("--proposal", proposal, Distribution.NAMES.toArray(new String[0]));
+            s = s == null ? null : s.withProposal(proposal);
+        }
+        s = s == null ? null : s.withBudget(budget());
         if (seed != null) {
             long n = OptionValues.wholeNumber("--seed", seed);
             s = s == null ? null : s.withSeed(n);
@@ -113,6 +149,24 @@ final class RenderOptions {
             s = s == null ? null : s.withThreads(n);
         }
         return s;
+    }
+
+    private static String number(double value) {
+        return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+    }
+
+    private Budget budget() {
+        Budget budget = Budget.NONE;
+        if (samples != null) {
+            budget = budget.withSamples(OptionValues.number("--samples", samples, 1, Budget.MAX_SAMPLES));
+        }
+        if (error != null) {
+            budget = budget.withError(OptionValues.number("--error", error, LEAST_ERROR, 1));
+        }
+        if (time != null) {
+            budget = budget.withSeconds(OptionValues.number("--time", time, LEAST_TIME, MOST_TIME));
+        }
+        return budget;
     }
 
     /**
@@ -134,6 +188,15 @@ final class RenderOptions {
         StringBuilder line = new StringBuilder("method=").append(s.method());
         line.append(" size=").append(s.width()).append('x').append(s.height());
         line.append(" antialias=").append(s.antialias());
+        if (s.budget().samples().isPresent()) {
+            line.append(" samples=").append(number(s.budget().samples().getAsDouble()));
+        }
+        if (s.budget().error().isPresent()) {
+            line.append(" error=").append(number(s.budget().error().getAsDouble()));
+        }
+        if (s.method().equals("cluster")) {
+            line.append(" proposal=").append(s.proposal());
+        }
         line.append(" shadowSamples=").append(s.shadowSamples());
         line.append(" seed=").append(s.seed());
         if (s.crop().isPresent()) {

@@ -26,6 +26,7 @@ final class ReportJson {
         counts(json.key("rays"), report.raysByKind());
         json.key("lightSamples").value(report.lightSamples());
         json.key("lightSamplesWithoutRay").value(report.lightSamplesWithoutRay());
+        sampling(json.key("sampling"), report.sampling());
         counts(json.key("tests"), report.testsByPrimitive());
         counts(json.key("hits"), report.hitsByPrimitive());
         json.key("textureLookups").value(report.textureLookups());
@@ -58,7 +59,36 @@ final class ReportJson {
         json.key("antialias").value(s.antialias());
         json.key("shadowSamples").value(s.shadowSamples());
         json.key("seed").value(s.seed());
+        if (s.budget().samples().isPresent()) {
+            json.key("samples").value(s.budget().samples().getAsDouble());
+        }
+        if (s.budget().error().isPresent()) {
+            json.key("error").value(s.budget().error().getAsDouble());
+        }
+        if (s.budget().seconds().isPresent()) {
+            json.key("time").value(s.budget().seconds().getAsDouble());
+        }
+        if (s.method().equals("cluster")) {
+            json.key("proposal").value(s.proposal());
+        }
         json.key("threads").value(s.threads());
+        json.endObject();
+    }
+
+    private static void sampling(JsonText json, RenderReport.Sampling s) {
+        json.beginObject();
+        json.key("decidedBy").value(s.decidedBy());
+        json.key("plannedSamples").value(s.plannedSamples());
+        json.key("samplesPerPixel").value(s.samplesPerPixel());
+        json.key("estimatedError").value(s.estimatedError());
+        json.key("errorInterval")
+                .beginArray()
+                .value(s.errorLow())
+                .value(s.errorHigh())
+                .endArray();
+        json.key("clusters").value(s.clusters());
+        json.key("proposals").value(s.proposals());
+        json.key("accepted").value(s.accepted());
         json.endObject();
     }
 

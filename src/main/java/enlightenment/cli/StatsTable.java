@@ -19,6 +19,7 @@ final class StatsTable {
         table.row("rays in all", report.rays());
         table.row("light samples", report.lightSamples());
         table.row("  without a ray", report.lightSamplesWithoutRay());
+        table.sampling(report.sampling());
         table.primitives(report.testsByPrimitive(), report.hitsByPrimitive());
         table.row("texture look-ups", report.textureLookups());
         table.row("pixels", report.pixels());
@@ -32,6 +33,20 @@ final class StatsTable {
         table.line("rays per second", "%,18.0f", report.raysPerSecond());
         table.line("peak memory", "%,18.1f MiB", report.peakMemoryBytes() / MEBI);
         return table.text.toString();
+    }
+
+    private void sampling(RenderReport.Sampling s) {
+        line("samples per pixel", "%,18.2f   decided by %s", s.samplesPerPixel(), s.decidedBy());
+        line(
+                "estimated error",
+                "%18.5f   95 %% interval %.5f .. %.5f",
+                s.estimatedError(),
+                s.errorLow(),
+                s.errorHigh());
+        if (s.clusters() > 0) {
+            double percent = s.proposals() == 0 ? 0 : 100.0 * s.accepted() / s.proposals();
+            line("ray clusters", "%,18d   %,d proposals, %.1f %% accepted", s.clusters(), s.proposals(), percent);
+        }
     }
 
     private void counts(String what, Map<String, Long> counts) {

@@ -10,6 +10,14 @@ public final class RayCounters {
     public long lightSamplesWithoutRay;
     public long textureLookups;
 
+    /** Light points that ray clusters proposed, and those of them that were the kind they sought. */
+    public long proposals;
+
+    public long accepted;
+
+    /** Ray clusters that proposed light points. */
+    public long clusters;
+
     /** Tests by kind of primitive; {@link CompiledScene#kindNames} names them. */
     public final long[] tests;
 
@@ -29,6 +37,9 @@ public final class RayCounters {
         lightSamples += o.lightSamples;
         lightSamplesWithoutRay += o.lightSamplesWithoutRay;
         textureLookups += o.textureLookups;
+        proposals += o.proposals;
+        accepted += o.accepted;
+        clusters += o.clusters;
         for (int i = 0; i < tests.length; i++) {
             tests[i] += o.tests[i];
             hits[i] += o.hits[i];

@@ -1,5 +1,7 @@
 package enlightenment.film;
 
+import java.util.List;
+
 /**
  * How far a picture is from the truth, told by its own samples, in display units (0..1).
  *
@@ -59,6 +61,28 @@ public final class ErrorEstimate {
         // Once for the estimate, once for the picture itself, which is one of many.
         double deviation = Math.sqrt(2 * squares * 2 / 3) / n;
         return new ErrorEstimate(variances, sum / n, deviation, pixels);
+    }
+
+    /** The error of some tiles, as if they were all of the picture. */
+    public static ErrorEstimate of(List<FilmTile> tiles) {
+        int n = 0;
+        for (FilmTile tile : tiles) {
+            n += tile.width * tile.height;
+        }
+        float[] halves = new float[n];
+        float[] quarters = new float[n];
+        int[] counts = new int[n];
+        int k = 0;
+        for (FilmTile tile : tiles) {
+            for (int y = tile.y; y < tile.y + tile.height; y++) {
+                for (int x = tile.x; x < tile.x + tile.width; x++) {
+                    halves[k] = tile.halves(x, y);
+                    quarters[k] = tile.quarters(x, y);
+                    counts[k++] = tile.count(x, y);
+                }
+            }
+        }
+        return of(halves, quarters, counts);
     }
 
     private static int level(int count) {

@@ -13,6 +13,7 @@ import java.util.Map;
  * @param raysByKind number of rays by kind: camera, mirror, refracted, shadow
  * @param lightSamples light points that were asked for: hits × lights × shadow samples
  * @param lightSamplesWithoutRay those of them that needed no shadow ray, because nothing can stand before the light
+ * @param sampling how many samples there are, why, and how exact the picture is
  * @param testsByPrimitive intersection tests by kind of primitive
  * @param hitsByPrimitive surface points shaded or passed, by kind of primitive
  * @param textureLookups texture colours looked up
@@ -27,12 +28,37 @@ public record RenderReport(
         Map<String, Long> raysByKind,
         long lightSamples,
         long lightSamplesWithoutRay,
+        Sampling sampling,
         Map<String, Long> testsByPrimitive,
         Map<String, Long> hitsByPrimitive,
         long textureLookups,
         List<Phase> phases,
         long pixels,
         long peakMemoryBytes) {
+
+    /**
+     * How the picture was sampled.
+     *
+     * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
+     * @param plannedSamples camera rays per pixel that were planned; as {@code --samples} this makes the same picture
+     * @param samplesPerPixel camera rays per pixel that were taken, those of surveys included
+     * @param estimatedError root mean square error of the picture as its own samples tell, in display units 0..1
+     * @param errorLow lower end of an interval that is to hold the true error in 95 of 100 pictures
+     * @param errorHigh upper end of that interval
+     * @param clusters ray clusters that proposed light points
+     * @param proposals light points that were proposed
+     * @param accepted those of them that were of the kind sought
+     */
+    public record Sampling(
+            String decidedBy,
+            double plannedSamples,
+            double samplesPerPixel,
+            double estimatedError,
+            double errorLow,
+            double errorHigh,
+            long clusters,
+            long proposals,
+            long accepted) {}
 
     /**
      * How long a phase took.

@@ -4,6 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.image.Image;
 import enlightenment.math.Check;
+import enlightenment.method.RenderPlan;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -18,10 +19,10 @@ import java.util.function.BooleanSupplier;
  */
 public final class Renderer {
     /** The methods that exist, by their names in scene files and on the command line. */
-    public static final List<String> METHODS = List.of("raytrace");
+    public static final List<String> METHODS = List.of("raytrace", "cluster");
 
-    /** A film keeps three doubles per pixel, the finished picture three floats. */
-    private static final long BYTES_PER_PIXEL = 3 * (8 + 4);
+    /** A film keeps three doubles, two floats and a count per pixel, the finished picture three floats. */
+    private static final long BYTES_PER_PIXEL = 3 * (8 + 4) + 3 * 4;
 
     /** Measured for spheres with a hierarchy (docs/benchmarks.md), rounded up. */
     private static final long BYTES_PER_PRIMITIVE = 400;
@@ -46,7 +47,8 @@ public final class Renderer {
         checkMemory(settings);
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
-        TileRender render = new TileRender(compiled, settings, progress, cancelled);
+        RenderPlan plan = phases.run("plan", () -> new Planner(compiled, settings, cancelled).plan());
+        TileRender render = new TileRender(compiled, settings, plan, progress, cancelled);
         phases.run("render", render::run);
         Image image = phases.run("finish", render::image);
         RenderReport report = render.report(scene.name(), phases.list());

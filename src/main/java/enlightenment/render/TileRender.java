@@ -2,18 +2,18 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
-import enlightenment.method.RayTraceMethod;
+import enlightenment.method.RenderPlan;
+import enlightenment.method.TileMethod;
 import enlightenment.scene.RenderSettings;
 import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -23,6 +23,7 @@ import java.util.function.BooleanSupplier;
 final class TileRender {
     private final CompiledScene scene;
     private final RenderSettings settings;
+    private final RenderPlan plan;
     private final RenderSettings.Crop region;
     private final RenderProgress progress;
     private final BooleanSupplier cancelled;
@@ -33,15 +34,19 @@ final class TileRender {
     /** Steps from one tile to the next that is handed out. */
     private final int stride;
 
-    private final AtomicInteger next = new AtomicInteger();
-    private final AtomicReference<Throwable> failure = new AtomicReference<>();
     private final List<RayCounters> counters = new ArrayList<>();
     private long pixelsDone;
     private long peakMemory;
 
-    TileRender(CompiledScene scene, RenderSettings settings, RenderProgress progress, BooleanSupplier cancelled) {
+    TileRender(
+            CompiledScene scene,
+            RenderSettings settings,
+            RenderPlan plan,
+            RenderProgress progress,
+            BooleanSupplier cancelled) {
         this.scene = scene;
         this.settings = settings;
+        this.plan = plan;
         this.progress = progress;
         this.cancelled = cancelled;
         region = settings.region();
@@ -69,66 +74,15 @@ final class TileRender {
     }
 
     void run() {
-        int threads = Math.min(settings.threads(), tiles);
-        List<Thread> helpers = new ArrayList<>();
-        for (int i = 0; i < threads; i++) {
+        Workers.run(settings.threads(), tiles, cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
-            if (i > 0) {
-                Thread helper = new Thread(() -> work(mine), "render-" + i);
-                helper.setDaemon(true);
-                helper.start();
-                helpers.add(helper);
-            }
-        }
-        work(counters.get(0));
-        boolean interrupted = false;
-        for (Thread helper : helpers) {
-            interrupted |= join(helper);
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
-        rethrow(failure.get());
+            TileMethod method = plan.method(scene, settings, mine);
+            return index -> renderTile(method, (int) ((long) index * stride % tiles));
+        });
     }
 
-    private static boolean join(Thread helper) {
-        boolean interrupted = false;
-        while (true) {
-            try {
-                helper.join();
-                return interrupted;
-            } catch (InterruptedException e) {
-                interrupted = true;
-            }
-        }
-    }
-
-    private static void rethrow(Throwable t) {
-        if (t instanceof Error e) {
-            throw e;
-        }
-        if (t instanceof RuntimeException e) {
-            throw e;
-        }
-    }
-
-    private void work(RayCounters mine) {
-        try {
-            RayTraceMethod method = new RayTraceMethod(scene, settings, mine);
-            while (failure.get() == null && !cancelled.getAsBoolean()) {
-                int index = next.getAndIncrement();
-                if (index >= tiles) {
-                    return;
-                }
-                renderTile(method, (int) ((long) index * stride % tiles));
-            }
-        } catch (RuntimeException | Error e) {
-            failure.compareAndSet(null, e);
-        }
-    }
-
-    private void renderTile(RayTraceMethod method, int index) {
+    private void renderTile(TileMethod method, int index) {
         TileEvent event = new TileEvent();
         event.begin();
         FilmTile tile = tile(index);
@@ -189,12 +143,27 @@ final class TileRender {
                 rays,
                 all.lightSamples,
                 all.lightSamplesWithoutRay,
+                sampling(all),
                 byKind(all.tests),
                 byKind(all.hits),
                 all.textureLookups,
                 phases,
                 pixelsDone,
                 peakMemory);
+    }
+
+    private RenderReport.Sampling sampling(RayCounters all) {
+        ErrorEstimate error = film.error();
+        return new RenderReport.Sampling(
+                plan.decidedBy(),
+                plan.samples(),
+                film.cameraSamples() / (double) Math.max(pixelsDone, 1),
+                error.rmse(),
+                error.low(),
+                error.high(),
+                all.clusters,
+                all.proposals,
+                all.accepted);
     }
 
     private Map<String, Long> byKind(long[] counts) {

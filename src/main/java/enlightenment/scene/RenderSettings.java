@@ -1,19 +1,23 @@
 package enlightenment.scene;
 
 import enlightenment.math.Check;
+import enlightenment.sampling.Distribution;
 import java.util.Objects;
 import java.util.Optional;
 
 /**
  * Everything beside the scene that a render depends on, or, where it says so, only how the render is carried out.
  *
- * @param method which samples are taken: {@code "raytrace"}
+ * @param method which samples are taken: {@code "raytrace"} or {@code "cluster"}
  * @param width width of the whole picture in pixels
  * @param height height of the whole picture in pixels
  * @param crop the part to render; its pixels are the same as in the whole picture
  * @param antialias n for n × n positions per pixel
  * @param shadowSamples light points per hit and light
  * @param seed what all random numbers are derived from
+ * @param budget what ends the render, if not the number of positions
+ * @param proposal the family of distributions that ray clusters propose light points from: {@code "normal"}, {@code "zeta"} or
+ *     {@code "linear"}
  * @param threads how many threads share the work, at least 1; has no influence on the picture
  * @param tileSize side of the square tiles that the work is cut into; has no influence on the picture
  */
@@ -25,6 +29,8 @@ public record RenderSettings(
         int antialias,
         int shadowSamples,
         long seed,
+        Budget budget,
+        String proposal,
         int threads,
         int tileSize) {
     private static final int DEFAULT_TILE_SIZE = 8;
@@ -41,6 +47,8 @@ public record RenderSettings(
 
     public RenderSettings {
         Objects.requireNonNull(method, "method");
+        Objects.requireNonNull(budget, "budget");
+        Distribution.of(proposal);
         Scene.checkSize(width, height);
         if (crop.isPresent()) {
             Crop c = crop.get();
@@ -73,41 +81,70 @@ public record RenderSettings(
                 d.antialias(),
                 d.shadowSamples(),
                 d.seed(),
+                Budget.NONE,
+                Distribution.NAMES.get(0),
                 Runtime.getRuntime().availableProcessors(),
                 DEFAULT_TILE_SIZE);
     }
 
     public RenderSettings withMethod(String value) {
-        return new RenderSettings(value, width, height, crop, antialias, shadowSamples, seed, threads, tileSize);
+        return new RenderSettings(
+                value, width, height, crop, antialias, shadowSamples, seed, budget, proposal, threads, tileSize);
     }
 
     public RenderSettings withSize(int w, int h) {
-        return new RenderSettings(method, w, h, crop, antialias, shadowSamples, seed, threads, tileSize);
+        return new RenderSettings(
+                method, w, h, crop, antialias, shadowSamples, seed, budget, proposal, threads, tileSize);
     }
 
     public RenderSettings withCrop(Crop value) {
         return new RenderSettings(
-                method, width, height, Optional.of(value), antialias, shadowSamples, seed, threads, tileSize);
+                method,
+                width,
+                height,
+                Optional.of(value),
+                antialias,
+                shadowSamples,
+                seed,
+                budget,
+                proposal,
+                threads,
+                tileSize);
     }
 
     public RenderSettings withAntialias(int value) {
-        return new RenderSettings(method, width, height, crop, value, shadowSamples, seed, threads, tileSize);
+        return new RenderSettings(
+                method, width, height, crop, value, shadowSamples, seed, budget, proposal, threads, tileSize);
     }
 
     public RenderSettings withShadowSamples(int value) {
-        return new RenderSettings(method, width, height, crop, antialias, value, seed, threads, tileSize);
+        return new RenderSettings(
+                method, width, height, crop, antialias, value, seed, budget, proposal, threads, tileSize);
     }
 
     public RenderSettings withSeed(long value) {
-        return new RenderSettings(method, width, height, crop, antialias, shadowSamples, value, threads, tileSize);
+        return new RenderSettings(
+                method, width, height, crop, antialias, shadowSamples, value, budget, proposal, threads, tileSize);
+    }
+
+    public RenderSettings withBudget(Budget value) {
+        return new RenderSettings(
+                method, width, height, crop, antialias, shadowSamples, seed, value, proposal, threads, tileSize);
+    }
+
+    public RenderSettings withProposal(String value) {
+        return new RenderSettings(
+                method, width, height, crop, antialias, shadowSamples, seed, budget, value, threads, tileSize);
     }
 
     public RenderSettings withThreads(int value) {
-        return new RenderSettings(method, width, height, crop, antialias, shadowSamples, seed, value, tileSize);
+        return new RenderSettings(
+                method, width, height, crop, antialias, shadowSamples, seed, budget, proposal, value, tileSize);
     }
 
     public RenderSettings withTileSize(int value) {
-        return new RenderSettings(method, width, height, crop, antialias, shadowSamples, seed, threads, value);
+        return new RenderSettings(
+                method, width, height, crop, antialias, shadowSamples, seed, budget, proposal, threads, value);
     }
 
     /** The part of the picture that is rendered: the crop, or all of it. */

@@ -28,7 +28,12 @@ record RawPicture(int width, double[] rgb, byte[] png) {
     }
 
     static RawPicture of(CompiledScene compiled, RenderSettings settings) {
-        TileRender render = new TileRender(compiled, settings, RenderProgress.NONE, () -> false);
+        TileRender render = new TileRender(
+                compiled,
+                settings,
+                new Planner(compiled, settings, () -> false).plan(),
+                RenderProgress.NONE,
+                () -> false);
         render.run();
         Film film = render.film();
         double[] rgb = new double[3 * settings.width() * settings.height()];

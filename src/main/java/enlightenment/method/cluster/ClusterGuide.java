@@ -1,5 +1,6 @@
 package enlightenment.method.cluster;
 
+import enlightenment.compiled.RayCounters;
 import enlightenment.geometry.Hit;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Warp;
@@ -13,6 +14,7 @@ import java.util.List;
  */
 final class ClusterGuide implements LightGuide {
     private final Distribution family;
+    private final RayCounters counters;
     private final List<RayCluster> pool = new ArrayList<>();
     private int size;
     private RayCluster current;
@@ -28,8 +30,9 @@ final class ClusterGuide implements LightGuide {
     private double weight;
     private final double[] disk = new double[3];
 
-    ClusterGuide(Distribution family) {
+    ClusterGuide(Distribution family, RayCounters counters) {
         this.family = family;
+        this.counters = counters;
     }
 
     /** Forgets everything and starts to watch. */
@@ -52,7 +55,10 @@ final class ClusterGuide implements LightGuide {
         int most = 0;
         for (int k = 0; k < size; k++) {
             RayCluster c = pool.get(k);
-            any |= c.fit();
+            if (c.fit()) {
+                any = true;
+                counters.clusters++;
+            }
             if (c.watched() > most) {
                 most = c.watched();
                 gain = c.judgedGain();
@@ -121,6 +127,7 @@ final class ClusterGuide implements LightGuide {
             q = disk[1];
             weight = 1;
         } else {
+            counters.proposals++;
             weight = current.propose(u, v);
             p = current.p;
             q = current.q;
@@ -148,6 +155,7 @@ final class ClusterGuide implements LightGuide {
         if (!proposing) {
             current.watch(x, y, p, q, blocked);
         } else if (blocked == current.wantsBlocked()) {
+            counters.accepted++;
             current.accept(x, y, p, q, weight);
         }
     }

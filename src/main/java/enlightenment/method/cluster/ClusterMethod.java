@@ -55,7 +55,7 @@ public final class ClusterMethod implements TileMethod {
         allocation = new Allocation(effort);
         shader = new ClassicShader(scene, 1, counters);
         survey = new Survey(scene, settings, shader);
-        guide = new ClusterGuide(proposal);
+        guide = new ClusterGuide(proposal, counters);
     }
 
     @Override
@@ -111,6 +111,14 @@ public final class ClusterMethod implements TileMethod {
                 shader.guide(guide);
             }
         }
+    }
+
+    Needs needs() {
+        return needs;
+    }
+
+    int surveyRays() {
+        return survey.rays();
     }
 
     /** Whether the block is going to ask so often about lights of which so little is seen or hidden. */

@@ -1,0 +1,29 @@
+package enlightenment.method;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.method.cluster.ClusterMethod;
+import enlightenment.sampling.Distribution;
+import enlightenment.scene.RenderSettings;
+
+/**
+ * What is decided about a render before its first tile: with it, a tile is a pure function of scene, settings and place. It is
+ * a pure function of scene and settings itself, except that a time budget looks at the clock.
+ *
+ * @param level how much is spent. For {@code raytrace} the mean number of samples per pixel, or 0 for antialias²; for
+ *     {@code cluster} the effort, the inverse of the variance that is worth one more sample
+ * @param samples the mean number of camera rays per pixel that this is expected to take; as a budget of so many samples it
+ *     leads to the same plan
+ * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
+ */
+public record RenderPlan(double level, double samples, String decidedBy) {
+    /** The method, for one thread. */
+    public TileMethod method(CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        if (settings.method().equals("cluster")) {
+            return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), level);
+        }
+        return level == 0
+                ? new RayTraceMethod(scene, settings, counters)
+                : RayTraceMethod.withMeanSamples(scene, settings, counters, level);
+    }
+}

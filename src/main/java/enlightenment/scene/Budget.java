@@ -1,0 +1,54 @@
+package enlightenment.scene;
+
+import enlightenment.math.Check;
+import java.util.OptionalDouble;
+
+/**
+ * How much a picture may cost, or how exact it must be: whichever comes first ends the render. With nothing given,
+ * {@code antialias} says how many samples there are.
+ *
+ * @param samples camera rays per pixel, in the mean over the picture; 1..16,777,216
+ * @param error root mean square error of the picture, in display units 0..1, that need not be undercut; greater than 0
+ * @param seconds time by the clock for planning and rendering; greater than 0. It is turned into a number of samples early, so
+ *     that the picture can be made again with that number
+ */
+public record Budget(OptionalDouble samples, OptionalDouble error, OptionalDouble seconds) {
+    /** More samples per pixel than this are refused. */
+    public static final double MAX_SAMPLES = 1 << 24;
+
+    /** No limits. */
+    public static final Budget NONE =
+            new Budget(OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty());
+
+    public Budget {
+        if (samples.isPresent()) {
+            double n = samples.getAsDouble();
+            Check.that(n >= 1 && n <= MAX_SAMPLES, "samples", "must lie in 1.." + (long) MAX_SAMPLES + ", not " + n);
+        }
+        if (error.isPresent()) {
+            double e = error.getAsDouble();
+            Check.that(e > 0 && e < Double.POSITIVE_INFINITY, "error", "must be greater than 0, not " + e);
+        }
+        if (seconds.isPresent()) {
+            double s = seconds.getAsDouble();
+            Check.that(s > 0 && s < Double.POSITIVE_INFINITY, "time", "must be greater than 0, not " + s);
+        }
+    }
+
+    public Budget withSamples(double value) {
+        return new Budget(OptionalDouble.of(value), error, seconds);
+    }
+
+    public Budget withError(double value) {
+        return new Budget(samples, OptionalDouble.of(value), seconds);
+    }
+
+    public Budget withSeconds(double value) {
+        return new Budget(samples, error, OptionalDouble.of(value));
+    }
+
+    /** Whether nothing is given. */
+    public boolean isNone() {
+        return samples.isEmpty() && error.isEmpty() && seconds.isEmpty();
+    }
+}

@@ -4,7 +4,6 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
-import enlightenment.method.RenderPlan;
 import enlightenment.method.SpreadPlaces;
 import enlightenment.method.TileMethod;
 import enlightenment.method.cluster.ClusterCost;

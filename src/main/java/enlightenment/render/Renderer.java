@@ -4,7 +4,6 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.image.Image;
 import enlightenment.math.Check;
-import enlightenment.method.RenderPlan;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;

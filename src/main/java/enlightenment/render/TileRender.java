@@ -6,7 +6,6 @@ import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
-import enlightenment.method.RenderPlan;
 import enlightenment.method.TileMethod;
 import enlightenment.scene.RenderSettings;
 import java.math.BigInteger;

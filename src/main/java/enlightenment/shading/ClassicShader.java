@@ -63,6 +63,14 @@ public final class ClassicShader {
     private int askedPoints;
     private int blockedPoints;
     private double lightEnergy;
+    private double lightSpread;
+
+    /** The variance of the cosine among the light points of the last call of {@code meanCosine}. */
+    private double cosineSpread;
+
+    private LightObserver observer;
+    private int observedLight;
+    private int observedBounce;
 
     public ClassicShader(CompiledScene scene, int lightPoints, RayCounters counters) {
         this.scene = scene;
@@ -90,6 +98,11 @@ public final class ClassicShader {
         guide = chooser;
     }
 
+    /** Lets somebody see every ray to a light; null for nobody. */
+    public void observer(LightObserver watcher) {
+        observer = watcher;
+    }
+
     /** A hash of what the last path met, in order: where it is the same for neighbouring rays, no edge lies between. */
     public long pathKey() {
         return pathKey;
@@ -114,6 +127,14 @@ public final class ClassicShader {
     }
 
     /**
+     * The variance of the colour of a single light point where the cosine has no closed form, as far as it comes from the
+     * cosine; summed as {@link #lightEnergy} is.
+     */
+    public double lightSpread() {
+        return lightSpread;
+    }
+
+    /**
      * The colour seen along a camera ray, which is used up.
      *
      * @param address which sample this is
@@ -130,6 +151,7 @@ public final class ClassicShader {
         askedPoints = 0;
         blockedPoints = 0;
         lightEnergy = 0;
+        lightSpread = 0;
         counters.cameraRays++;
         glass.begin(ray);
         int bounce = 0;
@@ -257,8 +279,8 @@ public final class ClassicShader {
             CompiledLight light = lights[i];
             double mean = meanCosine(light, i, nx, ny, nz, keeps, address, bounce);
             double factor = Math.fma(1 - ambient, mean, ambient);
-            if (atStake > 0) {
-                noteLightEnergy(light, atStake * (1 - ambient) * share / lights.length);
+            if (atStake > 0 || cosineSpread > 0) {
+                noteDoubt(light, (1 - ambient) * share / lights.length);
             }
             r += light.r * factor;
             g += light.g * factor;
@@ -269,11 +291,13 @@ public final class ClassicShader {
         add(surface[0] * (r * share) / n, surface[1] * (g * share) / n, surface[2] * (b * share) / n);
     }
 
-    private void noteLightEnergy(CompiledLight light, double amount) {
+    private void noteDoubt(CompiledLight light, double factor) {
         double r = throughputR * surface[0] * light.r;
         double g = throughputG * surface[1] * light.g;
         double b = throughputB * surface[2] * light.b;
-        lightEnergy += amount * amount * (r * r + g * g + b * b) / 3;
+        double square = factor * factor * (r * r + g * g + b * b) / 3;
+        lightEnergy += square * atStake * atStake;
+        lightSpread += square * cosineSpread;
     }
 
     /** The mean over light points of (visible ? 1 : keeps) · cosθ at the hit. */
@@ -287,6 +311,7 @@ public final class ClassicShader {
             SampleAddress address,
             int bounce) {
         atStake = 0;
+        cosineSpread = 0;
         sampler.aim(light, hit.px, hit.py, hit.pz);
         int count = sampler.isPoint() ? 1 : lightPoints;
         counters.lightSamples += count;
@@ -301,12 +326,20 @@ public final class ClassicShader {
         double factor = visibility == Tracer.Visibility.NONE ? keeps : 1;
         if (!rays) {
             counters.lightSamplesWithoutRay += count;
-            if (known) {
+            if (known && observer == null) {
                 return factor * unshadowed;
             }
         }
         long seed = address.lightSeed(index, bounce);
         int first = address.firstLightPoint(seed, count);
+        if (observer != null) {
+            observedLight = index;
+            observedBounce = bounce;
+            if (known && !rays) {
+                observeCertain(nx, ny, nz, first, seed, factor < 1);
+                return factor * unshadowed;
+            }
+        }
         if (known) {
             atStake = (1 - keeps) * unshadowed;
             sampler.prepareByCosine(nx, ny, nz);
@@ -314,18 +347,42 @@ public final class ClassicShader {
             double blocked = guided ? guidedShare(first, count, seed) : blockedShare(first, count, seed);
             return Math.fma(-atStake, blocked, unshadowed);
         }
-        double blockedFactor = rays ? keeps : factor;
+        return sampledCosine(nx, ny, nz, first, count, seed, rays ? keeps : factor, rays);
+    }
+
+    /** The same where there is no closed form: the mean of the cosines of light points. */
+    private double sampledCosine(
+            double nx, double ny, double nz, int first, int count, long seed, double blockedFactor, boolean rays) {
         double sum = 0;
+        double cosines = 0;
+        double squares = 0;
         for (int j = 0; j < count; j++) {
             sampler.sample(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
             double cosine = nx * sampler.dx + ny * sampler.dy + nz * sampler.dz;
             if (cosine > 0) {
                 sum += !rays || isBlocked() ? blockedFactor * cosine : cosine;
+                if (observer != null && !rays) {
+                    observe(blockedFactor < 1);
+                }
+                cosines += cosine;
+                squares += cosine * cosine;
             }
         }
-        // Rays told about cosines; how they are distributed decides little for what is at stake.
-        atStake = rays ? (1 - keeps) * sum / count : 0;
+        atStake = rays ? (1 - blockedFactor) * cosines / count : 0;
+        cosineSpread = count < 2 ? 0 : Math.max(squares - cosines * cosines / count, 0) / (count - 1);
         return sum / count;
+    }
+
+    /** Shows the observer one light point where no ray is needed to know about it. */
+    private void observeCertain(double nx, double ny, double nz, int first, long seed, boolean blocked) {
+        sampler.prepareByCosine(nx, ny, nz);
+        sampler.sampleByCosine(Sobol.x(first, seed), Sobol.y(first, seed));
+        observe(blocked);
+    }
+
+    private void observe(boolean blocked) {
+        observer.ray(
+                id, observedLight, observedBounce, hit, sampler.dx, sampler.dy, sampler.dz, sampler.length, blocked);
     }
 
     /** The share of light points that are blocked, each of them as likely as its cosine is great. */
@@ -346,7 +403,7 @@ public final class ClassicShader {
             if (weight > 0) {
                 sampler.sampleDisk(guide.p(), guide.q());
                 boolean blocked = isBlocked();
-                guide.tell(hit, sampler.dx, sampler.dy, sampler.dz, sampler.length, blocked);
+                guide.tell(blocked);
                 sum += blocked == guide.wantsBlocked() ? weight : 0;
             }
         }
@@ -366,6 +423,9 @@ public final class ClassicShader {
         boolean blocked = tracer.occluded(shadowRay, sampler.length);
         askedPoints++;
         blockedPoints += blocked ? 1 : 0;
+        if (observer != null) {
+            observe(blocked);
+        }
         return blocked;
     }
 }

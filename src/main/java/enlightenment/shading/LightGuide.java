@@ -1,7 +1,5 @@
 package enlightenment.shading;
 
-import enlightenment.geometry.Hit;
-
 /**
  * Chooses the points of lights that may be partly hidden, and hears what became of them. Places on a light are given in
  * the unit disk over which points are spread evenly if nobody guides.
@@ -34,8 +32,6 @@ public interface LightGuide {
     /** Whether the guide seeks the blocked points rather than the visible ones. */
     boolean wantsBlocked();
 
-    /**
-     * Tells what became of the point that was chosen last: seen from the hit in direction (dx, dy, dz), so far away.
-     */
-    void tell(Hit from, double dx, double dy, double dz, double distance, boolean blocked);
+    /** Tells what became of the point that was chosen last. */
+    void tell(boolean blocked);
 }

@@ -78,7 +78,7 @@ class ArchitectureTest {
             .whereLayer("descriptions")
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
-            .mayOnlyBeAccessedByLayers("compiled", "shading", "method", "render", "net")
+            .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "render", "net", "cli")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers("compiled", "film", "render", "net", "cli", "json");
 

@@ -81,7 +81,26 @@ class FloatingLiteralsTest {
             new Explained("sampling/NormalIntegral.java", "0.46875", "Cody: where the first approximation ends"),
             new Explained("sampling/NormalIntegral.java", "0.425", "Wichura: where the first approximation ends"),
             new Explained("sampling/NormalIntegral.java", "0.180625", "0.425², a probability squared"),
-            new Explained("sampling/NormalIntegral.java", "1.6", "Wichura: centre of the second approximation"));
+            new Explained("sampling/NormalIntegral.java", "1.6", "Wichura: centre of the second approximation"),
+            new Explained("film/ErrorEstimate.java", "1.96", "deviations that hold 95 % of a normal distribution"),
+            new Explained("film/ErrorEstimate.java", "8", "greatest ratio of variances when samples double"),
+            new Explained("method/Dither.java", "1.32471795724474602596", "the root of g³ = g + 1"),
+            new Explained("method/cluster/Allocation.java", "2.6", "exponent: how fast variances fall with samples"),
+            new Explained("method/cluster/Allocation.java", "3", "light points that cost as much as a ray"),
+            new Explained("method/cluster/ClusterMethod.java", "0.2", "share of light points"),
+            new Explained("method/cluster/Lobe.java", "1.25", "factor on a variance"),
+            new Explained(
+                    "method/cluster/Needs.java", "0.002", "ratio of variances of display-referred colours, measured"),
+            new Explained(
+                    "method/cluster/Needs.java", "0.015", "ratio of variances of display-referred colours, measured"),
+            new Explained(
+                    "method/cluster/Needs.java", "0.05", "ratio of variances of display-referred colours, measured"),
+            new Explained(
+                    "method/cluster/Needs.java", "0.6", "ratio of variances of display-referred colours, measured"),
+            new Explained("method/cluster/Needs.java", "6", "1 + 4 + 1: variance of a second difference"),
+            new Explained("method/cluster/RayCluster.java", "0.125", "share of a mixture"),
+            new Explained("method/cluster/RayCluster.java", "0.25", "share of a mixture"),
+            new Explained("method/cluster/RayCluster.java", "3", "ratio of variances that pays"));
 
     /** Coefficients of published approximations in dimensionless variables. */
     private static final Map<String, List<String>> CITED = Map.of(

@@ -448,7 +448,7 @@ class BadDocumentsTest {
         Path picture = folder.resolve("picture.png");
         CliRun run = CliRun.of("render", scene, "-o", picture);
         assertEquals(2, run.code());
-        String start = scene + ": /image: a picture of 65536x65536 pixels needs 154618822656 bytes of memory; at most ";
+        String start = scene + ": /image: a picture of 65536x65536 pixels needs 206158430208 bytes of memory; at most ";
         assertTrue(run.err().startsWith(start), run.err());
         assertFalse(Files.exists(picture));
     }

@@ -1,7 +1,6 @@
 package enlightenment.method.cluster;
 
 import enlightenment.compiled.RayCounters;
-import enlightenment.geometry.Hit;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Warp;
 import enlightenment.shading.LightGuide;
@@ -65,6 +64,12 @@ final class ClusterGuide implements LightGuide {
             }
         }
         return any;
+    }
+
+    /** The same of one cluster; 1 if it proposes nothing. */
+    double gain(int surface, int light, int bounce) {
+        RayCluster c = find(surface, light, bounce);
+        return c == null ? 1 : c.judgedGain();
     }
 
     /** The points of the rarer kind in the cluster that has most of them. */
@@ -151,7 +156,7 @@ final class ClusterGuide implements LightGuide {
     }
 
     @Override
-    public void tell(Hit from, double dx, double dy, double dz, double distance, boolean blocked) {
+    public void tell(boolean blocked) {
         if (!proposing) {
             current.watch(x, y, p, q, blocked);
         } else if (blocked == current.wantsBlocked()) {

@@ -10,6 +10,8 @@ import enlightenment.sampling.Distribution;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
+import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * The paper's ray clusters: evenly spaced rays show where samples are needed and where lights are partly hidden; samples
@@ -37,6 +39,7 @@ public final class ClusterMethod implements TileMethod {
     private final Survey survey;
     private final Needs needs = new Needs();
     private final ClusterGuide guide;
+    private final ClusterRecorder recorder;
     private final Ray ray = new Ray();
     private final SampleAddress address = new SampleAddress();
     private final SampleSpread spread = new SampleSpread();
@@ -50,11 +53,28 @@ public final class ClusterMethod implements TileMethod {
     /** @param effort how much is spent: the inverse of the variance that is worth one more sample */
     public ClusterMethod(
             CompiledScene scene, RenderSettings settings, RayCounters counters, Distribution proposal, double effort) {
+        this(scene, settings, counters, proposal, effort, null);
+    }
+
+    /**
+     * The same, showing the clusters of each block when it is done.
+     *
+     * @param clusters called from the thread that renders; null for nobody
+     */
+    public ClusterMethod(
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            Distribution proposal,
+            double effort,
+            Consumer<List<ClusterRecord>> clusters) {
         this.scene = scene;
         this.settings = settings;
         allocation = new Allocation(effort);
         shader = new ClassicShader(scene, 1, counters);
-        survey = new Survey(scene, settings, shader);
+        recorder = clusters == null ? null : new ClusterRecorder(clusters);
+        shader.observer(recorder);
+        survey = new Survey(scene, settings, shader, recorder);
         guide = new ClusterGuide(proposal, counters);
     }
 
@@ -70,6 +90,9 @@ public final class ClusterMethod implements TileMethod {
     }
 
     private void render(Block block, FilmTile tile) {
+        if (recorder != null) {
+            recorder.begin(block);
+        }
         prepare(block);
         tile.addSurveyRays(survey.rays());
         for (int j = 0; j < block.height(); j++) {
@@ -83,6 +106,9 @@ public final class ClusterMethod implements TileMethod {
             if (guided) {
                 guide.learn();
             }
+        }
+        if (recorder != null) {
+            recorder.end(guided ? guide : null);
         }
     }
 
@@ -166,6 +192,9 @@ public final class ClusterMethod implements TileMethod {
         scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
         if (guided) {
             guide.at(i + dx, j + dy);
+        }
+        if (recorder != null) {
+            recorder.camera(ray);
         }
         shader.shade(ray, address, color);
         double dxy = dx * dy;

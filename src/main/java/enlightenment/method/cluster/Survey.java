@@ -33,6 +33,7 @@ final class Survey {
     private final RenderSettings settings;
     private final ClassicShader shader;
     private final long seed;
+    private final ClusterRecorder recorder;
     private final Ray ray = new Ray();
     private final SampleAddress address = new SampleAddress();
     private final double[] color = new double[3];
@@ -44,12 +45,15 @@ final class Survey {
     private final int[] asked = new int[NODES];
     private final int[] blocked = new int[NODES];
     private final double[] energy = new double[NODES];
+    private final double[] spread = new double[NODES];
+    private boolean spreads;
     private Block block;
     private int askedInAll;
     private int blockedInAll;
     private int rays;
 
-    Survey(CompiledScene scene, RenderSettings settings, ClassicShader shader) {
+    Survey(CompiledScene scene, RenderSettings settings, ClassicShader shader, ClusterRecorder recorder) {
+        this.recorder = recorder;
         this.scene = scene;
         this.settings = settings;
         this.shader = shader;
@@ -62,6 +66,7 @@ final class Survey {
         rays = 0;
         askedInAll = 0;
         blockedInAll = 0;
+        spreads = false;
         shader.lightPoints(FEW);
         for (int j = 0; j <= block.height(); j++) {
             for (int i = 0; i <= block.width(); i++) {
@@ -93,6 +98,9 @@ final class Survey {
         address.pixel(seed, column, row);
         address.sample(round);
         scene.camera.ray((double) column / settings.width(), (double) row / settings.height(), ray);
+        if (recorder != null) {
+            recorder.camera(ray);
+        }
         shader.shade(ray, address, color);
         int k = node(i, j);
         System.arraycopy(color, 0, rgb, 3 * k, 3);
@@ -100,6 +108,8 @@ final class Survey {
         asked[k] = shader.askedPoints();
         blocked[k] = shader.blockedPoints();
         energy[k] = shader.lightEnergy();
+        spread[k] = shader.lightSpread();
+        spreads |= spread[k] > 0;
         askedInAll += asked[k];
         blockedInAll += blocked[k];
         rays++;
@@ -120,7 +130,7 @@ final class Survey {
     }
 
     boolean hasDoubtfulLight() {
-        return askedInAll > 0;
+        return askedInAll > 0 || spreads;
     }
 
     /** How many rays were followed. */
@@ -130,25 +140,27 @@ final class Survey {
 
     /**
      * The variance of the colour of one sample in pixel (i, j) that comes from the choice of its light point, if it takes
-     * one: the energy at stake times p (1 − p), where p is the share of hidden points around the pixel, with that of the
+     * one: that of its cosine, and the energy at stake times p (1 − p), where p is the share of hidden points around the pixel, with that of the
      * block counted in as so many more points.
      */
     double lightVariance(int i, int j) {
         int points = 0;
         int hidden = 0;
         double stake = 0;
+        double ofCosine = 0;
         for (int k = 0; k < 4; k++) {
             int node = node(i + (k & 1), j + (k >> 1));
             points += asked[node];
             hidden += blocked[node];
             stake = Math.max(stake, energy[node]);
+            ofCosine += spread[node] / 4;
         }
         if (stake == 0) {
-            return 0;
+            return ofCosine;
         }
         double before = (blockedInAll + 0.5) / (askedInAll + 1);
         double p = (hidden + BLOCK_POINTS * before) / (points + BLOCK_POINTS);
-        return stake * p * (1 - p);
+        return ofCosine + stake * p * (1 - p);
     }
 
     /** The variance of a corner's own colour for the same reason. */

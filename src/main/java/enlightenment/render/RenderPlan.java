@@ -1,10 +1,15 @@
-package enlightenment.method;
+package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.method.RayTraceMethod;
+import enlightenment.method.TileMethod;
 import enlightenment.method.cluster.ClusterMethod;
+import enlightenment.method.cluster.ClusterRecord;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.RenderSettings;
+import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * What is decided about a render before its first tile: with it, a tile is a pure function of scene, settings and place. It is
@@ -18,9 +23,22 @@ import enlightenment.scene.RenderSettings;
  */
 public record RenderPlan(double level, double samples, String decidedBy) {
     /** The method, for one thread. */
-    public TileMethod method(CompiledScene scene, RenderSettings settings, RayCounters counters) {
+    TileMethod method(CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        return method(scene, settings, counters, null);
+    }
+
+    /**
+     * The method, for one thread.
+     *
+     * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
+     */
+    TileMethod method(
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            Consumer<List<ClusterRecord>> clusters) {
         if (settings.method().equals("cluster")) {
-            return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), level);
+            return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), level, clusters);
         }
         return level == 0
                 ? new RayTraceMethod(scene, settings, counters)

@@ -6,11 +6,13 @@ package enlightenment.method.cluster;
  * here as the nearest power of two, since these are the numbers for which the points are best distributed.
  */
 final class Allocation {
-    /** 1 + γ: between edges (γ = 1.5) and smooth parts (γ = 2), measured in docs/cluster-sampler.md. */
-    private static final double ONE_PLUS_GAMMA = 2.6;
+    /** 1 + γ where the colour is smooth, and where edges or light points make it jump; measured in docs/cluster-sampler.md. */
+    private static final double SMOOTH = 2.85;
 
-    /** How many light points cost as much as a camera ray, measured there too. */
-    private static final double LIGHT_POINTS_PER_RAY = 3;
+    private static final double ROUGH = 2.5;
+
+    /** How much cheaper than a camera ray a light point is, and how much more often it misjudges a pixel's need: chosen there. */
+    private static final double LIGHT_POINTS_PER_RAY = 8;
 
     /** More light points per camera ray than this make no sense: the ray's own place matters then. */
     private static final int MOST_POINTS = 6;
@@ -24,21 +26,21 @@ final class Allocation {
         this.effort = effort;
     }
 
-    /** Binary logarithm of the number of samples for a pixel that needs so much. */
-    int samples(double film, double light) {
-        int samples = level(film);
+    /** Binary logarithm of the number of samples for a pixel that needs so much ({@link Needs}). */
+    int samples(double film, double edge, double light) {
+        int samples = Math.max(level(film, SMOOTH), level(edge, ROUGH));
         // With very many light points per ray, rays become the cheaper way to spread them.
         return Math.min(Math.max(samples, lightPoints(light) - MOST_POINTS), MOST_SAMPLES);
     }
 
     /** Binary logarithm of the number of light points that a pixel should take in all. */
     int lightPoints(double light) {
-        return Math.min(level(LIGHT_POINTS_PER_RAY * light), MOST_SAMPLES + MOST_POINTS);
+        return Math.min(level(LIGHT_POINTS_PER_RAY * light, ROUGH), MOST_SAMPLES + MOST_POINTS);
     }
 
-    private int level(double variance) {
+    private int level(double variance, double onePlusGamma) {
         double x = variance * effort;
-        return x <= 1 ? 0 : (int) (log2(x) / ONE_PLUS_GAMMA + 0.5);
+        return x <= 1 ? 0 : (int) (log2(x) / onePlusGamma + 0.5);
     }
 
     /** The binary logarithm, straight between powers of two: exact there, at most 0.09 too low between. */

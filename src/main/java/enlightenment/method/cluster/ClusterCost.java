@@ -18,6 +18,7 @@ public final class ClusterCost {
     private static final int HALVINGS = 40;
 
     private double[] film = new double[0];
+    private double[] edge = new double[0];
     private double[] light = new double[0];
     private int pixels;
     private long surveyRays;
@@ -46,10 +47,12 @@ public final class ClusterCost {
     private void add(Needs needs, Block block) {
         int n = block.width() * block.height();
         film = Arrays.copyOf(film, Math.max(film.length, pixels + n));
+        edge = Arrays.copyOf(edge, film.length);
         light = Arrays.copyOf(light, film.length);
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 film[pixels] = needs.film[Block.SIDE * j + i];
+                edge[pixels] = needs.edge[Block.SIDE * j + i];
                 light[pixels++] = needs.light[Block.SIDE * j + i];
             }
         }
@@ -60,7 +63,7 @@ public final class ClusterCost {
         Allocation allocation = new Allocation(effort);
         long sum = surveyRays;
         for (int k = 0; k < pixels; k++) {
-            sum += 1L << allocation.samples(film[k], light[k]);
+            sum += 1L << allocation.samples(film[k], edge[k], light[k]);
         }
         return (double) sum / pixels;
     }

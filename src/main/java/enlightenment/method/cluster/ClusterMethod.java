@@ -162,7 +162,7 @@ public final class ClusterMethod implements TileMethod {
 
     private void renderPixel(Block block, int i, int j, FilmTile tile) {
         int k = Block.SIDE * j + i;
-        int level = allocation.samples(needs.film[k], needs.light[k]);
+        int level = allocation.samples(needs.film[k], needs.edge[k], needs.light[k]);
         int points = needs.lightIsSettled ? 0 : Math.max(allocation.lightPoints(needs.light[k]) - level, 0);
         shader.lightPoints(1 << points);
         int x = block.x() + i;

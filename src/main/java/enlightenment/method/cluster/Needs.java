@@ -5,17 +5,17 @@ package enlightenment.method.cluster;
  * where in the pixel it lies, once from which light point it takes.
  *
  * <p>An edge (corners whose rays met different things) makes a sample vary as much as the corners do; without one, what the
- * interpolation between the corners misses is a share of their second differences. The shares are the mean ratios of
- * measured variance and corner differences over the shipped scenes (docs/cluster-sampler.md); the result changes little if
+ * interpolation between the corners misses is a share of their second differences. Only the shares' ratios matter. They were
+ * chosen for the least error at equal cost on shipped scenes (docs/cluster-sampler.md); the result changes by a few per cent if
  * they are doubled or halved.
  */
 final class Needs {
-    private static final double OF_EDGE = 0.6;
-    private static final double OF_CURVATURE = 0.015;
-    private static final double OF_TWIST = 0.05;
+    private static final double OF_EDGE = 2;
+    private static final double OF_CURVATURE = 0.03;
+    private static final double OF_TWIST = 0.1;
 
     /** What every pixel gets of its block's curvature: what the corners miss here they may have seen there. */
-    private static final double OF_BLOCK = 0.002;
+    private static final double OF_BLOCK = 0.003;
 
     /** A second difference of three corners of variance v each has the variance (1 + 4 + 1) v. */
     private static final double NOISE_OF_SECOND_DIFFERENCE = 6;
@@ -24,6 +24,9 @@ final class Needs {
 
     /** Per pixel of the block, row by row of 8. */
     final double[] film = new double[Block.SIDE * Block.SIDE];
+
+    /** The same for pixels that an edge passes through, 0 for others. */
+    final double[] edge = new double[Block.SIDE * Block.SIDE];
 
     final double[] light = new double[Block.SIDE * Block.SIDE];
 
@@ -37,7 +40,9 @@ final class Needs {
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 int k = Block.SIDE * j + i;
-                film[k] = filmVariance(survey, i, j) + OF_BLOCK * mean;
+                film[k] = OF_BLOCK * mean;
+                edge[k] = 0;
+                addCorners(survey, i, j, k);
                 light[k] = lightIsSettled ? 0 : survey.lightVariance(i, j);
             }
         }
@@ -50,15 +55,16 @@ final class Needs {
         }
     }
 
-    private double filmVariance(Survey survey, int i, int j) {
+    private void addCorners(Survey survey, int i, int j, int pixel) {
         int k = Survey.node(i, j);
         int below = k + Survey.SIDE;
         long key = survey.keys[k];
         if (key != survey.keys[k + 1] || key != survey.keys[below] || key != survey.keys[below + 1]) {
-            return OF_EDGE * cornerVariance(survey.rgb, 3 * k, 3 * below);
+            edge[pixel] = OF_EDGE * cornerVariance(survey.rgb, 3 * k, 3 * below);
+        } else {
+            double curvature = (second[k] + second[k + 1] + second[below] + second[below + 1]) / 4;
+            film[pixel] += OF_CURVATURE * curvature + OF_TWIST * twist(survey.rgb, 3 * k, 3 * below);
         }
-        double curvature = (second[k] + second[k + 1] + second[below] + second[below + 1]) / 4;
-        return OF_CURVATURE * curvature + OF_TWIST * twist(survey.rgb, 3 * k, 3 * below);
     }
 
     private static double cornerVariance(double[] rgb, int k, int below) {

@@ -63,7 +63,8 @@ public record RenderReport(
     /**
      * How long a phase took.
      *
-     * @param name compile, render or finish
+     * @param name compile, auxiliary (only where that takes rays of its own), plan, preview (only where asked for), render or
+     *     finish
      * @param wallSeconds by the clock
      * @param cpuSeconds of all threads together, 0 where the machine cannot tell
      */

@@ -70,6 +70,12 @@ public record RenderReport(
      */
     public record Phase(String name, double wallSeconds, double cpuSeconds) {}
 
+    /** False if an error was asked for and the estimated one is larger. */
+    public boolean isErrorMet() {
+        return settings.budget().error().isEmpty()
+                || sampling.estimatedError() <= settings.budget().error().getAsDouble();
+    }
+
     /** All rays of all kinds. */
     public long rays() {
         return raysByKind.values().stream().mapToLong(Long::longValue).sum();

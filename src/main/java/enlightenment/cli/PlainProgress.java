@@ -27,7 +27,8 @@ final class PlainProgress implements RenderProgress {
     @Override
     public void progress(long done, long total, Supplier<Image> soFar) {
         long now = clock.getAsLong();
-        if (now - last < PERIOD || done == total) {
+        // Before the first tile is finished there is nothing to judge by.
+        if (now - last < PERIOD || done == 0 || done == total) {
             return;
         }
         last = now;

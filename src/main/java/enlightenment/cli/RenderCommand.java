@@ -4,15 +4,20 @@ import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.math.Check.InvalidValueException;
 import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderReport;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
+import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -22,6 +27,9 @@ import picocli.CommandLine.Parameters;
 /** {@code enlightenment render}: makes a picture of a scene. */
 @Command(name = "render", description = "Makes a picture of a scene.", sortOptions = false)
 final class RenderCommand extends Subcommand {
+    private static final double LEAST_PREVIEW = 0.01;
+    private static final double MOST_PREVIEW = 1e9;
+
     @Parameters(paramLabel = "SCENE", description = "the scene file")
     private Path sceneFile;
 
@@ -44,8 +52,22 @@ final class RenderCommand extends Subcommand {
     @Option(names = "--stats", description = "show what was done")
     private boolean stats;
 
+    @Option(
+            names = "--aov",
+            paramLabel = "LIST",
+            description = "further files beside the picture: error,samples,depth,normal,object or some of them")
+    private String aov;
+
+    @Option(
+            names = "--preview",
+            paramLabel = "SECONDS",
+            description = "write what there is of the picture about this often while it is rendered")
+    private String preview;
+
     @Option(names = "--progress", paramLabel = "KIND", description = "auto (default), bar, plain or none")
     private String progress;
+
+    private Companions companions;
 
     RenderCommand(Terminal terminal) {
         super(terminal);
@@ -60,12 +82,15 @@ final class RenderCommand extends Subcommand {
         if (report != null) {
             Target.check(report);
         }
+        companions.check();
         RenderResult result = render(scene, settings);
-        if (result.report().pixels() == 0) {
+        if (result.shownPixels() == 0) {
             terminal.say("stopped before anything was rendered; " + output + " was not written");
             return CliException.FAILED;
         }
-        ImageFiles.write(result.image(), output, pngOptions(scene, settings));
+        PngOptions options = pngOptions(scene, settings, result.report().sampling());
+        ImageFiles.write(result.image(), output, options);
+        companions.write(result.auxiliary(), options);
         if (report != null) {
             Target.write(report, ReportJson.of(result));
         }
@@ -75,10 +100,24 @@ final class RenderCommand extends Subcommand {
         if (!result.complete()) {
             RenderSettings.Crop region = settings.region();
             long percent = 100 * result.report().pixels() / ((long) region.width() * region.height());
-            terminal.say("stopped: " + output + " holds " + percent + " % of the picture");
+            String rest = result.shownPixels() > result.report().pixels() ? ", and a preview of the rest" : "";
+            terminal.say("stopped: " + output + " holds " + percent + " % of the picture" + rest);
             return CliException.FAILED;
         }
+        warnOfError(result.report());
         return CliException.DONE;
+    }
+
+    /** Another part of the budget may have ended the render before the error was as small as asked. */
+    private void warnOfError(RenderReport report) {
+        if (!report.isErrorMet()) {
+            terminal.say(String.format(
+                    Locale.ROOT,
+                    "the error is about %.4g, more than --error %s; decided by %s",
+                    report.sampling().estimatedError(),
+                    RenderOptions.number(report.settings().budget().error().getAsDouble()),
+                    report.sampling().decidedBy()));
+        }
     }
 
     private void checkOptions() throws IOException {
@@ -98,6 +137,17 @@ final class RenderCommand extends Subcommand {
         if (report != null && (Target.same(report, output) || Target.same(report, sceneFile))) {
             throw CliException.wrongUsage("--report must name a file of its own, not \"" + report + "\"");
         }
+        companions = new Companions(aov, output);
+        companions.mustNotBe(sceneFile, "the scene itself");
+        if (report != null) {
+            companions.mustNotBe(report, "the file of --report");
+        }
+        if (preview != null) {
+            OptionValues.number("--preview", preview, LEAST_PREVIEW, MOST_PREVIEW);
+            if (Files.exists(output) && !Files.isRegularFile(output) && !Files.isDirectory(output)) {
+                throw CliException.wrongUsage("--preview needs a file that can be replaced, unlike \"" + output + "\"");
+            }
+        }
         if (Target.same(output, sceneFile)) {
             throw CliException.wrongUsage("-o must not name the scene itself, \"" + output + "\"");
         }
@@ -112,26 +162,55 @@ final class RenderCommand extends Subcommand {
 
     private RenderResult render(Scene scene, RenderSettings settings) {
         RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
+        RenderProgress told = settings.budget().seconds().isPresent()
+                ? new PlanNote(display, settings.budget().seconds().getAsDouble(), terminal.err())
+                : display;
+        PreviewWriter writer = preview == null ? null : previewWriter(scene, settings, told);
+        RenderRequest request = RenderRequest.of(scene, settings)
+                .withProgress(writer == null ? told : writer)
+                .withCancelled(terminal.stop())
+                .withAuxiliary(companions.kinds())
+                .withProgressive(writer != null);
         try {
-            return Renderer.render(scene, settings, display, terminal.stop());
+            return Renderer.render(request);
         } catch (InvalidValueException e) {
             throw options.blame(e, sceneFile.toString());
         } catch (SceneException e) {
             throw Failures.inFile(sceneFile.toString(), e);
         } finally {
+            if (writer != null) {
+                writer.finish();
+            }
             ProgressDisplay.end(display);
         }
     }
 
+    private PreviewWriter previewWriter(Scene scene, RenderSettings settings, RenderProgress display) {
+        PngOptions plain = pngOptions(scene, settings, null);
+        return new PreviewWriter(
+                display,
+                Double.parseDouble(preview),
+                image -> ImageFiles.write(image, output, plain.withText("Comment", "preview")),
+                terminal,
+                System::nanoTime);
+    }
+
+    /** With the number of samples in place of a time that decided it. */
+    private static RenderSettings replayable(RenderSettings settings, RenderReport.Sampling sampling) {
+        return sampling != null && sampling.decidedBy().equals("time")
+                ? settings.withBudget(Budget.NONE.withSamples(sampling.plannedSamples()))
+                : settings;
+    }
+
     /** What the file says of itself: nothing that differs from run to run. */
-    private PngOptions pngOptions(Scene scene, RenderSettings settings) {
+    private PngOptions pngOptions(Scene scene, RenderSettings settings, RenderReport.Sampling sampling) {
         Map<String, String> text = new LinkedHashMap<>();
         if (!scene.name().isEmpty()) {
             // PNG ends a text at a NUL.
             text.put("Title", scene.name().replace('\0', ' '));
         }
         text.put("Software", "Enlightenment " + Version.number());
-        text.put("Settings", options.canonical(settings));
+        text.put("Settings", options.canonical(replayable(settings, sampling)));
         return new PngOptions("16".equals(depth) ? 16 : 8, text);
     }
 }

@@ -151,7 +151,8 @@ final class RenderOptions {
         return s;
     }
 
-    private static String number(double value) {
+    /** A number with as many digits as it has, and no exponent. */
+    static String number(double value) {
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
     }
 

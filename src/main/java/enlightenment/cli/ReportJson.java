@@ -26,7 +26,7 @@ final class ReportJson {
         counts(json.key("rays"), report.raysByKind());
         json.key("lightSamples").value(report.lightSamples());
         json.key("lightSamplesWithoutRay").value(report.lightSamplesWithoutRay());
-        sampling(json.key("sampling"), report.sampling());
+        sampling(json.key("sampling"), report);
         counts(json.key("tests"), report.testsByPrimitive());
         counts(json.key("hits"), report.hitsByPrimitive());
         json.key("textureLookups").value(report.textureLookups());
@@ -75,7 +75,8 @@ final class ReportJson {
         json.endObject();
     }
 
-    private static void sampling(JsonText json, RenderReport.Sampling s) {
+    private static void sampling(JsonText json, RenderReport report) {
+        RenderReport.Sampling s = report.sampling();
         json.beginObject();
         json.key("decidedBy").value(s.decidedBy());
         json.key("plannedSamples").value(s.plannedSamples());
@@ -86,6 +87,9 @@ final class ReportJson {
                 .value(s.errorLow())
                 .value(s.errorHigh())
                 .endArray();
+        if (report.settings().budget().error().isPresent()) {
+            json.key("errorMet").value(report.isErrorMet());
+        }
         json.key("clusters").value(s.clusters());
         json.key("proposals").value(s.proposals());
         json.key("accepted").value(s.accepted());

@@ -19,7 +19,7 @@ final class StatsTable {
         table.row("rays in all", report.rays());
         table.row("light samples", report.lightSamples());
         table.row("  without a ray", report.lightSamplesWithoutRay());
-        table.sampling(report.sampling());
+        table.sampling(report);
         table.primitives(report.testsByPrimitive(), report.hitsByPrimitive());
         table.row("texture look-ups", report.textureLookups());
         table.row("pixels", report.pixels());
@@ -35,7 +35,8 @@ final class StatsTable {
         return table.text.toString();
     }
 
-    private void sampling(RenderReport.Sampling s) {
+    private void sampling(RenderReport report) {
+        RenderReport.Sampling s = report.sampling();
         line("samples per pixel", "%,18.2f   decided by %s", s.samplesPerPixel(), s.decidedBy());
         line(
                 "estimated error",
@@ -43,6 +44,11 @@ final class StatsTable {
                 s.estimatedError(),
                 s.errorLow(),
                 s.errorHigh());
+        report.settings()
+                .budget()
+                .error()
+                .ifPresent(asked ->
+                        line("error asked for", "%18.5f   %s", asked, report.isErrorMet() ? "met" : "not met"));
         if (s.clusters() > 0) {
             double percent = s.proposals() == 0 ? 0 : 100.0 * s.accepted() / s.proposals();
             line("ray clusters", "%,18d   %,d proposals, %.1f %% accepted", s.clusters(), s.proposals(), percent);

@@ -21,6 +21,8 @@ import java.util.Map;
  * @param kind by id: index into {@code kindNames}
  * @param kindNames the kinds of shapes that there are
  * @param glassSolids ids of solids made of glass
+ * @param object by id: the place of its object in the scene's list
+ * @param objects how many objects there are, twins included
  * @param mediumRank by id: rank among the glass solids, smaller fills overlaps; empty where there is no glass
  */
 record CompiledPrimitives(
@@ -30,9 +32,11 @@ record CompiledPrimitives(
         int[] kind,
         List<String> kindNames,
         int[] glassSolids,
+        int[] object,
+        int objects,
         int[] mediumRank) {
 
-    private record Entry(SceneObject object, Primitive primitive, double[] parameters) {}
+    private record Entry(int index, SceneObject object, Primitive primitive, double[] parameters) {}
 
     /** Kind, then numbers, then material: nothing that depends on names or on the order in the file. */
     private static final class Canonical implements Comparator<Entry> {
@@ -68,7 +72,7 @@ record CompiledPrimitives(
         for (int i = 0; i < entries.length; i++) {
             SceneObject o = objects.get(i);
             Primitive p = place(o, i, frame);
-            entries[i] = new Entry(o, p, p.parameters());
+            entries[i] = new Entry(i, o, p, p.parameters());
         }
         Arrays.sort(entries, new Canonical());
         entries = withoutTwins(entries);
@@ -100,8 +104,17 @@ record CompiledPrimitives(
         }
         SurfaceMaterial[] flat = materials.toArray(SurfaceMaterial[]::new);
         int[] glass = glassSolids(primitives, first, flat);
+        int[] object = Arrays.stream(entries).mapToInt(Entry::index).toArray();
         return new CompiledPrimitives(
-                primitives, first, flat, kind, kindNames, glass, ranks(primitives, first, flat, glass));
+                primitives,
+                first,
+                flat,
+                kind,
+                kindNames,
+                glass,
+                object,
+                objects.size(),
+                ranks(primitives, first, flat, glass));
     }
 
     /** The primitive of the object at an index; what it refuses is told with the object's place in the scene. */

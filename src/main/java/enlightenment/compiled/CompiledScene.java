@@ -60,6 +60,12 @@ public final class CompiledScene {
     /** By id: rank of a glass solid in overlaps, the smallest fills them; see {@link enlightenment.material.Material.Glass}. */
     public final int[] mediumRank;
 
+    /** By id: the place of its object in the scene's list, counted from 0. */
+    public final int[] object;
+
+    /** How many objects the scene's list has, those included that are hidden by twins in the same place. */
+    public final int objects;
+
     private final List<String> features;
     private final List<String> absent;
 
@@ -83,6 +89,8 @@ public final class CompiledScene {
         this.kindNames = compiled.kindNames();
         this.glassSolids = compiled.glassSolids();
         this.mediumRank = compiled.mediumRank();
+        object = compiled.object();
+        objects = compiled.objects();
         this.bvh = bvh;
         CompiledLight[] visible = new CompiledLight[lights.length];
         int seen = 0;

@@ -1,6 +1,7 @@
 package enlightenment.image;
 
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Pictures of where two images differ, in the colour map magma: black is no difference, pale yellow the largest. Made of
@@ -24,15 +25,20 @@ public final class HeatMap {
     private static final int SCALE_HEIGHT = GAP + BAR + GAP + DIGIT_HEIGHT + GAP;
     private static final float INK = 0.8f;
 
-    /** What the numbers of the scale need; five rows of three dots each, the upper left dot in the highest bit. */
-    private static final String SIGNS = "01257.";
+    /** What the numbers of a scale need; five rows of three dots each, the upper left dot in the highest bit. */
+    private static final String SIGNS = "0123456789.";
 
     private static final int[] SIGN_DOTS = {
         0b111_101_101_101_111,
         0b010_110_010_010_111,
         0b111_001_111_100_111,
+        0b111_001_011_001_111,
+        0b101_101_111_001_001,
         0b111_100_111_001_111,
+        0b111_100_111_101_111,
         0b111_001_010_010_010,
+        0b111_101_111_101_111,
+        0b111_101_111_001_111,
         0b000_000_000_000_010
     };
 
@@ -48,30 +54,73 @@ public final class HeatMap {
      * picture of less than 32 columns gets none.
      */
     public static Image withScale(Flip flip) {
-        if (flip.width() < NARROWEST_WITH_SCALE) {
-            return of(flip);
+        float[] rgb = colors(flip, scaleRows(flip.width()));
+        List<String> labels = flip.width() < WIDE ? List.of("0", "0.5", "1") : List.of("0", "0.25", "0.5", "0.75", "1");
+        return scaled(flip.width(), flip.height(), rgb, labels);
+    }
+
+    /**
+     * Any map of numbers, with the same scale below it. Where the numbers need more room than there is, only those at its
+     * ends are shown, or none.
+     *
+     * @param width in pixels
+     * @param height in pixels
+     * @param shares for each pixel, row by row, how far up the scale it is: 0..1, what lies outside gets the colour of the end
+     * @param labels two or more numbers, digits and points only, spread evenly over the scale
+     * @throws IllegalArgumentException if the labels are too few or have other characters
+     */
+    public static Image withScale(int width, int height, float[] shares, List<String> labels) {
+        if (shares.length != (long) width * height) {
+            throw new IllegalArgumentException(width + " x " + height + " pixels, but " + shares.length + " numbers");
         }
-        int dot = flip.width() < LARGE ? 1 : 2;
-        int scaleRows = dot * SCALE_HEIGHT;
-        float[] rgb = colors(flip, scaleRows);
-        int width = flip.width();
-        int top = flip.height();
+        if (labels.size() < 2 || labels.stream().anyMatch(l -> l.chars().anyMatch(c -> SIGNS.indexOf(c) < 0))) {
+            throw new IllegalArgumentException("a scale needs two or more numbers, unlike " + labels);
+        }
+        int rows = Math.addExact(height, scaleRows(width));
+        float[] rgb = new float[Math.multiplyExact(3, Math.multiplyExact(width, rows))];
+        for (int i = 0; i < shares.length; i++) {
+            Magma.write(shares[i], rgb, 3 * i);
+        }
+        return scaled(width, height, rgb, labels);
+    }
+
+    private static int scaleRows(int width) {
+        return width < NARROWEST_WITH_SCALE ? 0 : (width < LARGE ? 1 : 2) * SCALE_HEIGHT;
+    }
+
+    /** Draws the scale, if there are rows for it. */
+    private static Image scaled(int width, int top, float[] rgb, List<String> numbers) {
+        int scaleRows = scaleRows(width);
+        if (scaleRows == 0) {
+            return new Image(width, top, rgb);
+        }
+        int dot = width < LARGE ? 1 : 2;
         for (int y = top + dot * GAP; y < top + dot * (GAP + BAR); y++) {
             for (int x = 0; x < width; x++) {
                 Magma.write(x / (width - 1.0), rgb, 3 * (y * width + x));
             }
         }
         int line = top + dot * (GAP + BAR + GAP);
-        String[] labels =
-                width < WIDE ? new String[] {"0", "0.5", "1"} : new String[] {"0", "0.25", "0.5", "0.75", "1"};
-        for (int i = 0; i < labels.length; i++) {
-            int length = dot * (labels[i].length() * (DIGIT_WIDTH + 1) - 1);
+        List<String> labels = fitting(numbers, width / dot);
+        for (int i = 0; i < labels.size(); i++) {
+            int length = dot * (labels.get(i).length() * (DIGIT_WIDTH + 1) - 1);
             // Centred below its value, but within the picture.
-            int center = i * (width - 1) / (labels.length - 1);
+            int center = i * (width - 1) / (labels.size() - 1);
             int left = Math.min(Math.max(center - length / 2, dot), width - dot - length);
-            print(labels[i], rgb, width, left, line, dot);
+            print(labels.get(i), rgb, width, left, line, dot);
         }
         return new Image(width, top + scaleRows, rgb);
+    }
+
+    /** All numbers, those at the ends, or none: as many as fit into so many dots with room for a digit between them. */
+    private static List<String> fitting(List<String> labels, int dots) {
+        List<String> ends = List.of(labels.get(0), labels.get(labels.size() - 1));
+        int longest = labels.stream().mapToInt(String::length).max().orElseThrow();
+        if ((longest + 1) * (DIGIT_WIDTH + 1) * (labels.size() - 1) <= dots) {
+            return labels;
+        }
+        int both = (ends.get(0).length() + ends.get(1).length()) * (DIGIT_WIDTH + 1);
+        return both + DIGIT_WIDTH + 1 <= dots ? ends : List.of();
     }
 
     private static float[] colors(Flip flip, int moreRows) {

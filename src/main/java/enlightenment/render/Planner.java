@@ -10,7 +10,7 @@ import enlightenment.method.cluster.ClusterCost;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
@@ -51,27 +51,49 @@ final class Planner {
 
     private static final double FIRST_SAMPLES = 4;
 
-    /** The share of a time budget that the trial may take, and the share that is planned with. */
-    private static final double TRIAL_TIME = 0.15;
+    /** Blocks of a trial of speed: a share of the picture, within these limits. */
+    private static final int LEAST_BLOCKS_OF_TIME = 64;
 
-    private static final double PLANNED_TIME = 0.9;
+    /** The share of a time budget that one trial may take, that they all take at least, and at most. */
+    private static final double ONE_TRIAL_TIME = 0.06;
+
+    private static final double LEAST_TRIAL_TIME = 0.12;
+    private static final double MOST_TRIAL_TIME = 0.35;
+
+    /** Seconds after which the code is as fast as it gets: even a long budget need not be tried for longer. */
+    private static final double WARM = 3;
+
+    /** A trial that is faster than those before by less than this factor is no faster, and after so many of them it is enough. */
+    private static final double FASTER = 1.04;
+
+    private static final int CALM = 3;
+
+    /** The share of the time that is left that is planned with. */
+    private static final double PLANNED_TIME = 0.93;
+
     private static final double NANO = 1e-9;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final BooleanSupplier cancelled;
     private final boolean cluster;
+    private final boolean progressive;
     private ClusterCost cost;
 
-    Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+    Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled, boolean progressive) {
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
+        this.progressive = progressive;
         cluster = settings.method().equals("cluster");
     }
 
-    RenderPlan plan() {
-        long start = System.nanoTime();
+    /**
+     * The plan for the settings' budget.
+     *
+     * @param start when the render began, of {@link System#nanoTime}
+     */
+    RenderPlan plan(long start) {
         Budget budget = settings.budget();
         double antialias = (double) settings.antialias() * settings.antialias();
         if (budget.isNone()) {
@@ -95,6 +117,12 @@ final class Planner {
         return withSamples(samples, by);
     }
 
+    /** A plan for so few samples per pixel, or null if the method cannot do with so few. */
+    RenderPlan planFor(double samples) {
+        double least = cluster ? cost().samples(1) : 1;
+        return samples < least ? null : withSamples(samples, "preview");
+    }
+
     private RenderPlan withSamples(double samples, String by) {
         return new RenderPlan(level(samples), samples, by);
     }
@@ -103,16 +131,20 @@ final class Planner {
         if (!cluster) {
             return Math.max(samples, 1);
         }
+        return cost().effort(samples);
+    }
+
+    private ClusterCost cost() {
         if (cost == null) {
             cost = ClusterCost.of(scene, settings, COST_BLOCKS);
         }
-        return cost.effort(samples);
+        return cost;
     }
 
     /** The number of samples for which the error is this, but not more than the most. */
     private double samplesForError(double error, double most) {
         double n = Math.min(FIRST_SAMPLES, most);
-        double e = trial(n, Integer.MAX_VALUE);
+        double e = errorOfTrial(n);
         double slope = LEAST_SLOPE + (GREATEST_SLOPE - LEAST_SLOPE) / 2;
         for (int k = 1; k < MOST_TRIALS && !cancelled.getAsBoolean(); k++) {
             boolean close = e <= error * CLOSE && e >= error / CLOSE;
@@ -121,7 +153,7 @@ final class Planner {
             if (e == 0 || close || next == n) {
                 return tidy(next);
             }
-            double found = trial(next, Integer.MAX_VALUE);
+            double found = errorOfTrial(next);
             if (found > 0) {
                 double measured = StrictMath.log(e / found) / StrictMath.log(next / n);
                 slope = Math.min(Math.max(measured, LEAST_SLOPE), GREATEST_SLOPE);
@@ -132,25 +164,39 @@ final class Planner {
         return tidy(Math.min(Math.max(n * StrictMath.pow(e / error, 1 / slope), 1), most));
     }
 
-    /** The number of samples that take so much time, by trials that go on until the machine is warm. */
+    /**
+     * The number of samples that take so much time. Trials go on until they get no faster, because the just-in-time compiler
+     * needs a while; each has about the number of samples that the one before proposed, because the first samples of a pixel
+     * may cost more than others.
+     */
     private double samplesForTime(double seconds, long start) {
-        double n = FIRST_SAMPLES;
-        double perSample = 0;
-        double elapsed = 0;
-        int blocks = blocks();
+        RenderSettings.Crop region = settings.region();
+        double pixels = (double) region.width() * region.height();
+        List<FilmTile> blocks = blocksOf(region, LEAST_BLOCKS_OF_TIME);
+        double trialPixels = blocks.stream().mapToInt(b -> b.width * b.height).sum();
+        double passes = progressive ? 1 + Preview.SHARES[0] + Preview.SHARES[1] : 1;
+        // What is worked out only once must not count as part of a trial.
+        level(1);
+        double n = 1;
+        double fastest = 0;
+        double planned;
+        double elapsed;
+        int calm = 0;
         do {
             long before = System.nanoTime();
-            int some = Math.max(Math.min(LEAST_TRIAL / 4, blocks), 1);
-            trial(n, some);
-            double took = (System.nanoTime() - before) * NANO;
-            int done = SpreadPlaces.of(across(), down(), some).size();
-            perSample = took * blocks / done / n;
-            elapsed = (System.nanoTime() - start) * NANO;
-        } while (elapsed < TRIAL_TIME * seconds && !cancelled.getAsBoolean());
-        RenderSettings.Crop region = settings.region();
-        double share = (double) region.width() * region.height() / ((double) settings.width() * settings.height());
-        return tidy(
-                Math.min(Math.max((PLANNED_TIME * seconds - elapsed) / (perSample * share), 1), Budget.MAX_SAMPLES));
+            trial(n, emptied(blocks));
+            long now = System.nanoTime();
+            double perSecond = n * trialPixels / Math.max((now - before) * NANO, NANO);
+            calm = perSecond < fastest * FASTER ? calm + 1 : 0;
+            fastest = Math.max(fastest, perSecond);
+            elapsed = (now - start) * NANO;
+            planned = PLANNED_TIME * (seconds - elapsed) * perSecond / (pixels * passes);
+            double affordable = ONE_TRIAL_TIME * seconds * perSecond / trialPixels;
+            n = Math.min(Math.max(Math.min(planned, affordable), 1), Budget.MAX_SAMPLES);
+        } while (elapsed < Math.min(MOST_TRIAL_TIME * seconds, WARM)
+                && (calm < CALM || elapsed < LEAST_TRIAL_TIME * seconds)
+                && !cancelled.getAsBoolean());
+        return Math.min(Math.max(tidy(planned), 1), Budget.MAX_SAMPLES);
     }
 
     /** Three digits, so that the number can be read from a log and given again. */
@@ -167,38 +213,49 @@ final class Planner {
         return unit >= 1 ? digits * unit : digits / Math.rint(1 / unit);
     }
 
-    private int across() {
-        return (settings.width() + SIDE - 1) / SIDE;
-    }
-
-    private int down() {
-        return (settings.height() + SIDE - 1) / SIDE;
-    }
-
-    private int blocks() {
-        return across() * down();
-    }
-
     /** Renders some blocks of the whole picture with so many samples and returns their estimated error. */
-    private double trial(double samples, int most) {
-        int count = Math.min(most, Math.max(Math.min(blocks(), LEAST_TRIAL), blocks() / TRIAL_SHARE));
-        List<int[]> places = SpreadPlaces.of(across(), down(), count);
+    private double errorOfTrial(double samples) {
+        List<FilmTile> blocks =
+                blocksOf(new RenderSettings.Crop(0, 0, settings.width(), settings.height()), LEAST_TRIAL);
+        trial(samples, blocks);
+        return cancelled.getAsBoolean() ? 0 : ErrorEstimate.of(blocks).rmse();
+    }
+
+    /** Blocks spread over a part of the picture: a share of it, but not less than so many, if there are. */
+    private static List<FilmTile> blocksOf(RenderSettings.Crop area, int least) {
+        int left = area.x() / SIDE;
+        int top = area.y() / SIDE;
+        int right = area.x() + area.width();
+        int bottom = area.y() + area.height();
+        int across = (right - 1) / SIDE - left + 1;
+        int down = (bottom - 1) / SIDE - top + 1;
+        int all = across * down;
+        List<FilmTile> blocks = new ArrayList<>();
+        for (int[] place : SpreadPlaces.of(across, down, Math.max(Math.min(all, least), all / TRIAL_SHARE))) {
+            int x = Math.max((left + place[0]) * SIDE, area.x());
+            int y = Math.max((top + place[1]) * SIDE, area.y());
+            int width = Math.min((left + place[0] + 1) * SIDE, right) - x;
+            int height = Math.min((top + place[1] + 1) * SIDE, bottom) - y;
+            blocks.add(new FilmTile(x, y, width, height));
+        }
+        return blocks;
+    }
+
+    private static List<FilmTile> emptied(List<FilmTile> blocks) {
+        List<FilmTile> empty = new ArrayList<>();
+        for (FilmTile b : blocks) {
+            empty.add(new FilmTile(b.x, b.y, b.width, b.height));
+        }
+        return empty;
+    }
+
+    /** Renders these blocks with so many samples, and random numbers that are not the picture's. */
+    private void trial(double samples, List<FilmTile> blocks) {
         RenderSettings apart = settings.withSeed(Hash.of(settings.seed(), PURPOSE));
         RenderPlan plan = new RenderPlan(level(samples), samples, "trial");
-        FilmTile[] tiles = new FilmTile[places.size()];
-        Workers.run(settings.threads(), tiles.length, cancelled, () -> {
+        Workers.run(settings.threads(), blocks.size(), cancelled, () -> {
             TileMethod method = plan.method(scene, apart, new RayCounters(scene.kindNames.size()));
-            return (IntConsumer) i -> {
-                int x = places.get(i)[0] * SIDE;
-                int y = places.get(i)[1] * SIDE;
-                FilmTile tile =
-                        new FilmTile(x, y, Math.min(SIDE, settings.width() - x), Math.min(SIDE, settings.height() - y));
-                method.render(tile);
-                tiles[i] = tile;
-            };
+            return (IntConsumer) i -> method.render(blocks.get(i));
         });
-        return cancelled.getAsBoolean()
-                ? 0
-                : ErrorEstimate.of(Arrays.asList(tiles)).rmse();
     }
 }

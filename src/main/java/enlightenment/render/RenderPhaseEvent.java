@@ -10,7 +10,7 @@ import jdk.jfr.StackTrace;
 /** A phase of a render, in Java Flight Recorder. */
 @Name("enlightenment.RenderPhase")
 @Label("Render phase")
-@Description("One phase of a render: compile, render or finish")
+@Description("One phase of a render: compile, auxiliary, plan, preview, render or finish")
 @Category("Enlightenment")
 @StackTrace(false)
 final class RenderPhaseEvent extends Event {

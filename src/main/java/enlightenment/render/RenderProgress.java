@@ -12,9 +12,18 @@ public interface RenderProgress {
     /**
      * Some more of the picture is done.
      *
-     * @param done pixels finished
+     * @param done pixels finished; 0 while a progressive render refines its first coarse pass
      * @param total pixels in all
-     * @param soFar makes the picture so far; what is not rendered yet is black
+     * @param soFar makes the picture so far, when it is called before this method returns. What is not rendered yet is black;
+     *     in a progressive render there is no such thing, because the first call comes after the first coarse pass
      */
     void progress(long done, long total, Supplier<Image> soFar);
+
+    /**
+     * It is decided how many samples there will be; called once, before the first progress.
+     *
+     * @param samples camera rays per pixel in the mean: as {@code --samples} this makes the same picture
+     * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
+     */
+    default void planned(double samples, String decidedBy) {}
 }

@@ -63,11 +63,18 @@ public record RenderReport(
     /**
      * How long a phase took.
      *
-     * @param name compile, render or finish
+     * @param name compile, auxiliary (only where that takes rays of its own), plan, preview (only where asked for), render or
+     *     finish
      * @param wallSeconds by the clock
      * @param cpuSeconds of all threads together, 0 where the machine cannot tell
      */
     public record Phase(String name, double wallSeconds, double cpuSeconds) {}
+
+    /** False if an error was asked for and the estimated one is larger. */
+    public boolean isErrorMet() {
+        return settings.budget().error().isEmpty()
+                || sampling.estimatedError() <= settings.budget().error().getAsDouble();
+    }
 
     /** All rays of all kinds. */
     public long rays() {

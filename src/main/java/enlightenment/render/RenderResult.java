@@ -1,12 +1,27 @@
 package enlightenment.render;
 
 import enlightenment.image.Image;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.Map;
 
 /**
  * What a render gave.
  *
- * @param image the picture; where the render was cancelled, the pixels that were not reached are black
+ * @param image the picture; where the render was cancelled, the pixels that were not reached are those of the coarse passes of
+ *     a progressive render, or else black
  * @param report what was done and how long it took
  * @param complete false where the render was cancelled before its end
+ * @param shownPixels how many pixels of the picture are not left black: the finished ones, and those that only a coarse pass
+ *     reached
+ * @param auxiliary what was asked for beside the colours, in raw numbers: {@link Auxiliary} tells what they mean
  */
-public record RenderResult(Image image, RenderReport report, boolean complete) {}
+public record RenderResult(
+        Image image, RenderReport report, boolean complete, long shownPixels, Map<Auxiliary, Image> auxiliary) {
+
+    public RenderResult {
+        EnumMap<Auxiliary, Image> copy = new EnumMap<>(Auxiliary.class);
+        copy.putAll(auxiliary);
+        auxiliary = Collections.unmodifiableMap(copy);
+    }
+}

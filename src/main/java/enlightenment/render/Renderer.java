@@ -8,6 +8,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -22,6 +23,9 @@ public final class Renderer {
 
     /** A film keeps three doubles, two floats and a count per pixel, the finished picture three floats. */
     private static final long BYTES_PER_PIXEL = 3 * (8 + 4) + 3 * 4;
+
+    /** Images of other things, and the preview. */
+    private static final long BYTES_PER_IMAGE_PIXEL = 3 * 4;
 
     /** Measured for spheres with a hierarchy (docs/benchmarks.md), rounded up. */
     private static final long BYTES_PER_PRIMITIVE = 400;
@@ -42,16 +46,45 @@ public final class Renderer {
      */
     public static RenderResult render(
             Scene scene, RenderSettings settings, RenderProgress progress, BooleanSupplier cancelled) {
+        return render(RenderRequest.of(scene, settings).withProgress(progress).withCancelled(cancelled));
+    }
+
+    /**
+     * Renders what is requested.
+     *
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     */
+    public static RenderResult render(RenderRequest request) {
+        long start = System.nanoTime();
+        RenderSettings settings = request.settings();
         checkMethod(settings.method());
-        checkMemory(settings);
+        checkMemory(request);
         Phases phases = new Phases();
-        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
-        RenderPlan plan = phases.run("plan", () -> new Planner(compiled, settings, cancelled).plan());
-        TileRender render = new TileRender(compiled, settings, plan, progress, cancelled);
+        CompiledScene scene = phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings));
+        AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.auxiliary());
+        if (request.auxiliary().stream().anyMatch(Auxiliary::needsRays)) {
+            phases.run("auxiliary", () -> pass.run(request.cancelled()));
+        }
+        Planner planner = new Planner(scene, settings, request.cancelled(), request.progressive());
+        RenderPlan plan = phases.run("plan", () -> planner.plan(start));
+        request.progress().planned(plan.samples(), plan.decidedBy());
+        TileGrid grid = new TileGrid(settings);
+        Preview preview = request.progressive() ? new Preview(scene, settings, grid, planner) : null;
+        if (preview != null) {
+            phases.run("preview", () -> preview.run(plan, request.progress(), request.cancelled()));
+        }
+        TileRender render = new TileRender(scene, request, plan, grid, preview);
         phases.run("render", render::run);
         Image image = phases.run("finish", render::image);
-        RenderReport report = render.report(scene.name(), phases.list());
-        return new RenderResult(image, report, render.isComplete());
+        Map<Auxiliary, Image> auxiliary = pass.images();
+        for (Auxiliary kind : request.auxiliary()) {
+            if (!kind.needsRays()) {
+                auxiliary.put(kind, new PixelStatistics(render.film()).of(kind));
+            }
+        }
+        RenderReport report = render.report(request.scene().name(), phases.list());
+        return new RenderResult(image, report, render.isComplete(), render.shownPixels(), auxiliary);
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */
@@ -77,9 +110,10 @@ public final class Renderer {
     }
 
     /** Refuses a picture that cannot fit before anything is allocated. */
-    private static void checkMemory(RenderSettings settings) {
-        RenderSettings.Crop region = settings.region();
-        long needed = memoryFor(settings);
+    private static void checkMemory(RenderRequest request) {
+        RenderSettings.Crop region = request.settings().region();
+        int more = (request.progressive() ? 1 : 0) + request.auxiliary().size();
+        long needed = memoryFor(request.settings()) + more * BYTES_PER_IMAGE_PIXEL * region.width() * region.height();
         long available = Runtime.getRuntime().maxMemory();
         boolean fits = needed <= available && 3L * region.width() * region.height() <= Integer.MAX_VALUE - 8;
         Check.that(

@@ -8,7 +8,6 @@ import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
 import enlightenment.method.TileMethod;
 import enlightenment.scene.RenderSettings;
-import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -27,64 +26,40 @@ final class TileRender {
     private final RenderProgress progress;
     private final BooleanSupplier cancelled;
     private final Film film;
-    private final int tilesAcross;
-    private final int tiles;
+    private final TileGrid grid;
 
-    /** Steps from one tile to the next that is handed out. */
-    private final int stride;
+    /** What is shown where nothing is finished yet, or null. */
+    private final Preview preview;
 
     private final List<RayCounters> counters = new ArrayList<>();
     private long pixelsDone;
     private long peakMemory;
 
-    TileRender(
-            CompiledScene scene,
-            RenderSettings settings,
-            RenderPlan plan,
-            RenderProgress progress,
-            BooleanSupplier cancelled) {
+    /** @param preview what is shown where nothing is finished yet, or null */
+    TileRender(CompiledScene scene, RenderRequest request, RenderPlan plan, TileGrid grid, Preview preview) {
         this.scene = scene;
-        this.settings = settings;
+        settings = request.settings();
         this.plan = plan;
-        this.progress = progress;
-        this.cancelled = cancelled;
+        this.grid = grid;
+        this.preview = preview;
+        progress = request.progress();
+        cancelled = request.cancelled();
         region = settings.region();
         film = new Film(region.x(), region.y(), region.width(), region.height());
-        int size = settings.tileSize();
-        // Tiles are cut from the whole picture's corner, so that a crop shares them with the whole.
-        tilesAcross = (region.x() + region.width() - 1) / size - region.x() / size + 1;
-        int tilesDown = (region.y() + region.height() - 1) / size - region.y() / size + 1;
-        tiles = Math.multiplyExact(tilesAcross, tilesDown);
-        stride = stride(tiles);
-    }
-
-    /**
-     * A number without common divisors with {@code tiles}, near the golden section of it: tiles taken in this step are
-     * scattered over the picture. So an unfinished picture shows something of everything, and the just-in-time compiler
-     * sees the whole scene before it decides what is common (measured: a third less compiling, docs/benchmarks.md).
-     */
-    private static int stride(int tiles) {
-        double goldenSection = (Math.sqrt(5) - 1) / 2;
-        int step = Math.max((int) (tiles * goldenSection), 1);
-        while (!BigInteger.valueOf(step).gcd(BigInteger.valueOf(tiles)).equals(BigInteger.ONE)) {
-            step++;
-        }
-        return step;
     }
 
     void run() {
-        Workers.run(settings.threads(), tiles, cancelled, () -> {
+        Workers.run(settings.threads(), grid.count, cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
             TileMethod method = plan.method(scene, settings, mine);
-            return index -> renderTile(method, (int) ((long) index * stride % tiles));
+            return turn -> renderTile(method, grid.tile(turn));
         });
     }
 
-    private void renderTile(TileMethod method, int index) {
+    private void renderTile(TileMethod method, FilmTile tile) {
         TileEvent event = new TileEvent();
         event.begin();
-        FilmTile tile = tile(index);
         method.render(tile);
         film.put(tile);
         event.x = tile.x;
@@ -94,22 +69,14 @@ final class TileRender {
         finished(tile);
     }
 
-    private FilmTile tile(int index) {
-        int size = settings.tileSize();
-        int left = (region.x() / size + index % tilesAcross) * size;
-        int top = (region.y() / size + index / tilesAcross) * size;
-        int x = Math.max(left, region.x());
-        int y = Math.max(top, region.y());
-        int width = Math.min(left + size, region.x() + region.width()) - x;
-        int height = Math.min(top + size, region.y() + region.height()) - y;
-        return new FilmTile(x, y, width, height);
-    }
-
     private synchronized void finished(FilmTile tile) {
         pixelsDone += (long) tile.width * tile.height;
         Runtime runtime = Runtime.getRuntime();
         peakMemory = Math.max(peakMemory, runtime.totalMemory() - runtime.freeMemory());
-        progress.progress(pixelsDone, (long) region.width() * region.height(), film::toImage);
+        if (preview != null) {
+            preview.put(tile);
+        }
+        progress.progress(pixelsDone, (long) region.width() * region.height(), this::image);
     }
 
     /** What was rendered, in full precision. */
@@ -117,8 +84,14 @@ final class TileRender {
         return film;
     }
 
+    /** The picture as it stands: the film, and what the preview shows where that is not finished. */
     Image image() {
-        return film.toImage();
+        return preview == null || isComplete() ? film.toImage() : preview.image();
+    }
+
+    /** How many pixels are not black for want of samples. */
+    long shownPixels() {
+        return preview == null ? pixelsDone : preview.shownPixels();
     }
 
     boolean isComplete() {

@@ -1,0 +1,62 @@
+package enlightenment.render;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * What a render can tell of each pixel beside its colour. All of it comes as an {@link enlightenment.image.Image} of raw numbers,
+ * as large as the picture; where there is one number per pixel, all three components are equal. {@link AuxiliaryPicture} makes
+ * something to look at of it.
+ */
+public enum Auxiliary {
+    /**
+     * The estimated standard deviation of the pixel's colour, in display units 0..1. The estimate of a single pixel is a rough
+     * guess, so this is the root of the mean variance over the 3×3 finished pixels around it; +∞ where nothing is finished.
+     */
+    ERROR,
+
+    /** The number of samples in the pixel; 0 where it is not finished. */
+    SAMPLES,
+
+    /**
+     * How far from the eye the first thing is that the ray through the pixel's middle meets, in the scene's units and measured
+     * along the ray; +∞ where there is nothing. The orthographic camera's rays start on the plane through its eye; in the
+     * isometric view, which has no eye, it is the plane through the point that the camera looks at, and what lies before that
+     * has a negative depth.
+     */
+    DEPTH,
+
+    /**
+     * The unit normal there, in the scene's axes, on the side that faces the viewer: x, y, z in −1..1 as the three components;
+     * 0, 0, 0 where there is nothing.
+     */
+    NORMAL,
+
+    /**
+     * Which object it is: its place in the scene's list of objects, counted from 0. Lights count on after the last object; −1
+     * where there is nothing.
+     */
+    OBJECT;
+
+    /** The names that the command line knows, in order. */
+    public static List<String> words() {
+        return Arrays.stream(values()).map(Auxiliary::word).toList();
+    }
+
+    /** The one with this name, if there is any. */
+    public static Optional<Auxiliary> of(String word) {
+        return Arrays.stream(values()).filter(a -> a.word().equals(word)).findFirst();
+    }
+
+    /** Its name in small letters, as on the command line and in names of files. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether it is told by rays of its own rather than by the samples of the picture. */
+    boolean needsRays() {
+        return this != ERROR && this != SAMPLES;
+    }
+}

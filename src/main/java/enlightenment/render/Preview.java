@@ -1,0 +1,134 @@
+package enlightenment.render;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
+import enlightenment.image.Image;
+import enlightenment.method.RenderPlan;
+import enlightenment.method.TileMethod;
+import enlightenment.scene.RenderSettings;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The whole picture from early on: coarse passes with a small share of the samples, over which the finished tiles are put.
+ * Nothing of it goes into the picture that is rendered.
+ */
+final class Preview {
+    /** The passes' shares of the samples. */
+    static final double[] SHARES = {1.0 / 64, 1.0 / 8};
+
+    /** The longest side of the squares that show one sample. */
+    private static final int COARSEST = 8;
+
+    private final CompiledScene scene;
+    private final RenderSettings settings;
+    private final RenderSettings.Crop region;
+    private final TileGrid grid;
+    private final Planner planner;
+    private final float[] rgb;
+    private final boolean[] shown;
+    private long shownPixels;
+
+    Preview(CompiledScene scene, RenderSettings settings, TileGrid grid, Planner planner) {
+        this.scene = scene;
+        this.settings = settings;
+        this.grid = grid;
+        this.planner = planner;
+        region = settings.region();
+        rgb = new float[3 * region.width() * region.height()];
+        shown = new boolean[region.width() * region.height()];
+    }
+
+    /** Renders the passes. Tells of the progress of all but the first, with which the picture becomes whole. */
+    void run(RenderPlan plan, RenderProgress progress, BooleanSupplier cancelled) {
+        for (int pass = 0; pass < SHARES.length; pass++) {
+            pass(SHARES[pass] * plan.samples(), pass > 0, progress, cancelled);
+        }
+    }
+
+    private void pass(double samples, boolean tell, RenderProgress progress, BooleanSupplier cancelled) {
+        RenderPlan few = planner.planFor(samples);
+        boolean own = few != null;
+        // Where the method cannot do with so few: evenly spaced rays, one light point each, if need be not in all
+        // pixels.
+        RenderSettings how = own ? settings : plain();
+        RenderPlan plan = own ? few : new RenderPlan(Math.max(samples, 1), samples, "preview");
+        int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
+        long total = (long) region.width() * region.height();
+        Workers.run(settings.threads(), grid.count, cancelled, () -> {
+            TileMethod method = plan.method(scene, how, new RayCounters(scene.kindNames.size()));
+            return turn -> {
+                FilmTile tile = grid.tile(turn);
+                if (side == 0) {
+                    method.render(tile);
+                    put(tile);
+                } else {
+                    renderSquares(method, tile, side);
+                }
+                if (tell) {
+                    synchronized (this) {
+                        progress.progress(0, total, this::image);
+                    }
+                }
+            };
+        });
+    }
+
+    /** The same scene seen by evenly spaced rays, as cheaply as the method would. */
+    private RenderSettings plain() {
+        return settings.method().equals("raytrace")
+                ? settings
+                : settings.withMethod("raytrace").withShadowSamples(1);
+    }
+
+    /** One sample for each square of pixels; squares are cut from the whole picture's corner and at the tile's border. */
+    private void renderSquares(TileMethod method, FilmTile tile, int side) {
+        int right = tile.x + tile.width;
+        int bottom = tile.y + tile.height;
+        for (int y = tile.y; y < bottom; y = (y / side + 1) * side) {
+            for (int x = tile.x; x < right; x = (x / side + 1) * side) {
+                int width = Math.min((x / side + 1) * side, right) - x;
+                int height = Math.min((y / side + 1) * side, bottom) - y;
+                FilmTile middle = new FilmTile(x + width / 2, y + height / 2, 1, 1);
+                method.render(middle);
+                fill(x, y, width, height, middle);
+            }
+        }
+    }
+
+    private synchronized void fill(int x, int y, int width, int height, FilmTile one) {
+        for (int row = y; row < y + height; row++) {
+            for (int column = x; column < x + width; column++) {
+                show(column, row, one, one.x, one.y);
+            }
+        }
+    }
+
+    /** Puts a tile over what was there. */
+    synchronized void put(FilmTile tile) {
+        for (int row = tile.y; row < tile.y + tile.height; row++) {
+            for (int column = tile.x; column < tile.x + tile.width; column++) {
+                show(column, row, tile, column, row);
+            }
+        }
+    }
+
+    private void show(int column, int row, FilmTile tile, int fromColumn, int fromRow) {
+        int pixel = (row - region.y()) * region.width() + column - region.x();
+        for (int c = 0; c < 3; c++) {
+            rgb[3 * pixel + c] = (float) tile.mean(fromColumn, fromRow, c);
+        }
+        shownPixels += shown[pixel] ? 0 : 1;
+        shown[pixel] = true;
+    }
+
+    /** How many pixels are not black for want of samples. */
+    synchronized long shownPixels() {
+        return shownPixels;
+    }
+
+    /** What there is. */
+    synchronized Image image() {
+        return new Image(region.width(), region.height(), rgb.clone());
+    }
+}

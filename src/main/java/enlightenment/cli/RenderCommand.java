@@ -59,6 +59,12 @@ final class RenderCommand extends Subcommand {
     private String aov;
 
     @Option(
+            names = "--dump-clusters",
+            paramLabel = "FILE",
+            description = "write the ray clusters with their nine distributions to this .json or .csv file")
+    private Path clusters;
+
+    @Option(
             names = "--preview",
             paramLabel = "SECONDS",
             description = "write what there is of the picture about this often while it is rendered")
@@ -83,6 +89,9 @@ final class RenderCommand extends Subcommand {
             Target.check(report);
         }
         companions.check();
+        if (clusters != null) {
+            checkClusters(settings);
+        }
         RenderResult result = render(scene, settings);
         if (result.shownPixels() == 0) {
             terminal.say("stopped before anything was rendered; " + output + " was not written");
@@ -93,6 +102,10 @@ final class RenderCommand extends Subcommand {
         companions.write(result.auxiliary(), options);
         if (report != null) {
             Target.write(report, ReportJson.of(result));
+        }
+        if (clusters != null) {
+            boolean csv = Target.extension(clusters).equals(".csv");
+            Target.write(clusters, csv ? ClusterDump.csv(result.clusters()) : ClusterDump.json(result.clusters()));
         }
         if (stats) {
             terminal.out().print(StatsTable.of(result.report()));
@@ -106,6 +119,21 @@ final class RenderCommand extends Subcommand {
         }
         warnOfError(result.report());
         return CliException.DONE;
+    }
+
+    private void checkClusters(RenderSettings settings) throws IOException {
+        if (!settings.method().equals("cluster")) {
+            throw CliException.wrongUsage("--dump-clusters needs --method cluster; " + settings.method() + " has none");
+        }
+        String extension = Target.extension(clusters);
+        if (!extension.equals(".json") && !extension.equals(".csv")) {
+            throw CliException.wrongUsage(
+                    "--dump-clusters must name a file that ends in .json or .csv, not \"" + clusters + "\"");
+        }
+        if (Target.same(clusters, sceneFile) || report != null && Target.same(clusters, report)) {
+            throw CliException.wrongUsage("--dump-clusters must name a file of its own, not \"" + clusters + "\"");
+        }
+        Target.check(clusters);
     }
 
     /** Another part of the budget may have ended the render before the error was as small as asked. */
@@ -170,6 +198,8 @@ final class RenderCommand extends Subcommand {
                 .withProgress(writer == null ? told : writer)
                 .withCancelled(terminal.stop())
                 .withAuxiliary(companions.kinds())
+                .withClusters(clusters != null)
+                .withClusters(clusters != null)
                 .withProgressive(writer != null);
         try {
             return Renderer.render(request);

@@ -4,7 +4,6 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
-import enlightenment.method.RenderPlan;
 import enlightenment.method.TileMethod;
 import enlightenment.scene.RenderSettings;
 import java.util.function.BooleanSupplier;

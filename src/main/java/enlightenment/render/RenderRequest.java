@@ -18,6 +18,7 @@ import java.util.function.BooleanSupplier;
  * @param auxiliary what to tell of each pixel beside its colour
  * @param progressive whether coarse passes over the whole picture come first, so that from then on there is always a whole
  *     picture to show; they take about a seventh more time
+ * @param clusters whether to tell of the ray clusters
  */
 public record RenderRequest(
         Scene scene,
@@ -25,7 +26,8 @@ public record RenderRequest(
         RenderProgress progress,
         BooleanSupplier cancelled,
         Set<Auxiliary> auxiliary,
-        boolean progressive) {
+        boolean progressive,
+        boolean clusters) {
 
     public RenderRequest {
         Objects.requireNonNull(scene, "scene");
@@ -39,22 +41,26 @@ public record RenderRequest(
 
     /** Just the picture. */
     public static RenderRequest of(Scene scene, RenderSettings settings) {
-        return new RenderRequest(scene, settings, RenderProgress.NONE, () -> false, Set.of(), false);
+        return new RenderRequest(scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false);
     }
 
     public RenderRequest withProgress(RenderProgress value) {
-        return new RenderRequest(scene, settings, value, cancelled, auxiliary, progressive);
+        return new RenderRequest(scene, settings, value, cancelled, auxiliary, progressive, clusters);
     }
 
     public RenderRequest withCancelled(BooleanSupplier value) {
-        return new RenderRequest(scene, settings, progress, value, auxiliary, progressive);
+        return new RenderRequest(scene, settings, progress, value, auxiliary, progressive, clusters);
     }
 
     public RenderRequest withAuxiliary(Set<Auxiliary> value) {
-        return new RenderRequest(scene, settings, progress, cancelled, value, progressive);
+        return new RenderRequest(scene, settings, progress, cancelled, value, progressive, clusters);
+    }
+
+    public RenderRequest withClusters(boolean value) {
+        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, value);
     }
 
     public RenderRequest withProgressive(boolean value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, value);
+        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, value, clusters);
     }
 }

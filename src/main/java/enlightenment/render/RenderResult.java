@@ -3,6 +3,7 @@ package enlightenment.render;
 import enlightenment.image.Image;
 import java.util.Collections;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -15,13 +16,20 @@ import java.util.Map;
  * @param shownPixels how many pixels of the picture are not left black: the finished ones, and those that only a coarse pass
  *     reached
  * @param auxiliary what was asked for beside the colours, in raw numbers: {@link Auxiliary} tells what they mean
+ * @param clusters the ray clusters in the order of their blocks, if they were asked for and the method has any
  */
 public record RenderResult(
-        Image image, RenderReport report, boolean complete, long shownPixels, Map<Auxiliary, Image> auxiliary) {
+        Image image,
+        RenderReport report,
+        boolean complete,
+        long shownPixels,
+        Map<Auxiliary, Image> auxiliary,
+        List<RayCluster> clusters) {
 
     public RenderResult {
         EnumMap<Auxiliary, Image> copy = new EnumMap<>(Auxiliary.class);
         copy.putAll(auxiliary);
+        clusters = List.copyOf(clusters);
         auxiliary = Collections.unmodifiableMap(copy);
     }
 }

@@ -84,7 +84,7 @@ public final class Renderer {
             }
         }
         RenderReport report = render.report(request.scene().name(), phases.list());
-        return new RenderResult(image, report, render.isComplete(), render.shownPixels(), auxiliary);
+        return new RenderResult(image, report, render.isComplete(), render.shownPixels(), auxiliary, render.clusters());
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */

@@ -7,8 +7,10 @@ import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
 import enlightenment.method.TileMethod;
+import enlightenment.method.cluster.ClusterRecord;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,6 +34,9 @@ final class TileRender {
     private final Preview preview;
 
     private final List<RayCounters> counters = new ArrayList<>();
+    /** Gathers ray clusters, or null. */
+    private final List<RayCluster> clusters;
+
     private long pixelsDone;
     private long peakMemory;
 
@@ -42,6 +47,7 @@ final class TileRender {
         this.plan = plan;
         this.grid = grid;
         this.preview = preview;
+        clusters = request.clusters() ? new ArrayList<>() : null;
         progress = request.progress();
         cancelled = request.cancelled();
         region = settings.region();
@@ -52,7 +58,7 @@ final class TileRender {
         Workers.run(settings.threads(), grid.count, cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
-            TileMethod method = plan.method(scene, settings, mine);
+            TileMethod method = plan.method(scene, settings, mine, clusters == null ? null : this::gather);
             return turn -> renderTile(method, grid.tile(turn));
         });
     }
@@ -77,6 +83,28 @@ final class TileRender {
             preview.put(tile);
         }
         progress.progress(pixelsDone, (long) region.width() * region.height(), this::image);
+    }
+
+    private void gather(List<ClusterRecord> records) {
+        synchronized (clusters) {
+            for (ClusterRecord record : records) {
+                clusters.add(RayCluster.of(record, scene.frame));
+            }
+        }
+    }
+
+    /** The ray clusters that were asked for, in an order that does not depend on threads. */
+    List<RayCluster> clusters() {
+        if (clusters == null) {
+            return List.of();
+        }
+        List<RayCluster> sorted = new ArrayList<>(clusters);
+        sorted.sort(Comparator.comparingInt(RayCluster::y)
+                .thenComparingInt(RayCluster::x)
+                .thenComparingInt(RayCluster::surface)
+                .thenComparingInt(RayCluster::light)
+                .thenComparingInt(RayCluster::bounces));
+        return sorted;
     }
 
     /** What was rendered, in full precision. */

@@ -96,8 +96,6 @@ class FloatingLiteralsTest {
                     "method/cluster/Needs.java", "0.03", "ratio of variances of display-referred colours, measured"),
             new Explained(
                     "method/cluster/Needs.java", "0.1", "ratio of variances of display-referred colours, measured"),
-            new Explained(
-                    "method/cluster/Needs.java", "0.6", "ratio of variances of display-referred colours, measured"),
             new Explained("method/cluster/Needs.java", "6", "1 + 4 + 1: variance of a second difference"),
             new Explained("method/cluster/RayCluster.java", "0.125", "share of a mixture"),
             new Explained("method/cluster/RayCluster.java", "0.25", "share of a mixture"),

@@ -24,6 +24,11 @@ final class ClusterGuide implements LightGuide {
     private double x;
 
     private double y;
+    /** The middle of the pixel, and which cluster's proposals are made for it. */
+    private double middleX;
+
+    private double middleY;
+    private RayCluster aimed;
     private double p;
     private double q;
     private double weight;
@@ -44,6 +49,16 @@ final class ClusterGuide implements LightGuide {
     void at(double i, double j) {
         x = i - Block.SIDE / 2.0;
         y = j - Block.SIDE / 2.0;
+    }
+
+    /**
+     * Turns to a pixel: until the next one, proposals are those for its middle, since preparing them costs more than they change
+     * within it.
+     */
+    void pixel(int i, int j) {
+        middleX = i + 0.5 - Block.SIDE / 2.0;
+        middleY = j + 0.5 - Block.SIDE / 2.0;
+        aimed = null;
     }
 
     /** Ends the watching: fits proposals. Returns whether any cluster has some worth using. */
@@ -102,7 +117,14 @@ final class ClusterGuide implements LightGuide {
             }
             return true;
         }
-        return current != null && current.aim(x, y);
+        if (current == null || !current.proposes()) {
+            return false;
+        }
+        if (current != aimed) {
+            current.aim(middleX, middleY);
+            aimed = current;
+        }
+        return true;
     }
 
     private RayCluster find(int surface, int light, int bounce) {

@@ -169,6 +169,9 @@ public final class ClusterMethod implements TileMethod {
         int y = block.y() + j;
         address.pixel(settings.seed(), x, y);
         interpolate(i, j);
+        if (guided) {
+            guide.pixel(i, j);
+        }
         int samples = 1 << level;
         spread.begin(samples);
         for (int s = 0; s < samples; s++) {

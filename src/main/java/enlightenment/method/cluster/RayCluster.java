@@ -205,12 +205,16 @@ final class RayCluster {
         return f * (1 - f) / variance;
     }
 
-    /** Prepares proposals for a film position; false if points are to be spread evenly. */
-    boolean aim(double x, double y) {
+    /** Whether it has proposals; if not, points are to be spread evenly. */
+    boolean proposes() {
+        return lobeCount > 0;
+    }
+
+    /** Prepares proposals for a film position. */
+    void aim(double x, double y) {
         for (int k = 0; k < lobeCount; k++) {
             lobes[k].aim(x, y);
         }
-        return lobeCount > 0;
     }
 
     /** Chooses p and q; returns the weight, 0 outside the disk. */

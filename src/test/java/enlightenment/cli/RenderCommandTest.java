@@ -78,7 +78,7 @@ class RenderCommandTest {
         // Two by two positions in each of the pixels.
         assertEquals(128, json.get("rays").get("camera").asLong());
         assertEquals(8, json.get("settings").get("crop").get(2).asInt());
-        assertEquals("render", json.get("phases").get(1).get("name").asString());
+        assertEquals("render", json.get("phases").get(2).get("name").asString());
     }
 
     @Test
@@ -135,7 +135,7 @@ class RenderCommandTest {
                 "--seed",
                 "1.5");
         refused("--frame must be a whole number in 0..2147483647, not \"-1\"", "--frame", "-1");
-        refused("--method must be raytrace, not \"magic\"", "--method", "magic");
+        refused("--method must be one of raytrace, cluster, not \"magic\"", "--method", "magic");
         refused("--depth must be one of 8, 16, not \"12\"", "--depth", "12");
         refused("--progress must be one of auto, bar, plain, none, not \"x\"", "--progress", "x");
     }

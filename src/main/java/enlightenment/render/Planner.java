@@ -86,14 +86,15 @@ final class Planner {
     private final RenderSettings settings;
     private final BooleanSupplier cancelled;
     private final boolean cluster;
-    private final boolean progressive;
+    /** How much time the render takes, in multiples of what its samples take. */
+    private double passes = 1;
+
     private ClusterCost cost;
 
-    Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled, boolean progressive) {
+    Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
-        this.progressive = progressive;
         cluster = settings.method().equals("cluster");
     }
 
@@ -101,8 +102,10 @@ final class Planner {
      * The plan for the settings' budget.
      *
      * @param start when the render began, of {@link System#nanoTime}
+     * @param previewed the share of the samples that is spent on previews, and not on the picture
      */
-    RenderPlan plan(long start) {
+    RenderPlan plan(long start, double previewed) {
+        passes = 1 + previewed;
         Budget budget = settings.budget();
         double antialias = (double) settings.antialias() * settings.antialias();
         if (budget.isNone()) {
@@ -200,7 +203,6 @@ final class Planner {
         double pixels = (double) region.width() * region.height();
         List<FilmTile> blocks = blocksOf(region, LEAST_BLOCKS_OF_TIME);
         double trialPixels = blocks.stream().mapToInt(b -> b.width * b.height).sum();
-        double passes = progressive ? 1 + Preview.SHARES[0] + Preview.SHARES[1] : 1;
         // What is worked out only once must not count as part of a trial.
         level(1);
         double n = 1;

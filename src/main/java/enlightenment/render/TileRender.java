@@ -37,14 +37,20 @@ final class TileRender {
     private long peakMemory;
 
     /** @param preview what is shown where nothing is finished yet, or null */
-    TileRender(CompiledScene scene, RenderRequest request, RenderPlan plan, TileGrid grid, Preview preview) {
+    TileRender(
+            CompiledScene scene,
+            RenderSettings settings,
+            RenderPlan plan,
+            RenderProgress progress,
+            BooleanSupplier cancelled,
+            Preview preview) {
         this.scene = scene;
-        settings = request.settings();
+        this.settings = settings;
         this.plan = plan;
-        this.grid = grid;
+        grid = new TileGrid(settings);
         this.preview = preview;
-        progress = request.progress();
-        cancelled = request.cancelled();
+        this.progress = progress;
+        this.cancelled = cancelled;
         region = settings.region();
         film = new Film(region.x(), region.y(), region.width(), region.height());
     }

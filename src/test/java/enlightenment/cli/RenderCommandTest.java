@@ -160,7 +160,7 @@ class RenderCommandTest {
         CliRun run = CliRun.of("render", scene, "-o", picture, "--size", "65536x65536");
         assertEquals(2, run.code());
         assertTrue(
-                run.err().startsWith("enlightenment: --size: a picture of 65536x65536 pixels needs 154618822656 bytes"),
+                run.err().startsWith("enlightenment: --size: a picture of 65536x65536 pixels needs 206158430208 bytes"),
                 run.err());
         assertFalse(Files.exists(picture));
     }

@@ -104,11 +104,11 @@ class HeatMapTest {
         assertEquals(color(1)[0], map.component(1, 0, 0));
         assertEquals(color(1)[0], map.component(2, 0, 0));
         assertEquals(color(0)[2], map.component(3, 0, 2));
-        // 0 has 12 dots, 3 and 9 have 10 and 11, 6.48 has 12 + 1 + 9 + 13.
-        assertEquals(12 + 10 + 35 + 11, ink(map, 2));
+        // 0 has 12 dots, 3 and 9 have 10 and 12, 6.48 has 12 + 1 + 9 + 13.
+        assertEquals(12 + 10 + 35 + 12, ink(map, 2));
         // No room for all, then none for any.
         Image narrow = HeatMap.withScale(40, 1, new float[40], List.of("0", "3", "6.4809", "9"));
-        assertEquals(12 + 11, ink(narrow, 1));
+        assertEquals(12 + 12, ink(narrow, 1));
         Image none = HeatMap.withScale(32, 1, new float[32], List.of("0.125", "1000000"));
         assertEquals(0, ink(none, 1));
     }

@@ -31,9 +31,10 @@ record RawPicture(int width, double[] rgb, byte[] png) {
         TileRender render = new TileRender(
                 compiled,
                 settings,
-                new Planner(compiled, settings, () -> false).plan(),
+                new Planner(compiled, settings, () -> false).plan(System.nanoTime(), 0),
                 RenderProgress.NONE,
-                () -> false);
+                () -> false,
+                null);
         render.run();
         Film film = render.film();
         double[] rgb = new double[3 * settings.width() * settings.height()];

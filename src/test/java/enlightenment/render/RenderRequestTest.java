@@ -13,6 +13,7 @@ import enlightenment.light.Light;
 import enlightenment.math.Point;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Budget;
+import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -28,7 +29,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class RenderRequestTest {
     private static final Set<Auxiliary> ALL = EnumSet.allOf(Auxiliary.class);
-    private static final Scene SMALL = TestScenes.whiteFireAndIce().size(80, 40).build();
+    private static final Scene SMALL = TestScenes.whiteFireAndIce()
+            .size(80, 40)
+            .shading(new ClassicShading(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
+            .build();
     private static final RenderSettings QUICK =
             RenderSettings.of(SMALL).withAntialias(4).withShadowSamples(4).withThreads(2);
 
@@ -143,7 +147,7 @@ class RenderRequestTest {
         assertTrue(seen.size() > 10);
         for (Image image : seen) {
             for (int k = 0; k < 61 * 30; k++) {
-                // Everything in this scene is lit or at least in ambient light.
+                // Everything in this scene is lit, at least by ambient light, and beyond it there is grey.
                 assertTrue(image.component(k % 61, k / 61, 0) > 0);
             }
         }

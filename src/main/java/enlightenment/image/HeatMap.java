@@ -101,26 +101,43 @@ public final class HeatMap {
             }
         }
         int line = top + dot * (GAP + BAR + GAP);
-        List<String> labels = fitting(numbers, width / dot);
+        List<String> labels = fitting(numbers, width, dot);
         for (int i = 0; i < labels.size(); i++) {
-            int length = dot * (labels.get(i).length() * (DIGIT_WIDTH + 1) - 1);
-            // Centred below its value, but within the picture.
-            int center = i * (width - 1) / (labels.size() - 1);
-            int left = Math.min(Math.max(center - length / 2, dot), width - dot - length);
-            print(labels.get(i), rgb, width, left, line, dot);
+            print(labels.get(i), rgb, width, left(labels, i, width, dot), line, dot);
         }
         return new Image(width, top + scaleRows, rgb);
     }
 
-    /** All numbers, those at the ends, or none: as many as fit into so many dots with room for a digit between them. */
-    private static List<String> fitting(List<String> labels, int dots) {
-        List<String> ends = List.of(labels.get(0), labels.get(labels.size() - 1));
-        int longest = labels.stream().mapToInt(String::length).max().orElseThrow();
-        if ((longest + 1) * (DIGIT_WIDTH + 1) * (labels.size() - 1) <= dots) {
+    /** All numbers, those at the ends, or none: whichever first fits with room for a digit between any two. */
+    private static List<String> fitting(List<String> labels, int width, int dot) {
+        if (fit(labels, width, dot)) {
             return labels;
         }
-        int both = (ends.get(0).length() + ends.get(1).length()) * (DIGIT_WIDTH + 1);
-        return both + DIGIT_WIDTH + 1 <= dots ? ends : List.of();
+        List<String> ends = List.of(labels.get(0), labels.get(labels.size() - 1));
+        return fit(ends, width, dot) ? ends : List.of();
+    }
+
+    private static boolean fit(List<String> labels, int width, int dot) {
+        int free = dot;
+        for (int i = 0; i < labels.size(); i++) {
+            int left = left(labels, i, width, dot);
+            if (left < free) {
+                return false;
+            }
+            free = left + length(labels.get(i), dot) + dot * DIGIT_WIDTH;
+        }
+        return true;
+    }
+
+    /** Where a number begins: centred below its value, but within the picture. */
+    private static int left(List<String> labels, int i, int width, int dot) {
+        int length = length(labels.get(i), dot);
+        int center = (int) ((long) i * (width - 1) / (labels.size() - 1));
+        return Math.min(Math.max(center - length / 2, dot), width - dot - length);
+    }
+
+    private static int length(String label, int dot) {
+        return dot * (label.length() * (DIGIT_WIDTH + 1) - 1);
     }
 
     private static float[] colors(Flip flip, int moreRows) {

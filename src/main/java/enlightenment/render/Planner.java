@@ -58,10 +58,18 @@ final class Planner {
     private static final double ONE_TRIAL_TIME = 0.06;
 
     private static final double LEAST_TRIAL_TIME = 0.12;
-    private static final double MOST_TRIAL_TIME = 0.35;
+    private static final double MOST_TRIAL_TIME = 0.4;
 
-    /** Seconds after which the code is as fast as it gets: even a long budget need not be tried for longer. */
-    private static final double WARM = 3;
+    /** So many trials, unless too much of the budget is gone. */
+    private static final int LEAST_TRIALS = 4;
+
+    private static final double LAST_CALL = 0.6;
+
+    /**
+     * Seconds after which the code is about as fast as it gets: even a long budget need not be tried for longer. Until then
+     * its speed was measured to grow about with the square root of the time.
+     */
+    private static final double WARM = 2.5;
 
     /** A trial that is faster than those before by less than this factor is no faster, and after so many of them it is enough. */
     private static final double FASTER = 1.04;
@@ -77,14 +85,15 @@ final class Planner {
     private final RenderSettings settings;
     private final BooleanSupplier cancelled;
     private final boolean cluster;
-    private final boolean progressive;
+    /** How much time the render takes, in multiples of what its samples take. */
+    private double passes = 1;
+
     private ClusterCost cost;
 
-    Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled, boolean progressive) {
+    Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
-        this.progressive = progressive;
         cluster = settings.method().equals("cluster");
     }
 
@@ -92,8 +101,10 @@ final class Planner {
      * The plan for the settings' budget.
      *
      * @param start when the render began, of {@link System#nanoTime}
+     * @param previewed the share of the samples that is spent on previews, and not on the picture
      */
-    RenderPlan plan(long start) {
+    RenderPlan plan(long start, double previewed) {
+        passes = 1 + previewed;
         Budget budget = settings.budget();
         double antialias = (double) settings.antialias() * settings.antialias();
         if (budget.isNone()) {
@@ -141,15 +152,25 @@ final class Planner {
         return cost;
     }
 
-    /** The number of samples for which the error is this, but not more than the most. */
+    /**
+     * The number of samples for which the error is this, but not more than the most. A step never goes back behind what is
+     * known to be too few or enough: where the method cannot do with less than a certain number, slopes mislead.
+     */
     private double samplesForError(double error, double most) {
         double n = Math.min(FIRST_SAMPLES, most);
         double e = errorOfTrial(n);
         double slope = LEAST_SLOPE + (GREATEST_SLOPE - LEAST_SLOPE) / 2;
+        double tooFew = 0;
+        double enough = most;
         for (int k = 1; k < MOST_TRIALS && !cancelled.getAsBoolean(); k++) {
+            if (e <= error) {
+                enough = Math.min(enough, n);
+            } else {
+                tooFew = Math.max(tooFew, n);
+            }
             boolean close = e <= error * CLOSE && e >= error / CLOSE;
             double factor = StrictMath.pow(e / error, 1 / slope);
-            double next = Math.min(Math.max(n * Math.min(factor, LONGEST_STEP), 1), most);
+            double next = between(tooFew, enough, Math.min(Math.max(n * Math.min(factor, LONGEST_STEP), 1), most));
             if (e == 0 || close || next == n) {
                 return tidy(next);
             }
@@ -161,7 +182,14 @@ final class Planner {
             n = next;
             e = found;
         }
-        return tidy(Math.min(Math.max(n * StrictMath.pow(e / error, 1 / slope), 1), most));
+        double beyond = Math.min(n * StrictMath.pow(e / error, 1 / slope), most);
+        return tidy(e <= error ? n : enough < most ? enough : beyond);
+    }
+
+    /** The proposal if it lies between both, their geometric mean if it does not. */
+    private static double between(double tooFew, double enough, double proposal) {
+        boolean inside = proposal > tooFew && proposal <= enough;
+        return inside || tooFew >= enough ? Math.min(proposal, enough) : Math.sqrt(Math.max(tooFew, 1) * enough);
     }
 
     /**
@@ -174,29 +202,46 @@ final class Planner {
         double pixels = (double) region.width() * region.height();
         List<FilmTile> blocks = blocksOf(region, LEAST_BLOCKS_OF_TIME);
         double trialPixels = blocks.stream().mapToInt(b -> b.width * b.height).sum();
-        double passes = progressive ? 1 + Preview.SHARES[0] + Preview.SHARES[1] : 1;
         // What is worked out only once must not count as part of a trial.
         level(1);
         double n = 1;
         double fastest = 0;
+        double previous = 0;
         double planned;
         double elapsed;
         int calm = 0;
+        int trials = 0;
         do {
             long before = System.nanoTime();
             trial(n, emptied(blocks));
             long now = System.nanoTime();
             double perSecond = n * trialPixels / Math.max((now - before) * NANO, NANO);
             calm = perSecond < fastest * FASTER ? calm + 1 : 0;
+            // Of two trials the faster: other programs slow down one now and then, but nothing makes it too fast.
+            double speed = Math.max(perSecond, previous);
+            previous = perSecond;
             fastest = Math.max(fastest, perSecond);
             elapsed = (now - start) * NANO;
-            planned = PLANNED_TIME * (seconds - elapsed) * perSecond / (pixels * passes);
-            double affordable = ONE_TRIAL_TIME * seconds * perSecond / trialPixels;
+            planned = PLANNED_TIME * (seconds - elapsed) * speed * warming(elapsed, seconds, calm) / (pixels * passes);
+            double affordable = ONE_TRIAL_TIME * seconds * speed / trialPixels;
             n = Math.min(Math.max(Math.min(planned, affordable), 1), Budget.MAX_SAMPLES);
-        } while (elapsed < Math.min(MOST_TRIAL_TIME * seconds, WARM)
-                && (calm < CALM || elapsed < LEAST_TRIAL_TIME * seconds)
-                && !cancelled.getAsBoolean());
+            trials++;
+        } while (!cancelled.getAsBoolean() && isWorthTrying(elapsed, seconds, trials, calm));
         return Math.min(Math.max(tidy(planned), 1), Budget.MAX_SAMPLES);
+    }
+
+    private static boolean isWorthTrying(double elapsed, double seconds, int trials, int calm) {
+        if (trials < LEAST_TRIALS) {
+            return elapsed < LAST_CALL * seconds;
+        }
+        return elapsed < Math.min(MOST_TRIAL_TIME * seconds, WARM)
+                && (calm < CALM || elapsed < LEAST_TRIAL_TIME * seconds);
+    }
+
+    /** How many times as fast the render will be as the last trials, if they were still getting faster. */
+    private static double warming(double elapsed, double seconds, int calm) {
+        double middle = (elapsed + Math.min(seconds, WARM)) / 2;
+        return calm >= CALM - 1 ? 1 : Math.sqrt(Math.max(middle / elapsed, 1));
     }
 
     /** Three digits, so that the number can be read from a log and given again. */

@@ -14,7 +14,10 @@ import java.util.function.BooleanSupplier;
  */
 final class Preview {
     /** The passes' shares of the samples. */
-    static final double[] SHARES = {1.0 / 64, 1.0 / 8};
+    private static final double[] SHARES = {1.0 / 64, 1.0 / 8};
+
+    /** What the passes take together. */
+    static final double SHARE = SHARES[0] + SHARES[1];
 
     /** The longest side of the squares that show one sample. */
     private static final int COARSEST = 8;
@@ -28,10 +31,10 @@ final class Preview {
     private final boolean[] shown;
     private long shownPixels;
 
-    Preview(CompiledScene scene, RenderSettings settings, TileGrid grid, Planner planner) {
+    Preview(CompiledScene scene, RenderSettings settings, Planner planner) {
         this.scene = scene;
         this.settings = settings;
-        this.grid = grid;
+        grid = new TileGrid(settings);
         this.planner = planner;
         region = settings.region();
         rgb = new float[3 * region.width() * region.height()];

@@ -66,15 +66,17 @@ public final class Renderer {
         if (request.auxiliary().stream().anyMatch(Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(request.cancelled()));
         }
-        Planner planner = new Planner(scene, settings, request.cancelled(), request.progressive());
-        RenderPlan plan = phases.run("plan", () -> planner.plan(start));
+        Planner planner = new Planner(scene, settings, request.cancelled());
+        RenderPlan plan = phases.run("plan", () -> planner.plan(start, request.progressive() ? Preview.SHARE : 0));
         request.progress().planned(plan.samples(), plan.decidedBy());
-        TileGrid grid = new TileGrid(settings);
-        Preview preview = request.progressive() ? new Preview(scene, settings, grid, planner) : null;
+        Preview preview = request.progressive() ? new Preview(scene, settings, planner) : null;
         if (preview != null) {
             phases.run("preview", () -> preview.run(plan, request.progress(), request.cancelled()));
         }
-        TileRender render = new TileRender(scene, request, plan, grid, preview);
+        TileRender render = new TileRender(scene, settings, plan, request.progress(), request.cancelled(), preview);
+        if (request.clusters()) {
+            render.gatherClusters();
+        }
         phases.run("render", render::run);
         Image image = phases.run("finish", render::image);
         Map<Auxiliary, Image> auxiliary = pass.images();

@@ -35,23 +35,33 @@ final class TileRender {
 
     private final List<RayCounters> counters = new ArrayList<>();
     /** Gathers ray clusters, or null. */
-    private final List<RayCluster> clusters;
+    private List<RayCluster> clusters;
 
     private long pixelsDone;
     private long peakMemory;
 
     /** @param preview what is shown where nothing is finished yet, or null */
-    TileRender(CompiledScene scene, RenderRequest request, RenderPlan plan, TileGrid grid, Preview preview) {
+    TileRender(
+            CompiledScene scene,
+            RenderSettings settings,
+            RenderPlan plan,
+            RenderProgress progress,
+            BooleanSupplier cancelled,
+            Preview preview) {
         this.scene = scene;
-        settings = request.settings();
+        this.settings = settings;
         this.plan = plan;
-        this.grid = grid;
+        grid = new TileGrid(settings);
         this.preview = preview;
-        clusters = request.clusters() ? new ArrayList<>() : null;
-        progress = request.progress();
-        cancelled = request.cancelled();
+        this.progress = progress;
+        this.cancelled = cancelled;
         region = settings.region();
         film = new Film(region.x(), region.y(), region.width(), region.height());
+    }
+
+    /** Says before the start that ray clusters are to be gathered. */
+    void gatherClusters() {
+        clusters = new ArrayList<>();
     }
 
     void run() {

@@ -2,9 +2,11 @@ package enlightenment.image;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Srgb;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -89,5 +91,44 @@ class HeatMapTest {
         assertTrue(HeatMap.withScale(Flip.between(FlipTest.uniform(32, 1, 0, 0, 0), FlipTest.uniform(32, 1, 0, 0, 0)))
                         .height()
                 > 1);
+    }
+
+    @Test
+    void anyNumbersCanBeShownWithTheirOwnScale() {
+        float[] shares = new float[200 * 2];
+        shares[1] = 1;
+        shares[2] = 7;
+        shares[3] = Float.NaN;
+        Image map = HeatMap.withScale(200, 2, shares, List.of("0", "3", "6.48", "9"));
+        assertEquals(2 + 15, map.height());
+        assertEquals(color(1)[0], map.component(1, 0, 0));
+        assertEquals(color(1)[0], map.component(2, 0, 0));
+        assertEquals(color(0)[2], map.component(3, 0, 2));
+        // 0 has 12 dots, 3 and 9 have 10 and 12, 6.48 has 12 + 1 + 9 + 13.
+        assertEquals(12 + 10 + 35 + 12, ink(map, 2));
+        // No room for all, then none for any.
+        Image narrow = HeatMap.withScale(40, 1, new float[40], List.of("0", "3", "6.4809", "9"));
+        assertEquals(12 + 12, ink(narrow, 1));
+        Image none = HeatMap.withScale(32, 1, new float[32], List.of("0.125", "1000000"));
+        assertEquals(0, ink(none, 1));
+    }
+
+    private static int ink(Image map, int top) {
+        int ink = 0;
+        for (int y = top + 8; y < top + 13; y++) {
+            for (int x = 0; x < map.width(); x++) {
+                ink += map.component(x, y, 0) > 0 ? 1 : 0;
+            }
+        }
+        return ink;
+    }
+
+    @Test
+    void aScaleOfOtherThingsThanNumbersIsRefused() {
+        float[] one = {0};
+        for (List<String> labels : List.of(List.of("0"), List.of("0", "1e3"), List.<String>of())) {
+            assertThrows(IllegalArgumentException.class, () -> HeatMap.withScale(1, 1, one, labels));
+        }
+        assertThrows(IllegalArgumentException.class, () -> HeatMap.withScale(2, 1, one, List.of("0", "1")));
     }
 }

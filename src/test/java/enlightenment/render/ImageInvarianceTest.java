@@ -249,9 +249,8 @@ class ImageInvarianceTest {
         for (String camera : CAMERAS) {
             Scene scene = ReferenceScene.scene(camera);
             RenderSettings settings = quick(scene);
-            RawPicture.of(scene, HierarchyChoice.compile(scene, settings, false), settings)
-                    .assertSameBits(
-                            RawPicture.of(scene, HierarchyChoice.compile(scene, settings, true), settings), camera);
+            RawPicture.of(HierarchyChoice.compile(scene, settings, false), settings)
+                    .assertSameBits(RawPicture.of(HierarchyChoice.compile(scene, settings, true), settings), camera);
         }
     }
 

@@ -24,14 +24,17 @@ import java.util.Arrays;
 record RawPicture(int width, double[] rgb, byte[] png) {
     /** Renders a scene as {@link Renderer} does. */
     static RawPicture of(Scene scene, RenderSettings settings) {
-        return of(scene, SceneCompiler.compile(scene, settings), settings);
+        return of(SceneCompiler.compile(scene, settings), settings);
     }
 
-    /** Renders what a scene was compiled to. */
-    static RawPicture of(Scene scene, CompiledScene compiled, RenderSettings settings) {
-        RenderPlan plan = new Planner(compiled, settings, () -> false, false).plan(System.nanoTime());
-        RenderRequest request = RenderRequest.of(scene, settings);
-        TileRender render = new TileRender(compiled, request, plan, new TileGrid(settings), null);
+    static RawPicture of(CompiledScene compiled, RenderSettings settings) {
+        TileRender render = new TileRender(
+                compiled,
+                settings,
+                new Planner(compiled, settings, () -> false).plan(System.nanoTime(), 0),
+                RenderProgress.NONE,
+                () -> false,
+                null);
         render.run();
         Film film = render.film();
         double[] rgb = new double[3 * settings.width() * settings.height()];

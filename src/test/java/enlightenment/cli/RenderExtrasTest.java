@@ -1,0 +1,212 @@
+package enlightenment.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The options for what there is beside the finished picture. */
+class RenderExtrasTest {
+    private static final String ALL = "error,samples,depth,normal,object";
+    private static final int SIGTERM_EXIT = 128 + 15;
+
+    @TempDir
+    Path folder;
+
+    private Path scene;
+    private Path picture;
+
+    @BeforeEach
+    void writeScene() throws IOException {
+        scene = CliRun.scene(folder, "\"width\": 40, \"height\": 24");
+        picture = folder.resolve("p.png");
+    }
+
+    private CliRun render(Object... more) {
+        return CliRun.of(Stream.concat(Stream.of("render", scene, "-o", picture), Stream.of(more))
+                .toArray());
+    }
+
+    private Set<String> files() throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.map(f -> f.getFileName().toString()).collect(Collectors.toCollection(TreeSet::new));
+        }
+    }
+
+    @Test
+    void picturesOfAllThatCanBeToldAppearBesideThePicture() throws IOException {
+        assertEquals(new CliRun(0, "", ""), render("--aov", ALL));
+        assertEquals(
+                Set.of(
+                        "p.depth.png",
+                        "p.error.png",
+                        "p.normal.png",
+                        "p.object.png",
+                        "p.png",
+                        "p.samples.png",
+                        "scene.json"),
+                files());
+        for (String word : ALL.split(",")) {
+            Path file = folder.resolve("p." + word + ".png");
+            String bytes = Files.readString(file, StandardCharsets.ISO_8859_1);
+            assertTrue(bytes.contains("method=raytrace size=40x24"), word);
+            assertTrue(bytes.contains("Comment"), word);
+            // The heat maps have a scale of 15 rows below.
+            int scale = word.equals("error") || word.equals("samples") ? 15 : 0;
+            assertEquals(24 + scale, ImageFiles.read(file).height(), word);
+        }
+        String depth = Files.readString(folder.resolve("p.depth.png"), StandardCharsets.ISO_8859_1);
+        assertTrue(depth.contains("in the scene's units"));
+    }
+
+    @Test
+    void besideFloatsThereAreTheRawNumbers() throws IOException {
+        picture = folder.resolve("p.PFM");
+        assertEquals(new CliRun(0, "", ""), render("--aov", "samples,depth,object", "--antialias", "3"));
+        assertEquals(Set.of("p.PFM", "p.samples.PFM", "p.depth.PFM", "p.object.PFM", "scene.json"), files());
+        Image samples = ImageFiles.read(folder.resolve("p.samples.PFM"));
+        assertEquals(9, samples.component(20, 12, 0));
+        // The ball of radius 1 is seen from 5 before its centre.
+        assertEquals(4, ImageFiles.read(folder.resolve("p.depth.PFM")).component(20, 12, 1), 0.01);
+        assertEquals(0, ImageFiles.read(folder.resolve("p.object.PFM")).component(20, 12, 1));
+        assertEquals(-1, ImageFiles.read(folder.resolve("p.object.PFM")).component(0, 0, 1));
+    }
+
+    @Test
+    void whatIsWrongWithTheListIsToldBeforeAnythingIsDone() throws IOException {
+        refused("--aov must be one of error, samples, depth, normal, object, not \"eror\"", "--aov", "error,eror");
+        refused("--aov must be one of error, samples, depth, normal, object, not \"\"", "--aov", "error,");
+        refused("--aov names depth twice", "--aov", "depth,error,depth");
+        Path report = folder.resolve("p.error.png");
+        refused(
+                "--aov would write \"" + report + "\", which is the file of --report",
+                "--aov",
+                "error",
+                "--report",
+                report);
+        Path moved = Files.move(scene, folder.resolve("p.depth.png"));
+        scene = moved;
+        refused("--aov would write \"" + moved + "\", which is the scene itself", "--aov", "depth");
+        assertEquals(Set.of("p.depth.png"), files());
+    }
+
+    @Test
+    void aFileThatCannotBeWrittenIsToldBeforeTheRender() throws IOException {
+        Path taken = Files.createDirectory(folder.resolve("p.normal.png"));
+        assertEquals(
+                new CliRun(1, "", "enlightenment: " + taken + ": cannot be written: it is a folder\n"),
+                render("--aov", "normal"));
+        assertFalse(Files.exists(picture));
+    }
+
+    @Test
+    void aPreviewIsWrittenAFewTimesAndTheEndIsTheSame() throws IOException {
+        for (String method : List.of("raytrace", "cluster")) {
+            render("--method", method, "--antialias", "8");
+            byte[] plain = Files.readAllBytes(picture);
+            assertEquals(new CliRun(0, "", ""), render("--method", method, "--antialias", "8", "--preview", "0.01"));
+            assertArrayEquals(plain, Files.readAllBytes(picture));
+        }
+        assertEquals(Set.of("p.png", "scene.json"), files());
+        refused("--preview must be a number in 0.01..1000000000, not \"0\"", "--preview", "0");
+        refused("--preview must be a number in 0.01..1000000000, not \"soon\"", "--preview", "soon");
+    }
+
+    private void refused(String message, Object... options) {
+        assertEquals(new CliRun(2, "", "enlightenment: " + message + "\n"), render(options));
+    }
+
+    @Test
+    void aTimeIsToldAsANumberOfSamplesThatMakesTheSameBytes() throws IOException {
+        CliRun run = render("--time", "0.25", "--threads", "2");
+        assertEquals(0, run.code());
+        assertTrue(run.err().matches("time 0\\.25 s: --samples [0-9.]+ makes the same picture\n"), run.err());
+        byte[] timed = Files.readAllBytes(picture);
+        String samples = run.err().replaceAll(".*--samples ([0-9.]+) .*\n", "$1");
+        assertEquals(new CliRun(0, "", ""), render("--samples", samples));
+        assertArrayEquals(Files.readAllBytes(picture), timed);
+    }
+
+    @Test
+    void anErrorThatIsNotReachedIsToldAndNoFailure() throws IOException {
+        Path report = folder.resolve("r.json");
+        CliRun run = render("--error", "0.00001", "--samples", "2", "--stats", "--report", report);
+        assertEquals(0, run.code());
+        assertTrue(
+                run.err()
+                        .matches("enlightenment: the error is about 0\\.[0-9]+, more than --error 0\\.00001;"
+                                + " decided by samples\n"),
+                run.err());
+        assertTrue(run.out().matches("(?s).*\nerror asked for +0\\.00001 +not met\n.*"), run.out());
+        assertTrue(Files.readString(report).contains("\"errorMet\": false"));
+        CliRun met = render("--error", "0.5", "--stats");
+        assertEquals("", met.err());
+        assertTrue(met.out().matches("(?s).*\nerror asked for +0\\.50000 +met\n.*"), met.out());
+    }
+
+    @Test
+    @Timeout(60)
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
+    void aSignalAfterAPreviewLeavesAWholePicture() throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        "enlightenment.cli.Main",
+                        "render",
+                        scene.toString(),
+                        "-o",
+                        picture.toString(),
+                        "--size",
+                        "400x240",
+                        "--samples",
+                        "100000",
+                        "--preview",
+                        "0.1",
+                        "--progress",
+                        "none")
+                .redirectError(folder.resolve("err.txt").toFile())
+                .start();
+        try {
+            while (!Files.exists(picture)) {
+                assertTrue(process.isAlive(), "the render goes on until it is stopped");
+                Thread.sleep(20);
+            }
+            assertEquals(400, ImageFiles.read(picture).width());
+            process.destroy();
+            assertTrue(process.waitFor(40, TimeUnit.SECONDS));
+        } finally {
+            process.destroyForcibly();
+        }
+        assertEquals(SIGTERM_EXIT, process.exitValue());
+        String said = Files.readString(folder.resolve("err.txt"));
+        assertTrue(
+                said.matches("enlightenment: stopped: \\Q" + picture
+                        + "\\E holds \\d+ % of the picture, and a preview of the rest\n"),
+                said);
+        Image image = ImageFiles.read(picture);
+        for (int x = 0; x < 400; x++) {
+            // The ground fills the lowest row.
+            assertTrue(image.component(x, 239, 0) > 0);
+        }
+    }
+}

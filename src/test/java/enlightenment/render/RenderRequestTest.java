@@ -1,0 +1,229 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayRgb;
+import enlightenment.geometry.Sphere;
+import enlightenment.image.Image;
+import enlightenment.light.Light;
+import enlightenment.math.Point;
+import enlightenment.math.Vec3;
+import enlightenment.scene.Budget;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RenderRequestTest {
+    private static final Set<Auxiliary> ALL = EnumSet.allOf(Auxiliary.class);
+    private static final Scene SMALL = TestScenes.whiteFireAndIce()
+            .size(80, 40)
+            .shading(new ClassicShading(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
+            .build();
+    private static final RenderSettings QUICK =
+            RenderSettings.of(SMALL).withAntialias(4).withShadowSamples(4).withThreads(2);
+
+    /** A ball of radius 1 straight ahead, 5 before the eye, a wall beside it, a light beyond, and nothing elsewhere. */
+    private static Scene ballAndLight() {
+        return Scene.builder()
+                .size(41, 21)
+                .camera(new Camera.Perspective(Point.of(10, 20, 30), Point.of(10, 20, 35), Vec3.Y, 40))
+                .object(Sphere.of(Point.of(1000, 0, 0), 1), TestScenes.matte(1, 1, 1))
+                .object(Sphere.of(Point.of(10, 20, 35), 1), TestScenes.matte(1, 1, 1))
+                .light(new Light.Sphere(Point.of(13, 20, 40), 0.5, DisplayRgb.WHITE))
+                .build();
+    }
+
+    @Test
+    void aRayThroughThePixelsMiddleTellsWhatItMeets() {
+        Scene scene = ballAndLight();
+        RenderResult result =
+                Renderer.render(RenderRequest.of(scene, RenderSettings.of(scene).withAntialias(1))
+                        .withAuxiliary(ALL));
+        // The picture's middle is the middle of a pixel: there the ball is met after 5 - 1.
+        assertEquals(4, result.auxiliary().get(Auxiliary.DEPTH).component(20, 10, 0));
+        Image normal = result.auxiliary().get(Auxiliary.NORMAL);
+        assertEquals(0, normal.component(20, 10, 0), 1e-15);
+        assertEquals(0, normal.component(20, 10, 1), 1e-15);
+        assertEquals(-1, normal.component(20, 10, 2));
+        Image object = result.auxiliary().get(Auxiliary.OBJECT);
+        assertEquals(1, object.component(20, 10, 0));
+        // In the corner there is nothing.
+        assertEquals(
+                Float.POSITIVE_INFINITY, result.auxiliary().get(Auxiliary.DEPTH).component(0, 0, 1));
+        assertEquals(-1, object.component(0, 0, 2));
+        assertEquals(0, normal.component(0, 0, 2));
+        // The light stands at x/z = 0.3; the picture is 2 tan 20 degrees high for 21 pixels. It counts as object 2.
+        int column = (int) (20.5 + 0.3 / (2 * Math.tan(Math.toRadians(20))) * 21);
+        assertEquals(2, object.component(column, 10, 0));
+        float depth = result.auxiliary().get(Auxiliary.DEPTH).component(column, 10, 0);
+        assertEquals(Math.sqrt(109) - 0.5, depth, 0.1);
+    }
+
+    @Test
+    void insideABallTheNormalFacesTheViewer() {
+        Scene scene = Scene.builder()
+                .size(3, 3)
+                .camera(new Camera.Perspective(Point.of(0, 0, 0), Point.of(0, 0, 1), Vec3.Y, 20))
+                .object(Sphere.of(Point.of(0, 0, 0), 7), TestScenes.matte(1, 1, 1))
+                .build();
+        RenderResult result = Renderer.render(
+                RenderRequest.of(scene, RenderSettings.of(scene)).withAuxiliary(ALL));
+        assertEquals(-1, result.auxiliary().get(Auxiliary.NORMAL).component(1, 1, 2));
+        for (int x = 0; x < 3; x++) {
+            // Along each ray the same: it is no depth along the axis.
+            assertEquals(7, result.auxiliary().get(Auxiliary.DEPTH).component(x, 0, 0), 1e-6);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"raytrace", "cluster"})
+    void countsAndErrorsAgreeWithTheReport(String method) {
+        RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(12));
+        RenderResult result = Renderer.render(
+                RenderRequest.of(SMALL, settings).withAuxiliary(Set.of(Auxiliary.ERROR, Auxiliary.SAMPLES)));
+        assertEquals(
+                Set.of(Auxiliary.ERROR, Auxiliary.SAMPLES), result.auxiliary().keySet());
+        Image counts = result.auxiliary().get(Auxiliary.SAMPLES);
+        Image errors = result.auxiliary().get(Auxiliary.ERROR);
+        double sum = 0;
+        double squares = 0;
+        for (int y = 0; y < 40; y++) {
+            for (int x = 0; x < 80; x++) {
+                assertTrue(counts.component(x, y, 0) >= 1);
+                sum += counts.component(x, y, 0);
+                squares += errors.component(x, y, 1) * errors.component(x, y, 1);
+            }
+        }
+        double perPixel = sum / 3200;
+        // The survey of the clusters asks for rays that are no samples of pixels.
+        assertTrue(perPixel <= result.report().sampling().samplesPerPixel() + 1e-9);
+        assertTrue(perPixel > 0.5 * result.report().sampling().samplesPerPixel());
+        // Smoothing keeps the mean square but for the border, whose pixels count for less.
+        double rmse = result.report().sampling().estimatedError();
+        assertEquals(1, Math.sqrt(squares / 3200) / rmse, 0.05);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"raytrace,4", "raytrace,1", "raytrace,16", "cluster,2", "cluster,8"})
+    void thePassesDoNotChangeABit(String method, int antialias) {
+        RenderSettings settings =
+                QUICK.withMethod(method).withAntialias(antialias).withShadowSamples(1);
+        RenderResult plain = Renderer.render(RenderRequest.of(SMALL, settings));
+        RenderResult passes = Renderer.render(
+                RenderRequest.of(SMALL, settings).withProgressive(true).withAuxiliary(ALL));
+        assertArrayEquals(plain.image().toArray(), passes.image().toArray());
+        assertEquals(plain.report().raysByKind(), passes.report().raysByKind());
+        assertEquals(plain.report().sampling(), passes.report().sampling());
+        assertTrue(passes.report().phases().stream().anyMatch(p -> p.name().equals("preview")));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"raytrace,4", "raytrace,1", "cluster,4", "cluster,12"})
+    void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(String method, int antialias) {
+        RenderSettings settings =
+                QUICK.withMethod(method).withAntialias(antialias).withCrop(new RenderSettings.Crop(3, 5, 61, 30));
+        List<Image> seen = new ArrayList<>();
+        RenderResult result = Renderer.render(
+                RenderRequest.of(SMALL, settings).withProgressive(true).withProgress((done, total, soFar) -> {
+                    assertEquals(61 * 30, total);
+                    if (seen.isEmpty() || done == 0 || done > total / 2) {
+                        seen.add(soFar.get());
+                    }
+                }));
+        assertTrue(seen.size() > 10);
+        for (Image image : seen) {
+            for (int k = 0; k < 61 * 30; k++) {
+                // Everything in this scene is lit, at least by ambient light, and beyond it there is grey.
+                assertTrue(image.component(k % 61, k / 61, 0) > 0);
+            }
+        }
+        double first = distance(seen.get(0), result.image());
+        double middle = distance(seen.get(seen.size() / 2), result.image());
+        assertTrue(first > 0 && middle < first, first + " " + middle);
+        assertEquals(0, distance(seen.get(seen.size() - 1), result.image()));
+    }
+
+    private static double distance(Image a, Image b) {
+        double sum = 0;
+        float[] p = a.toArray();
+        float[] q = b.toArray();
+        for (int i = 0; i < p.length; i++) {
+            sum += (p[i] - q[i]) * (p[i] - q[i]);
+        }
+        return Math.sqrt(sum / p.length);
+    }
+
+    @Test
+    void whatIsCancelledAfterTheFirstPassIsStillAWholePicture() {
+        AtomicBoolean stop = new AtomicBoolean();
+        RenderResult result = Renderer.render(RenderRequest.of(SMALL, QUICK)
+                .withProgressive(true)
+                .withCancelled(stop::get)
+                .withAuxiliary(ALL)
+                .withProgress((done, total, soFar) -> stop.set(true)));
+        assertFalse(result.complete());
+        assertEquals(0, result.report().pixels());
+        assertEquals(3200, result.shownPixels());
+        assertTrue(result.image().component(40, 20, 0) > 0);
+        assertEquals(0, result.auxiliary().get(Auxiliary.SAMPLES).component(40, 20, 0));
+        assertEquals(
+                Float.POSITIVE_INFINITY, result.auxiliary().get(Auxiliary.ERROR).component(40, 20, 0));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"raytrace", "cluster"})
+    void aTimeBecomesANumberOfSamplesThatMakesTheSamePicture(String method) {
+        RenderSettings settings = QUICK.withMethod(method).withShadowSamples(1);
+        AtomicReference<String> told = new AtomicReference<>();
+        long start = System.nanoTime();
+        RenderResult timed = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSeconds(0.5)))
+                .withProgress(new RenderProgress() {
+                    @Override
+                    public void progress(long done, long total, java.util.function.Supplier<Image> soFar) {}
+
+                    @Override
+                    public void planned(double samples, String decidedBy) {
+                        assertEquals(null, told.getAndSet(samples + " " + decidedBy));
+                    }
+                }));
+        double took = (System.nanoTime() - start) * 1e-9;
+        double samples = timed.report().sampling().plannedSamples();
+        assertEquals(samples + " time", told.get());
+        // Three digits, give or take what a decimal fraction is in binary.
+        double scaled = samples * Math.pow(10, 2 - Math.floor(Math.log10(samples)));
+        assertEquals(Math.rint(scaled), scaled, 1e-6);
+        RenderResult again =
+                Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSamples(samples))));
+        assertArrayEquals(again.image().toArray(), timed.image().toArray());
+        // Generous, because the machine may be busy: docs/benchmarks measure it.
+        assertTrue(took > 0.2 && took < 3, took + " s");
+    }
+
+    @Test
+    void anErrorThatWasAskedForIsMetOrSaidNotToBe() {
+        RenderSettings settings = QUICK.withMethod("cluster");
+        RenderReport met = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withError(0.05))))
+                .report();
+        assertTrue(met.isErrorMet(), met.sampling().toString());
+        RenderReport few = Renderer.render(RenderRequest.of(
+                        SMALL, settings.withBudget(Budget.NONE.withError(0.001).withSamples(3))))
+                .report();
+        assertFalse(few.isErrorMet());
+        assertEquals("samples", few.sampling().decidedBy());
+        assertTrue(Renderer.render(RenderRequest.of(SMALL, settings)).report().isErrorMet());
+    }
+}

@@ -84,7 +84,7 @@ final class Planner {
             samples = budget.samples().getAsDouble();
         }
         if (budget.error().isPresent()) {
-            double n = samplesForError(AIM * budget.error().getAsDouble(), samples);
+            double n = samplesForError(AIM * budget.error().getAsDouble(), samples, until(budget, start));
             by = n < samples ? "error" : by;
             samples = Math.min(samples, n);
         }
@@ -94,6 +94,15 @@ final class Planner {
             samples = Math.min(samples, n);
         }
         return withSamples(samples, by);
+    }
+
+    /** When to stop looking for the samples that an error takes: where there is not much time, time decides. */
+    private BooleanSupplier until(Budget budget, long start) {
+        if (budget.seconds().isEmpty()) {
+            return cancelled;
+        }
+        double most = TRIAL_TIME * budget.seconds().getAsDouble();
+        return () -> cancelled.getAsBoolean() || (System.nanoTime() - start) * NANO > most;
     }
 
     private RenderPlan withSamples(double samples, String by) {
@@ -110,19 +119,19 @@ final class Planner {
         return cost.effort(samples);
     }
 
-    /** The number of samples for which the error is this, but not more than the most. */
-    private double samplesForError(double error, double most) {
+    /** The number of samples for which the error is this, but not more than the most, or that if it is stopped. */
+    private double samplesForError(double error, double most, BooleanSupplier stop) {
         double n = Math.min(FIRST_SAMPLES, most);
-        double e = trial(n, Integer.MAX_VALUE);
+        double e = trial(n, Integer.MAX_VALUE, stop);
         double slope = LEAST_SLOPE + (GREATEST_SLOPE - LEAST_SLOPE) / 2;
-        for (int k = 1; k < MOST_TRIALS && !cancelled.getAsBoolean(); k++) {
+        for (int k = 1; k < MOST_TRIALS && !stop.getAsBoolean(); k++) {
             boolean close = e <= error * CLOSE && e >= error / CLOSE;
             double factor = StrictMath.pow(e / error, 1 / slope);
             double next = Math.min(Math.max(n * Math.min(factor, LONGEST_STEP), 1), most);
             if (e == 0 || close || next == n) {
-                return tidy(next);
+                return next < most ? tidy(next) : most;
             }
-            double found = trial(next, Integer.MAX_VALUE);
+            double found = trial(next, Integer.MAX_VALUE, stop);
             if (found > 0) {
                 double measured = StrictMath.log(e / found) / StrictMath.log(next / n);
                 slope = Math.min(Math.max(measured, LEAST_SLOPE), GREATEST_SLOPE);
@@ -130,7 +139,8 @@ final class Planner {
             n = next;
             e = found;
         }
-        return tidy(Math.min(Math.max(n * StrictMath.pow(e / error, 1 / slope), 1), most));
+        double last = Math.max(n * StrictMath.pow(e / error, 1 / slope), 1);
+        return stop.getAsBoolean() || last >= most ? most : tidy(last);
     }
 
     /** The number of samples that take so much time, by trials that go on until the machine is warm. */
@@ -142,7 +152,7 @@ final class Planner {
         do {
             long before = System.nanoTime();
             int some = Math.max(Math.min(LEAST_TRIAL / 4, blocks), 1);
-            trial(n, some);
+            trial(n, some, cancelled);
             double took = (System.nanoTime() - before) * NANO;
             int done = SpreadPlaces.of(across(), down(), some).size();
             perSample = took * blocks / done / n;
@@ -181,13 +191,13 @@ final class Planner {
     }
 
     /** Renders some blocks of the whole picture with so many samples and returns their estimated error. */
-    private double trial(double samples, int most) {
+    private double trial(double samples, int most, BooleanSupplier stop) {
         int count = Math.min(most, Math.max(Math.min(blocks(), LEAST_TRIAL), blocks() / TRIAL_SHARE));
         List<int[]> places = SpreadPlaces.of(across(), down(), count);
         RenderSettings apart = settings.withSeed(Hash.of(settings.seed(), PURPOSE));
         RenderPlan plan = new RenderPlan(level(samples), samples, "trial");
         FilmTile[] tiles = new FilmTile[places.size()];
-        Workers.run(settings.threads(), tiles.length, cancelled, () -> {
+        Workers.run(settings.threads(), tiles.length, stop, () -> {
             TileMethod method = plan.method(scene, apart, new RayCounters(scene.kindNames.size()));
             return (IntConsumer) i -> {
                 int x = places.get(i)[0] * SIDE;
@@ -198,7 +208,7 @@ final class Planner {
                 tiles[i] = tile;
             };
         });
-        return cancelled.getAsBoolean()
+        return Arrays.asList(tiles).contains(null)
                 ? 0
                 : ErrorEstimate.of(Arrays.asList(tiles)).rmse();
     }

@@ -39,17 +39,6 @@ final class Planner {
 
     private static final int MOST_TRIALS = 7;
 
-    /** A trial this close to its aim, by a factor, leaves the rest to interpolation. */
-    private static final double CLOSE = 1.25;
-
-    /** The most that one trial may take more samples than that before. */
-    private static final double LONGEST_STEP = 8;
-
-    /** The error falls at least as n^−½ and at best as 1/n with the number of samples. */
-    private static final double LEAST_SLOPE = 0.5;
-
-    private static final double GREATEST_SLOPE = 1;
-
     private static final double FIRST_SAMPLES = 4;
 
     /** The share of a time budget that the trial may take, and the share that is planned with. */
@@ -113,34 +102,34 @@ final class Planner {
         if (!cluster) {
             return Math.max(samples, 1);
         }
+        return cost().effort(samples);
+    }
+
+    private ClusterCost cost() {
         if (cost == null) {
             cost = ClusterCost.of(scene, settings, COST_BLOCKS);
         }
-        return cost.effort(samples);
+        return cost;
     }
 
     /** The number of samples for which the error is this, but not more than the most, or that if it is stopped. */
     private double samplesForError(double error, double most, BooleanSupplier stop) {
-        double n = Math.min(FIRST_SAMPLES, most);
-        double e = trial(n, Integer.MAX_VALUE, stop);
-        double slope = LEAST_SLOPE + (GREATEST_SLOPE - LEAST_SLOPE) / 2;
-        for (int k = 1; k < MOST_TRIALS && !stop.getAsBoolean(); k++) {
-            boolean close = e <= error * CLOSE && e >= error / CLOSE;
-            double factor = StrictMath.pow(e / error, 1 / slope);
-            double next = Math.min(Math.max(n * Math.min(factor, LONGEST_STEP), 1), most);
-            if (e == 0 || close || next == n) {
-                return next < most ? tidy(next) : most;
+        double least = Math.min(cluster ? cost().samples(0) : 1, most);
+        ErrorSearch search = new ErrorSearch(error, least, most);
+        double n = Math.min(Math.max(FIRST_SAMPLES, least), most);
+        for (int k = 0; k < MOST_TRIALS; k++) {
+            double e = trial(n, Integer.MAX_VALUE, stop);
+            if (stop.getAsBoolean()) {
+                return most;
             }
-            double found = trial(next, Integer.MAX_VALUE, stop);
-            if (found > 0) {
-                double measured = StrictMath.log(e / found) / StrictMath.log(next / n);
-                slope = Math.min(Math.max(measured, LEAST_SLOPE), GREATEST_SLOPE);
+            search.found(n, e);
+            if (search.isOver()) {
+                break;
             }
-            n = next;
-            e = found;
+            n = search.next();
         }
-        double last = Math.max(n * StrictMath.pow(e / error, 1 / slope), 1);
-        return stop.getAsBoolean() || last >= most ? most : tidy(last);
+        double found = search.answer();
+        return found < most ? tidy(found) : most;
     }
 
     /** The number of samples that take so much time, by trials that go on until the machine is warm. */

@@ -53,12 +53,14 @@ class ErrorEstimateTest {
     void ofIndependentSamplesTheEstimateIsTheDeviationOfTheMean(int samples) {
         Film film = noisy(96, 96, samples, 0.25, 0, new Random(samples));
         double expected = 0.25 / Math.sqrt(samples);
-        // 9216 squares: deviation of their root's mean about √(2/9216)/2 = 0.7 %, of the ratio of halves and quarters 2
-        // %;
-        // uneven halves of three samples err by √(9/8) on the side of caution.
-        double high = samples == 3 ? 1.09 : 1.03;
+        // H²/(Q − H) of sums over N pixels has the relative variance (9 · 2 + 4)/N, its root half the deviation: 2.4 %
+        // for
+        // 9216. Four of that below; above less, since a ratio below 2 is not believed. Uneven halves of three samples
+        // err by
+        // √(9/8) on the side of caution.
+        double high = samples == 3 ? 1.1 : 1.04;
         double ratio = film.error().rmse() / expected;
-        assertTrue(ratio > 0.95 && ratio < high, samples + " samples: " + ratio);
+        assertTrue(ratio > 0.9 && ratio < high, samples + " samples: " + ratio);
     }
 
     @ParameterizedTest
@@ -75,7 +77,7 @@ class ErrorEstimateTest {
             held += truth >= e.low() && truth <= e.high() ? 1 : 0;
             above += truth > e.high() ? 1 : 0;
         }
-        // How fast the variance falls is measured too, which the interval does not count: 90 % and not 95 %.
+        // 190 expected, deviation √(200 · 0.95 · 0.05) = 3.1; three of them.
         assertTrue(held >= 0.9 * runs, held + " of " + runs + " are held, " + above + " above");
     }
 

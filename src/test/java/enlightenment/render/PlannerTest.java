@@ -9,6 +9,7 @@ import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -137,7 +138,7 @@ class PlannerTest {
             RenderSettings s = settings(scene, method, 64, 32).withBudget(Budget.NONE.withError(0.9));
             Picture p = ManySeeds.render(scene, s);
             assertEquals("error", p.sampling().decidedBy(), method);
-            assertEquals(1, p.sampling().plannedSamples(), method);
+            assertTrue(Arrays.stream(p.counts()).allMatch(n -> n == 1), method);
         }
     }
 
@@ -164,8 +165,10 @@ class PlannerTest {
             for (double samples : new double[] {4, 16, 60}) {
                 RenderSettings s = settings(scene, "cluster", 96, 48).withBudget(Budget.NONE.withSamples(samples));
                 double taken = ManySeeds.render(scene, s).sampling().samplesPerPixel();
-                // All 72 blocks were surveyed to plan it, so that it is kept; samples come in powers of two.
-                assertTrue(taken <= samples && taken > 0.7 * samples, name + ": " + taken + " for " + samples);
+                // All 72 blocks were surveyed to plan it; only where clusters learn they look more often than was
+                // planned.
+                double most = name.equals("keyhole") ? 1.25 : 1.001;
+                assertTrue(taken <= most * samples && taken > 0.7 * samples, name + ": " + taken + " for " + samples);
             }
         }
     }

@@ -73,18 +73,22 @@ final class ErrorSearch {
             double factor = lastError == 0 ? 0 : StrictMath.pow(lastError / error, 1 / USUAL_SLOPE);
             return last * Math.min(Math.max(factor, 1 / LONGEST_STEP), LONGEST_STEP);
         }
-        double share = 0.5;
-        if (enoughError > 0) {
-            share = StrictMath.log(fewError / error) / StrictMath.log(fewError / enoughError);
-        }
-        share = Math.min(Math.max(share, LEAST_SHARE), 1 - LEAST_SHARE);
+        return inside(Math.min(Math.max(share(), LEAST_SHARE), 1 - LEAST_SHARE));
+    }
+
+    /** How far from too few to enough the error is as asked, if it falls as a power of the number in between. */
+    private double share() {
+        return enoughError > 0 ? StrictMath.log(fewError / error) / StrictMath.log(fewError / enoughError) : 0.5;
+    }
+
+    private double inside(double share) {
         return few * StrictMath.pow(enough / few, share);
     }
 
     /** The number of samples that is enough, as far as it is known. */
     double answer() {
         if (enough < Double.POSITIVE_INFINITY) {
-            return few > 0 ? Math.max(between(), Math.sqrt(few * enough)) : enough;
+            return few > 0 ? inside(Math.max(share(), 0.5)) : enough;
         }
         return Math.min(Math.max(few * StrictMath.pow(fewError / error, 1 / LEAST_SLOPE), least), most);
     }

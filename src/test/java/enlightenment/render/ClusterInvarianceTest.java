@@ -43,10 +43,10 @@ class ClusterInvarianceTest {
         Scene scene = ManySeeds.shipped(name);
         RenderSettings settings = settings(scene, budget);
         Picture one = ManySeeds.render(scene, settings);
-        if (name.equals("keyhole")) {
+        if (name.equals("keyhole") && budget.samples().isPresent()) {
             assertTrue(one.sampling().clusters() > 0, "no light points were proposed");
         }
-        int[][] ways = {{2, 8}, {7, 8}, {1, 64}, {2, 16}, {7, 5}, {2, 3}};
+        int[][] ways = {{2, 8}, {7, 8}, {2, 64}, {7, 5}};
         for (int[] way : ways) {
             Picture other = ManySeeds.render(scene, settings.withThreads(way[0]).withTileSize(way[1]));
             String what = way[0] + " threads, tiles of " + way[1];

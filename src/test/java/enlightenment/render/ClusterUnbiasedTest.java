@@ -10,6 +10,8 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,6 +40,12 @@ class ClusterUnbiasedTest {
         return pictures.stream().map(Picture::rgb).toList();
     }
 
+    private static final Map<String, List<double[]>> TRACED = new ConcurrentHashMap<>();
+
+    private static List<double[]> traced(Scene scene) {
+        return TRACED.computeIfAbsent(scene.name(), name -> traced(scene, WIDTH, HEIGHT));
+    }
+
     private static List<double[]> traced(Scene scene, int width, int height) {
         RenderSettings s = settings(scene, "raytrace", width, height);
         return rgb(ManySeeds.render(scene, s.withAntialias(4).withShadowSamples(4), APART, SEEDS));
@@ -52,7 +60,7 @@ class ClusterUnbiasedTest {
     @ValueSource(strings = {"fire-and-ice", "cylinders", "cone", "glass", "keyhole"})
     void clusterAndRaytraceMeanTheSamePicture(String name) {
         Scene scene = ManySeeds.shipped(name);
-        List<double[]> expected = traced(scene, WIDTH, HEIGHT);
+        List<double[]> expected = traced(scene);
         for (double samples : new double[] {2.5, 12}) {
             List<double[]> actual = rgb(ManySeeds.render(scene, cluster(scene, samples), 0, SEEDS));
             assertSame(BLOCKS.compare(actual, expected), name + " with " + samples + " samples");
@@ -63,7 +71,7 @@ class ClusterUnbiasedTest {
     @ValueSource(strings = {"normal", "zeta", "linear"})
     void guidedLightPointsMeanTheSamePictureWithEveryFamily(String family) {
         Scene scene = ManySeeds.shipped("keyhole");
-        List<double[]> expected = traced(scene, WIDTH, HEIGHT);
+        List<double[]> expected = traced(scene);
         RenderSettings s = cluster(scene, 40).withProposal(family);
         List<Picture> pictures = ManySeeds.render(scene, s, 5000, SEEDS);
         double clusters = pictures.stream()
@@ -78,7 +86,7 @@ class ClusterUnbiasedTest {
     @Test
     void aBiasOfOnePercentWouldBeDetected() {
         Scene scene = ManySeeds.shipped("keyhole");
-        List<double[]> expected = traced(scene, WIDTH, HEIGHT);
+        List<double[]> expected = traced(scene);
         List<double[]> brighter = new ArrayList<>();
         for (Picture p : ManySeeds.render(scene, cluster(scene, 12), 0, SEEDS)) {
             double[] rgb = p.rgb().clone();
@@ -95,7 +103,7 @@ class ClusterUnbiasedTest {
     @Test
     void stoppingWhereTheFirstSamplesAgreeWouldBeDetected() {
         Scene scene = ManySeeds.shipped("keyhole");
-        List<double[]> expected = traced(scene, WIDTH, HEIGHT);
+        List<double[]> expected = traced(scene);
         RenderSettings s = settings(scene, "raytrace", WIDTH, HEIGHT).withShadowSamples(1);
         List<Picture> few = ManySeeds.render(scene, s.withAntialias(2), 0, SEEDS);
         List<Picture> many = ManySeeds.render(scene, s.withAntialias(4), 0, SEEDS);

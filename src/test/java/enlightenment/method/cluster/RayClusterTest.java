@@ -42,7 +42,7 @@ class RayClusterTest {
     @ParameterizedTest
     @ValueSource(strings = {"normal", "zeta", "linear"})
     void theShareThatIsFoundWhileLearningIsTheTrueOne(String family) {
-        int runs = 400;
+        int runs = 250;
         int perRow = 64;
         double sum = 0;
         double squares = 0;
@@ -90,7 +90,7 @@ class RayClusterTest {
         assertTrue(cluster.fit());
         for (double[] at : new double[][] {{0, 0}, {4, -4}, {-4, 2}}) {
             cluster.aim(at[0], at[1]);
-            int n = 1200;
+            int n = 800;
             double sum = 0;
             for (int i = 0; i < n; i++) {
                 for (int j = 0; j < n; j++) {

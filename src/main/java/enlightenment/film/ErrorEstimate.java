@@ -26,6 +26,12 @@ public final class ErrorEstimate {
     /** 97.5 % of a normal distribution lie below this many deviations. */
     private static final double TWO_SIDED_95 = 1.96;
 
+    /** A squared normal number has twice its squared mean as variance, and a third of the mean of its square is that. */
+    private static final double OF_ONE_NORMAL = 2.0 / 3;
+
+    /** The same for the mean of two of them: variance 1, mean of the square 2. */
+    private static final double OF_TWO_NORMALS = 0.5;
+
     private final float[] variances;
     private final double meanSquare;
     private final double deviationOfMeanSquare;
@@ -39,7 +45,8 @@ public final class ErrorEstimate {
     }
 
     static ErrorEstimate of(float[] halves, float[] quarters, int[] counts) {
-        double[] perLevel = factors(halves, quarters, counts);
+        Ratio[] ratios = ratios(halves, quarters, counts);
+        double[] sums = new double[LEVELS];
         float[] variances = new float[halves.length];
         double sum = 0;
         double squares = 0;
@@ -49,18 +56,23 @@ public final class ErrorEstimate {
                 continue;
             }
             int level = level(counts[i]);
-            double v = halves[i] * (level < 0 ? 1 : perLevel[level]);
+            double v = halves[i];
+            if (level > 0) {
+                v *= ratios[level].factor();
+                sums[level] += v;
+            }
             variances[i] = (float) v;
             sum += v;
             squares += v * v;
             pixels++;
         }
-        double n = Math.max(pixels, 1);
-        // A squared normal number has twice its squared mean as variance, and a third of the mean of its square is
-        // that.
         // Once for the estimate, once for the picture itself, which is one of many.
-        double deviation = Math.sqrt(2 * squares * 2 / 3) / n;
-        return new ErrorEstimate(variances, sum / n, deviation, pixels);
+        double square = 2 * OF_ONE_NORMAL * squares;
+        for (int k = 1; k < LEVELS; k++) {
+            square += sums[k] * sums[k] * ratios[k].uncertainty();
+        }
+        double n = Math.max(pixels, 1);
+        return new ErrorEstimate(variances, sum / n, Math.sqrt(square) / n, pixels);
     }
 
     /** The error of some tiles, as if they were all of the picture. */
@@ -89,36 +101,65 @@ public final class ErrorEstimate {
         return Integer.bitCount(count) == 1 ? Integer.numberOfTrailingZeros(count) : -1;
     }
 
-    /** What the halves are to be multiplied by, for each level. */
-    private static double[] factors(float[] halves, float[] quarters, int[] counts) {
-        double[] h = new double[LEVELS];
-        double[] q = new double[LEVELS];
-        long[] n = new long[LEVELS];
+    /** How fast the variance falls, for each level: from its own pixels where they are many, from all elsewhere. */
+    private static Ratio[] ratios(float[] halves, float[] quarters, int[] counts) {
+        Ratio[] ratios = new Ratio[LEVELS];
+        Ratio pooled = new Ratio();
+        for (int k = 0; k < LEVELS; k++) {
+            ratios[k] = new Ratio();
+        }
         for (int i = 0; i < halves.length; i++) {
             int level = level(counts[i]);
             if (counts[i] >= 4 && level >= 0) {
-                h[level] += halves[i];
-                q[level] += quarters[i];
-                n[level]++;
+                ratios[level].add(halves[i], quarters[i]);
+                pooled.add(halves[i], quarters[i]);
             }
         }
-        double[] factors = new double[LEVELS];
-        factors[0] = 1;
-        for (int k = 1; k < LEVELS; k++) {
-            double ratio = n[k] >= ENOUGH && h[k] > 0 ? q[k] / h[k] : pooledRatio(h, q);
-            factors[k] = 1 / (Math.min(Math.max(ratio, INDEPENDENT), FASTEST) - 1);
+        for (int k = 0; k < LEVELS; k++) {
+            ratios[k] = ratios[k].pixels >= ENOUGH && ratios[k].halves > 0 ? ratios[k] : pooled;
         }
-        return factors;
+        return ratios;
     }
 
-    private static double pooledRatio(double[] h, double[] q) {
-        double sumH = 0;
-        double sumQ = 0;
-        for (int k = 0; k < LEVELS; k++) {
-            sumH += h[k];
-            sumQ += q[k];
+    /** The sum of quarters over that of halves, and what is known about its own error. */
+    private static final class Ratio {
+        private double halves;
+        private double quarters;
+        private double halvesSquared;
+        private double quartersSquared;
+        private long pixels;
+
+        void add(double h, double q) {
+            halves += h;
+            quarters += q;
+            halvesSquared += h * h;
+            quartersSquared += q * q;
+            pixels++;
         }
-        return sumH > 0 ? sumQ / sumH : INDEPENDENT;
+
+        private double value() {
+            double ratio = halves > 0 ? quarters / halves : INDEPENDENT;
+            return Math.min(Math.max(ratio, INDEPENDENT), FASTEST);
+        }
+
+        /** What the halves are to be multiplied by to be the variance. */
+        double factor() {
+            return 1 / (value() - 1);
+        }
+
+        /**
+         * The squared relative error of a sum of halves times this factor, beyond that of the halves: with
+         * V = H/(Q/H − 1) and s = ρ/(ρ − 1) it is dV/V = (1 + s) dH/H − s dQ/Q.
+         */
+        double uncertainty() {
+            if (!(halves > 0 && quarters > 0)) {
+                return 0;
+            }
+            double s = value() / (value() - 1);
+            double ofHalves = OF_ONE_NORMAL * halvesSquared / (halves * halves);
+            double ofQuarters = OF_TWO_NORMALS * quartersSquared / (quarters * quarters);
+            return (s * s + 2 * s) * ofHalves + s * s * ofQuarters;
+        }
     }
 
     /** Estimated root mean square error over all finished pixels and components. */

@@ -38,17 +38,7 @@ final class Planner {
 
     private static final int MOST_TRIALS = 7;
 
-    /** A trial this close to its aim, by a factor, leaves the rest to interpolation. */
-    private static final double CLOSE = 1.25;
-
-    /** The most that one trial may take more samples than that before. */
-    private static final double LONGEST_STEP = 8;
-
     /** The error falls at least as n^−½ and at best as 1/n with the number of samples. */
-    private static final double LEAST_SLOPE = 0.5;
-
-    private static final double GREATEST_SLOPE = 1;
-
     private static final double FIRST_SAMPLES = 4;
 
     /** Blocks of a trial of speed: a share of the picture, within these limits. */
@@ -116,7 +106,7 @@ final class Planner {
             samples = budget.samples().getAsDouble();
         }
         if (budget.error().isPresent()) {
-            double n = samplesForError(AIM * budget.error().getAsDouble(), samples);
+            double n = samplesForError(AIM * budget.error().getAsDouble(), samples, until(budget, start));
             by = n < samples ? "error" : by;
             samples = Math.min(samples, n);
         }
@@ -152,44 +142,33 @@ final class Planner {
         return cost;
     }
 
-    /**
-     * The number of samples for which the error is this, but not more than the most. A step never goes back behind what is
-     * known to be too few or enough: where the method cannot do with less than a certain number, slopes mislead.
-     */
-    private double samplesForError(double error, double most) {
-        double n = Math.min(FIRST_SAMPLES, most);
-        double e = errorOfTrial(n);
-        double slope = LEAST_SLOPE + (GREATEST_SLOPE - LEAST_SLOPE) / 2;
-        double tooFew = 0;
-        double enough = most;
-        for (int k = 1; k < MOST_TRIALS && !cancelled.getAsBoolean(); k++) {
-            if (e <= error) {
-                enough = Math.min(enough, n);
-            } else {
-                tooFew = Math.max(tooFew, n);
-            }
-            boolean close = e <= error * CLOSE && e >= error / CLOSE;
-            double factor = StrictMath.pow(e / error, 1 / slope);
-            double next = between(tooFew, enough, Math.min(Math.max(n * Math.min(factor, LONGEST_STEP), 1), most));
-            if (e == 0 || close || next == n) {
-                return tidy(next);
-            }
-            double found = errorOfTrial(next);
-            if (found > 0) {
-                double measured = StrictMath.log(e / found) / StrictMath.log(next / n);
-                slope = Math.min(Math.max(measured, LEAST_SLOPE), GREATEST_SLOPE);
-            }
-            n = next;
-            e = found;
+    /** When to stop looking for the samples that an error takes: where there is not much time, time decides. */
+    private BooleanSupplier until(Budget budget, long start) {
+        if (budget.seconds().isEmpty()) {
+            return cancelled;
         }
-        double beyond = Math.min(n * StrictMath.pow(e / error, 1 / slope), most);
-        return tidy(e <= error ? n : enough < most ? enough : beyond);
+        double most = LEAST_TRIAL_TIME * budget.seconds().getAsDouble();
+        return () -> cancelled.getAsBoolean() || (System.nanoTime() - start) * NANO > most;
     }
 
-    /** The proposal if it lies between both, their geometric mean if it does not. */
-    private static double between(double tooFew, double enough, double proposal) {
-        boolean inside = proposal > tooFew && proposal <= enough;
-        return inside || tooFew >= enough ? Math.min(proposal, enough) : Math.sqrt(Math.max(tooFew, 1) * enough);
+    /** The number of samples for which the error is this, but not more than the most, or that if it is stopped. */
+    private double samplesForError(double error, double most, BooleanSupplier stop) {
+        double least = Math.min(cluster ? cost().samples(0) : 1, most);
+        ErrorSearch search = new ErrorSearch(error, least, most);
+        double n = Math.min(Math.max(FIRST_SAMPLES, least), most);
+        for (int k = 0; k < MOST_TRIALS; k++) {
+            double e = errorOfTrial(n, stop);
+            if (stop.getAsBoolean()) {
+                return most;
+            }
+            search.found(n, e);
+            if (search.isOver()) {
+                break;
+            }
+            n = search.next();
+        }
+        double found = search.answer();
+        return found < most ? tidy(found) : most;
     }
 
     /**
@@ -213,7 +192,7 @@ final class Planner {
         int trials = 0;
         do {
             long before = System.nanoTime();
-            trial(n, emptied(blocks));
+            trial(n, emptied(blocks), cancelled);
             long now = System.nanoTime();
             double perSecond = n * trialPixels / Math.max((now - before) * NANO, NANO);
             calm = perSecond < fastest * FASTER ? calm + 1 : 0;
@@ -259,11 +238,11 @@ final class Planner {
     }
 
     /** Renders some blocks of the whole picture with so many samples and returns their estimated error. */
-    private double errorOfTrial(double samples) {
+    private double errorOfTrial(double samples, BooleanSupplier stop) {
         List<FilmTile> blocks =
                 blocksOf(new RenderSettings.Crop(0, 0, settings.width(), settings.height()), LEAST_TRIAL);
-        trial(samples, blocks);
-        return cancelled.getAsBoolean() ? 0 : ErrorEstimate.of(blocks).rmse();
+        trial(samples, blocks, stop);
+        return stop.getAsBoolean() ? 0 : ErrorEstimate.of(blocks).rmse();
     }
 
     /** Blocks spread over a part of the picture: a share of it, but not less than so many, if there are. */
@@ -295,10 +274,10 @@ final class Planner {
     }
 
     /** Renders these blocks with so many samples, and random numbers that are not the picture's. */
-    private void trial(double samples, List<FilmTile> blocks) {
+    private void trial(double samples, List<FilmTile> blocks, BooleanSupplier stop) {
         RenderSettings apart = settings.withSeed(Hash.of(settings.seed(), PURPOSE));
         RenderPlan plan = new RenderPlan(level(samples), samples, "trial");
-        Workers.run(settings.threads(), blocks.size(), cancelled, () -> {
+        Workers.run(settings.threads(), blocks.size(), stop, () -> {
             TileMethod method = plan.method(scene, apart, new RayCounters(scene.kindNames.size()));
             return (IntConsumer) i -> method.render(blocks.get(i));
         });

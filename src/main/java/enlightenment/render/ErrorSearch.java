@@ -1,0 +1,95 @@
+package enlightenment.render;
+
+/**
+ * Seeks the number of samples for which the error is as asked, from errors measured at a few numbers.
+ *
+ * <p>As a rule the error falls between n^−½ and 1/n. It falls far more steeply where a method has a fixed cost that is most
+ * of n: then the numbers that are known to be too few and enough take over, and what is not known to be enough is not the
+ * answer unless it lies close to what was measured.
+ */
+final class ErrorSearch {
+    /** An error this close to what is asked, by a factor, leaves the rest to interpolation. */
+    private static final double CLOSE = 1.25;
+
+    /** Numbers of samples this close need no telling apart. */
+    private static final double SAME = 1.04;
+
+    /** The most that one step may take more samples than that before. */
+    private static final double LONGEST_STEP = 8;
+
+    private static final double LEAST_SLOPE = 0.5;
+    private static final double USUAL_SLOPE = 0.75;
+
+    /** Of the way between too few and enough, in logarithms: what a step may come to, so that either side shrinks. */
+    private static final double LEAST_SHARE = 0.15;
+
+    private final double error;
+    private final double least;
+    private final double most;
+
+    /** The greatest number that is too few and the least that is enough, with their errors. */
+    private double few;
+
+    private double fewError;
+    private double enough = Double.POSITIVE_INFINITY;
+    private double enoughError;
+    private double last;
+    private double lastError;
+
+    ErrorSearch(double error, double least, double most) {
+        this.error = error;
+        this.least = least;
+        this.most = most;
+    }
+
+    /** Takes note of an error. */
+    void found(double n, double e) {
+        last = n;
+        lastError = e;
+        if (e <= error && n <= enough) {
+            enough = n;
+            enoughError = e;
+        } else if (e > error && n >= few) {
+            few = n;
+            fewError = e;
+        }
+    }
+
+    /** Whether another trial would tell little. */
+    boolean isOver() {
+        return enough <= few * SAME
+                || enough <= least * SAME
+                || few >= most
+                || lastError <= error && lastError >= error / CLOSE;
+    }
+
+    /** The number of samples to try next. */
+    double next() {
+        return Math.min(Math.max(between(), least), most);
+    }
+
+    private double between() {
+        if (few == 0 || enough == Double.POSITIVE_INFINITY) {
+            double factor = lastError == 0 ? 0 : StrictMath.pow(lastError / error, 1 / USUAL_SLOPE);
+            return last * Math.min(Math.max(factor, 1 / LONGEST_STEP), LONGEST_STEP);
+        }
+        return inside(Math.min(Math.max(share(), LEAST_SHARE), 1 - LEAST_SHARE));
+    }
+
+    /** How far from too few to enough the error is as asked, if it falls as a power of the number in between. */
+    private double share() {
+        return enoughError > 0 ? StrictMath.log(fewError / error) / StrictMath.log(fewError / enoughError) : 0.5;
+    }
+
+    private double inside(double share) {
+        return few * StrictMath.pow(enough / few, share);
+    }
+
+    /** The number of samples that is enough, as far as it is known. */
+    double answer() {
+        if (enough < Double.POSITIVE_INFINITY) {
+            return few > 0 ? inside(Math.max(share(), 0.5)) : enough;
+        }
+        return Math.min(Math.max(few * StrictMath.pow(fewError / error, 1 / LEAST_SLOPE), least), most);
+    }
+}

@@ -1,0 +1,90 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.render.ManySeeds.Picture;
+import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.RenderSettings.Crop;
+import enlightenment.scene.Scene;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** How the work is done changes no bit of what the cluster method makes, with or without a budget. */
+class ClusterInvarianceTest {
+    private static final int WIDTH = 60;
+    private static final int HEIGHT = 30;
+
+    static Stream<Arguments> pictures() {
+        return Stream.of("keyhole", "fire-and-ice").flatMap(name -> Stream.of(
+                        Budget.NONE,
+                        Budget.NONE.withSamples(9.7),
+                        Budget.NONE.withError(0.02),
+                        Budget.NONE.withError(0.001).withSamples(30))
+                .map(budget -> Arguments.of(name, budget)));
+    }
+
+    private static RenderSettings settings(Scene scene, Budget budget) {
+        return RenderSettings.of(scene)
+                .withMethod("cluster")
+                .withSize(WIDTH, HEIGHT)
+                .withBudget(budget)
+                .withThreads(1);
+    }
+
+    @ParameterizedTest
+    @MethodSource("pictures")
+    void threadsAndTilesChangeNoBit(String name, Budget budget) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings settings = settings(scene, budget);
+        Picture one = ManySeeds.render(scene, settings);
+        if (name.equals("keyhole") && budget.samples().isPresent()) {
+            assertTrue(one.sampling().clusters() > 0, "no light points were proposed");
+        }
+        int[][] ways = {{2, 8}, {7, 8}, {2, 64}, {7, 5}};
+        for (int[] way : ways) {
+            Picture other = ManySeeds.render(scene, settings.withThreads(way[0]).withTileSize(way[1]));
+            String what = way[0] + " threads, tiles of " + way[1];
+            assertEquals(one.plan(), other.plan(), what);
+            assertArrayEquals(one.rgb(), other.rgb(), what);
+            assertArrayEquals(one.counts(), other.counts(), what);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("pictures")
+    void aCropShowsThePixelsOfTheWhole(String name, Budget budget) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings settings = settings(scene, budget);
+        Picture whole = ManySeeds.render(scene, settings);
+        for (Crop crop : List.of(new Crop(0, 0, 8, 8), new Crop(19, 5, 23, 17), new Crop(59, 29, 1, 1))) {
+            Picture part = ManySeeds.render(scene, settings.withCrop(crop));
+            for (int k = 0; k < part.rgb().length; k++) {
+                int x = crop.x() + k / 3 % crop.width();
+                int y = crop.y() + k / 3 / crop.width();
+                assertEquals(
+                        whole.film().component(x, y, k % 3),
+                        part.rgb()[k],
+                        "column " + x + ", row " + y + " of " + crop);
+                assertEquals(whole.film().count(x, y), part.counts()[k / 3]);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("pictures")
+    void theEstimatedErrorIsThatOfThePictureAndNotOfItsTiles(String name, Budget budget) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings settings = settings(scene, budget);
+        double standard = ManySeeds.render(scene, settings).sampling().estimatedError();
+        double large =
+                ManySeeds.render(scene, settings.withTileSize(64)).sampling().estimatedError();
+        // Single samples are compared with neighbours in the same tile, of which larger tiles have a few more.
+        assertEquals(standard, large, 0.02 * standard);
+    }
+}

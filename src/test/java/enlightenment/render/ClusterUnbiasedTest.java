@@ -1,0 +1,154 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.render.BlockMeans.Verdict;
+import enlightenment.render.ManySeeds.Picture;
+import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The methods mean the same picture: over independent seeds neither blocks nor the whole differ. */
+class ClusterUnbiasedTest {
+    private static final int SEEDS = 64;
+    private static final int WIDTH = 48;
+    private static final int HEIGHT = 24;
+    private static final BlockMeans BLOCKS = new BlockMeans(WIDTH, HEIGHT);
+
+    /** Seeds of raytrace must not be those of cluster: the two methods have their random numbers in common. */
+    private static final long APART = 1000;
+
+    private static RenderSettings settings(Scene scene, String method, int width, int height) {
+        return RenderSettings.of(scene).withMethod(method).withSize(width, height);
+    }
+
+    private static RenderSettings cluster(Scene scene, double samples) {
+        return settings(scene, "cluster", WIDTH, HEIGHT).withBudget(Budget.NONE.withSamples(samples));
+    }
+
+    private static List<double[]> rgb(List<Picture> pictures) {
+        return pictures.stream().map(Picture::rgb).toList();
+    }
+
+    private static final Map<String, List<double[]>> TRACED = new ConcurrentHashMap<>();
+
+    private static List<double[]> traced(Scene scene) {
+        return TRACED.computeIfAbsent(scene.name(), name -> traced(scene, WIDTH, HEIGHT));
+    }
+
+    private static List<double[]> traced(Scene scene, int width, int height) {
+        RenderSettings s = settings(scene, "raytrace", width, height);
+        return rgb(ManySeeds.render(scene, s.withAntialias(4).withShadowSamples(4), APART, SEEDS));
+    }
+
+    private static void assertSame(Verdict v, String what) {
+        assertFalse(v.isDifferent(), what + ": " + v);
+        assertTrue(v.most() < 4, what + ": " + v);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice", "cylinders", "cone", "glass", "keyhole"})
+    void clusterAndRaytraceMeanTheSamePicture(String name) {
+        Scene scene = ManySeeds.shipped(name);
+        List<double[]> expected = traced(scene);
+        for (double samples : new double[] {2.5, 12}) {
+            // Through a keyhole few samples see the light once in many pictures: far from a normal distribution, which
+            // Welch's
+            // test assumes of means. More pictures make their means so.
+            int seeds = name.equals("keyhole") && samples < 4 ? 8 * SEEDS : SEEDS;
+            List<double[]> actual = rgb(ManySeeds.render(scene, cluster(scene, samples), 0, seeds));
+            assertSame(BLOCKS.compare(actual, expected), name + " with " + samples + " samples");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"normal", "zeta", "linear"})
+    void guidedLightPointsMeanTheSamePictureWithEveryFamily(String family) {
+        Scene scene = ManySeeds.shipped("keyhole");
+        List<double[]> expected = traced(scene);
+        RenderSettings s = cluster(scene, 40).withProposal(family);
+        List<Picture> pictures = ManySeeds.render(scene, s, 5000, SEEDS);
+        double clusters = pictures.stream()
+                .mapToLong(p -> p.sampling().clusters())
+                .average()
+                .orElseThrow();
+        assertTrue(clusters > 4, "clusters that propose: " + clusters + " in 18 blocks");
+        assertSame(BLOCKS.compare(rgb(pictures), expected), family);
+    }
+
+    /** Without this, the tests above could be blind. */
+    @Test
+    void aBiasOfOnePercentWouldBeDetected() {
+        Scene scene = ManySeeds.shipped("keyhole");
+        List<double[]> expected = traced(scene);
+        List<double[]> brighter = new ArrayList<>();
+        for (Picture p : ManySeeds.render(scene, cluster(scene, 12), 0, SEEDS)) {
+            double[] rgb = p.rgb().clone();
+            for (int k = 0; k < rgb.length; k++) {
+                rgb[k] *= 1.01;
+            }
+            brighter.add(rgb);
+        }
+        Verdict v = BLOCKS.compare(brighter, expected);
+        assertTrue(v.isDifferent(), v.toString());
+    }
+
+    /** Taking more samples only where the first ones differ loses the light that the first ones did not find. */
+    @Test
+    void stoppingWhereTheFirstSamplesAgreeWouldBeDetected() {
+        Scene scene = ManySeeds.shipped("keyhole");
+        List<double[]> expected = traced(scene);
+        RenderSettings s = settings(scene, "raytrace", WIDTH, HEIGHT).withShadowSamples(1);
+        List<Picture> few = ManySeeds.render(scene, s.withAntialias(2), 0, SEEDS);
+        List<Picture> many = ManySeeds.render(scene, s.withAntialias(4), 0, SEEDS);
+        List<double[]> stopped = new ArrayList<>();
+        for (int i = 0; i < SEEDS; i++) {
+            float[] variances = few.get(i).film().error().variances();
+            double[] rgb = many.get(i).rgb().clone();
+            for (int k = 0; k < rgb.length; k++) {
+                rgb[k] = variances[k / 3] < 1e-5 ? few.get(i).rgb()[k] : rgb[k];
+            }
+            stopped.add(rgb);
+        }
+        assertFalse(BLOCKS.compare(rgb(many), expected).isDifferent(), "all samples");
+        assertTrue(BLOCKS.compare(stopped, expected).isDifferent(), "stopped");
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @CsvSource({
+        "fire-and-ice, 2.5",
+        "fire-and-ice, 5",
+        "fire-and-ice, 50",
+        "cylinders, 5",
+        "cylinders, 50",
+        "cone, 5",
+        "cone, 50",
+        "glass, 5",
+        "glass, 50",
+        "keyhole, 3",
+        "keyhole, 8",
+        "keyhole, 100",
+        "torus, 8",
+        "cube, 8",
+        "primitives, 8"
+    })
+    void largerPicturesAreTheSameToo(String name, double samples) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings s = settings(scene, "cluster", 96, 48).withBudget(Budget.NONE.withSamples(samples));
+        BlockMeans blocks = new BlockMeans(96, 48);
+        Verdict v = blocks.compare(rgb(ManySeeds.render(scene, s, 0, 4 * SEEDS)), traced(scene, 96, 48));
+        System.out.println(name + " with " + samples + " samples: " + v);
+        assertSame(v, name);
+    }
+}

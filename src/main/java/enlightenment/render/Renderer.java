@@ -43,8 +43,7 @@ public final class Renderer {
      */
     public static RenderResult render(
             Scene scene, RenderSettings settings, RenderProgress progress, BooleanSupplier cancelled) {
-        checkMethod(settings.method());
-        checkMemory(settings);
+        check(settings);
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
         RenderPlan plan = phases.run("plan", () -> new Planner(compiled, settings, cancelled).plan());
@@ -73,7 +72,13 @@ public final class Renderer {
         return (long) region.width() * region.height() * BYTES_PER_PIXEL;
     }
 
-    private static void checkMethod(String method) {
+    /** Refuses settings that cannot be used, whatever the scene. */
+    static void check(RenderSettings settings) {
+        checkMethod(settings.method());
+        checkMemory(settings);
+    }
+
+    static void checkMethod(String method) {
         Check.that(METHODS.contains(method), "render/method", "must be one of " + METHODS + ", not \"" + method + "\"");
     }
 

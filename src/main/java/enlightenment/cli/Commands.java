@@ -6,7 +6,7 @@ import picocli.CommandLine;
 
 /** All commands by name. */
 final class Commands {
-    private static final String[] NAMES = {"render", "validate", "inspect", "schema", "convert", "compare"};
+    private static final String[] NAMES = {"render", "validate", "inspect", "schema", "convert", "compare", "merge"};
 
     private Commands() {}
 
@@ -18,6 +18,7 @@ final class Commands {
             case "inspect" -> new InspectCommand(terminal);
             case "schema" -> new SchemaCommand(terminal);
             case "convert" -> new ConvertCommand(terminal);
+            case "merge" -> new MergeCommand(terminal);
             case "compare" -> new CompareCommand(terminal);
             default -> null;
         };

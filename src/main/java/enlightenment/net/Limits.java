@@ -20,6 +20,9 @@ final class Limits {
     /** Most bytes of content (scene, texture) in one message; longer content travels in pieces. */
     static final int CONTENT_PIECE = 4 << 20;
 
+    /** Most bytes of all contents of a job. */
+    static final long JOB = 1L << 30;
+
     /** Most contents (scene and textures) of a job. */
     static final int CONTENTS = 1_000;
 

@@ -91,6 +91,25 @@ public final class TiledRender {
         return tile -> make(Objects.checkIndex(tile, grid.tiles()), method, counters);
     }
 
+    /** Hears of finished tiles, from several threads at once. */
+    @FunctionalInterface
+    public interface TileSink {
+        /** The tile is made. */
+        void made(int tile, byte[] bytes);
+    }
+
+    /**
+     * Makes some tiles with as many threads as the settings say.
+     *
+     * @param cancelled asked now and then from several threads; once true, the rest is left undone
+     */
+    public void make(int[] tiles, BooleanSupplier cancelled, TileSink sink) {
+        Workers.run(settings.threads(), tiles.length, cancelled, () -> {
+            TileMaker maker = maker();
+            return i -> sink.made(tiles[i], maker.make(tiles[i]));
+        });
+    }
+
     private byte[] make(int tile, TileMethod method, RayCounters counters) {
         counters.clear();
         RenderSettings.Crop place = grid.place(tile);

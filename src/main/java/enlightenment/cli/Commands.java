@@ -6,7 +6,9 @@ import picocli.CommandLine;
 
 /** All commands by name. */
 final class Commands {
-    private static final String[] NAMES = {"render", "validate", "inspect", "schema", "convert", "compare", "merge"};
+    private static final String[] NAMES = {
+        "render", "validate", "inspect", "schema", "convert", "compare", "merge", "server", "worker"
+    };
 
     private Commands() {}
 
@@ -19,6 +21,8 @@ final class Commands {
             case "schema" -> new SchemaCommand(terminal);
             case "convert" -> new ConvertCommand(terminal);
             case "merge" -> new MergeCommand(terminal);
+            case "server" -> new ServerCommand(terminal);
+            case "worker" -> new WorkerCommand(terminal);
             case "compare" -> new CompareCommand(terminal);
             default -> null;
         };

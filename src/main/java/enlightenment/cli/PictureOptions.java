@@ -1,6 +1,9 @@
 package enlightenment.cli;
 
+import enlightenment.scene.Scene;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 
 /** What commands that write pictures check alike. */
 final class PictureOptions {
@@ -18,5 +21,17 @@ final class PictureOptions {
                 throw CliException.wrongUsage("--depth must not be given for a .pfm file, which holds floats");
             }
         }
+    }
+
+    /** What a picture's file says of itself: nothing that differs from run to run. */
+    static Map<String, String> text(Scene scene, String settings) {
+        Map<String, String> text = new LinkedHashMap<>();
+        if (!scene.name().isEmpty()) {
+            // PNG ends a text at a NUL.
+            text.put("Title", scene.name().replace('\0', ' '));
+        }
+        text.put("Software", "Enlightenment " + Version.number());
+        text.put("Settings", settings);
+        return text;
     }
 }

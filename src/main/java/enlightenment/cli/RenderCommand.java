@@ -13,8 +13,6 @@ import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -97,7 +95,14 @@ final class RenderCommand extends Subcommand {
         boolean complete;
         try {
             complete = RenderParts.render(
-                    scene, settings, p[0], p[1], pngText(scene, settings), output, display, terminal.stop());
+                    scene,
+                    settings,
+                    p[0],
+                    p[1],
+                    PictureOptions.text(scene, options.canonical(settings)),
+                    output,
+                    display,
+                    terminal.stop());
         } catch (InvalidValueException e) {
             throw options.blame(e, sceneFile.toString());
         } catch (SceneException e) {
@@ -166,17 +171,6 @@ final class RenderCommand extends Subcommand {
 
     /** What the file says of itself: nothing that differs from run to run. */
     private PngOptions pngOptions(Scene scene, RenderSettings settings) {
-        return new PngOptions("16".equals(depth) ? 16 : 8, pngText(scene, settings));
-    }
-
-    private Map<String, String> pngText(Scene scene, RenderSettings settings) {
-        Map<String, String> text = new LinkedHashMap<>();
-        if (!scene.name().isEmpty()) {
-            // PNG ends a text at a NUL.
-            text.put("Title", scene.name().replace('\0', ' '));
-        }
-        text.put("Software", "Enlightenment " + Version.number());
-        text.put("Settings", options.canonical(settings));
-        return text;
+        return new PngOptions("16".equals(depth) ? 16 : 8, PictureOptions.text(scene, options.canonical(settings)));
     }
 }

@@ -38,5 +38,14 @@ final class Limits {
     /** Most tiles of a job. */
     static final int TILES = 1 << 24;
 
+    /** Most messages that wait to be sent over one connection. */
+    static final int QUEUED_MESSAGES = 4_096;
+
+    /** Most connections that have not proved yet that they know the token. */
+    static final int STRANGERS = 32;
+
+    /** Most connected workers. */
+    static final int WORKERS = 256;
+
     private Limits() {}
 }

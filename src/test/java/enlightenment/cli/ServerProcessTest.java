@@ -65,7 +65,7 @@ class ServerProcessTest {
 
     private Process server(String log, Object... more) throws IOException {
         List<Object> args = new ArrayList<>(List.of("server", scene, "-o", picture, "--port", port));
-        args.addAll(List.of("--antialias", 16, "--shadow-samples", 100, "--local-threads", 0, "--wait", 60));
+        args.addAll(List.of("--antialias", 16, "--shadow-samples", 40, "--local-threads", 0, "--wait", 60));
         args.addAll(List.of(more));
         return start(log, args.toArray());
     }
@@ -97,8 +97,8 @@ class ServerProcessTest {
 
     private byte[] alone() throws IOException {
         Path file = folder.resolve("alone.png");
-        CliRun run = CliRun.of(
-                "render", scene, "-o", file, "--antialias", 16, "--shadow-samples", 100, "--progress", "none");
+        CliRun run =
+                CliRun.of("render", scene, "-o", file, "--antialias", 16, "--shadow-samples", 40, "--progress", "none");
         assertEquals(0, run.code(), run.err());
         return Files.readAllBytes(file);
     }

@@ -56,6 +56,13 @@ public final class RenderParts {
         int[] tiles = IntStream.range(0, render.tiles())
                 .filter(tile -> tile % parts == part - 1)
                 .toArray();
+        Map<Integer, byte[]> made = make(render, tiles, progress, cancelled);
+        PartFile.write(file, new PartFile.Head(job, render.outline(), text, part, parts), made);
+        return made.size() == tiles.length;
+    }
+
+    private static Map<Integer, byte[]> make(
+            TiledRender render, int[] tiles, RenderProgress progress, BooleanSupplier cancelled) {
         Map<Integer, byte[]> made = new TreeMap<>();
         FilmAssembly film = render.assembly();
         long pixels = film.pixels() * tiles.length / render.tiles();
@@ -66,9 +73,7 @@ public final class RenderParts {
                 progress.progress(Math.min(film.pixelsDone(), pixels), pixels, film::image);
             }
         });
-        PartFile.Head head = new PartFile.Head(job, render.outline(), text, part, parts);
-        PartFile.write(file, head, made);
-        return made.size() == tiles.length;
+        return made;
     }
 
     /**

@@ -7,9 +7,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.Closeable;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.security.SecureRandom;
 import java.util.ArrayList;
@@ -25,20 +22,19 @@ import java.util.function.BooleanSupplier;
 public final class RenderServer implements Closeable {
     private static final long TICK_MILLIS = 200;
     private static final long FAREWELL_MILLIS = 3_000;
-    private static final long LOCAL = 0;
 
     private final ServerOptions options;
     private final ServerJob job;
     private final Tls tls;
     private final byte[] token;
-    private final ServerSocket socket;
+    private final Reception reception;
     private final Coordinator coordinator;
     private final StatusServer status;
     private final long started = System.nanoTime();
     private final Map<Long, ServerConnection> connections = new LinkedHashMap<>();
     private final List<ServerConnection> waiting = new ArrayList<>();
-    private long connectionsMade = LOCAL;
-    private RenderPool local;
+    private long connectionsMade = LocalWorker.ID;
+    private LocalWorker local;
     private boolean hasBegun;
     private boolean isFinished;
     private boolean isClosed;
@@ -59,14 +55,21 @@ public final class RenderServer implements Closeable {
                 .withAuditRate(options.auditRate)
                 .withSilence(options.timing.silenceMillis() * 1_000_000L);
         coordinator = new Coordinator(settings, job.restored(), System.nanoTime());
-        socket = new ServerSocket();
         try {
-            socket.bind(new InetSocketAddress(InetAddress.getByName(options.host), options.port));
-            status = options.statusPort < 0 ? null : StatusServer.start(this, options.statusPort);
+            reception = new Reception(options.host, options.port, options.log);
+            status = openStatus();
         } catch (IOException e) {
-            socket.close();
             job.close();
-            throw new IOException("cannot listen at " + options.host + ":" + options.port + ": " + e.getMessage(), e);
+            throw e;
+        }
+    }
+
+    private StatusServer openStatus() throws IOException {
+        try {
+            return options.statusPort < 0 ? null : StatusServer.start(this, options.statusPort);
+        } catch (IOException e) {
+            reception.close();
+            throw new IOException("cannot show a status page at " + options.statusPort + ": " + e.getMessage(), e);
         }
     }
 
@@ -89,14 +92,14 @@ public final class RenderServer implements Closeable {
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
         JobContent content = JobContent.of(scene, settings, render.plan(), options.build);
         RenderServer server = new RenderServer(options, new ServerJob(render, content, options.log));
-        server.startThread(server::accept, "accept");
-        server.startThread(server::tickAll, "tick");
+        Reception.startThread(() -> server.reception.accept(server::welcome), "accept");
+        Reception.startThread(server::tickAll, "tick");
         return server;
     }
 
     /** The port that it listens at. */
     public int port() {
-        return socket.getLocalPort();
+        return reception.port();
     }
 
     /** The port of the status page, or -1. */
@@ -151,32 +154,8 @@ public final class RenderServer implements Closeable {
         }
     }
 
-    private void startThread(Runnable work, String name) {
-        Thread thread = new Thread(work, "server " + name);
-        thread.setDaemon(true);
-        thread.start();
-    }
-
-    private void accept() {
-        while (!socket.isClosed()) {
-            try {
-                Socket plain = socket.accept();
-                ServerConnection connection = welcome(plain);
-                if (connection == null) {
-                    plain.close();
-                } else {
-                    startThread(connection::run, "connection " + connection.id());
-                }
-            } catch (IOException | OutOfMemoryError e) {
-                if (!socket.isClosed()) {
-                    options.log.accept("a connection could not be taken: " + e.getMessage());
-                }
-            }
-        }
-    }
-
     /** Null if there are too many that nobody knows. */
-    private synchronized ServerConnection welcome(Socket plain) {
+    private synchronized Runnable welcome(Socket plain) {
         long strangers = connections.values().stream().filter(c -> !c.isKnown()).count();
         if (strangers >= Limits.STRANGERS || isClosed) {
             options.log.accept("a connection was refused: " + strangers + " others have not said who they are");
@@ -184,7 +163,7 @@ public final class RenderServer implements Closeable {
         }
         ServerConnection connection = new ServerConnection(++connectionsMade, this, plain);
         connections.put(connection.id(), connection);
-        return connection;
+        return connection::run;
     }
 
     synchronized boolean admit(ServerConnection connection) {
@@ -229,19 +208,13 @@ public final class RenderServer implements Closeable {
 
     private void startLocal(int threads) {
         if (local == null) {
-            local = new RenderPool(job.render(), threads, Integer.MAX_VALUE / 2, this::failed);
-            local.start(this::deliverLocal);
-            handle(new Event.Joined(LOCAL, Coordinator.LOCAL, Coordinator.LOCAL, "this process", threads, 1));
+            local = new LocalWorker(this, threads);
+            local.start();
         }
     }
 
-    private void deliverLocal() {
-        for (WorkerCore.Outgoing tile : local.outgoing()) {
-            handle(new Event.Delivered(LOCAL, tile.lease(), tile.tile(), tile.data()));
-        }
-    }
-
-    private synchronized void failed(Throwable thrown) {
+    /** Something in this process went wrong: the render ends. */
+    synchronized void failed(Throwable thrown) {
         failure = thrown;
         notifyAll();
     }
@@ -289,22 +262,10 @@ public final class RenderServer implements Closeable {
     }
 
     private void toWorker(long worker, Message message) {
-        if (worker == LOCAL) {
-            toLocal(message);
+        if (worker == LocalWorker.ID) {
+            local.hear(message);
         } else if (connections.get(worker) != null) {
             connections.get(worker).send(message);
-        }
-    }
-
-    private void toLocal(Message message) {
-        if (message instanceof Message.Grant m) {
-            local.granted(m.lease(), m.first(), m.last());
-        } else if (message instanceof Message.Cancel m) {
-            local.cancelled(m.lease());
-        } else if (message instanceof Message.Skip m) {
-            local.skipped(m.lease(), m.first(), m.last());
-        } else if (message instanceof Message.Acknowledge m) {
-            local.acknowledged(m.tile());
         }
     }
 
@@ -324,7 +285,7 @@ public final class RenderServer implements Closeable {
 
     private void tickAll() {
         try {
-            while (!socket.isClosed()) {
+            while (!reception.isClosed()) {
                 Thread.sleep(TICK_MILLIS);
                 tick();
             }
@@ -354,7 +315,7 @@ public final class RenderServer implements Closeable {
                 startLocal(Math.max(options.localThreads, Runtime.getRuntime().availableProcessors()));
             }
             if (local != null) {
-                handle(new Event.Heard(LOCAL, java.util.Set.copyOf(local.leases())));
+                local.beat();
             }
             handle(new Event.Tick());
         }
@@ -405,7 +366,7 @@ public final class RenderServer implements Closeable {
             local.close();
         }
         waitForFarewells();
-        closeQuietly(socket);
+        closeQuietly(reception);
         if (status != null) {
             status.close();
         }

@@ -6,6 +6,7 @@ module enlightenment {
     requires tools.jackson.core;
     requires java.management;
     requires jdk.jfr;
+    requires jdk.httpserver;
     requires jdk.management;
     // Only server and workers need this.
     requires static tools.jackson.dataformat.cbor;
@@ -25,6 +26,7 @@ module enlightenment {
     exports enlightenment.scene.json;
     exports enlightenment.image;
     exports enlightenment.render;
+    exports enlightenment.net;
 
     opens enlightenment.cli to
             info.picocli;

@@ -6,7 +6,9 @@ import picocli.CommandLine;
 
 /** All commands by name. */
 final class Commands {
-    private static final String[] NAMES = {"render", "validate", "inspect", "schema", "convert", "compare"};
+    private static final String[] NAMES = {
+        "render", "validate", "inspect", "schema", "convert", "compare", "merge", "server", "worker"
+    };
 
     private Commands() {}
 
@@ -18,6 +20,9 @@ final class Commands {
             case "inspect" -> new InspectCommand(terminal);
             case "schema" -> new SchemaCommand(terminal);
             case "convert" -> new ConvertCommand(terminal);
+            case "merge" -> new MergeCommand(terminal);
+            case "server" -> new ServerCommand(terminal);
+            case "worker" -> new WorkerCommand(terminal);
             case "compare" -> new CompareCommand(terminal);
             default -> null;
         };

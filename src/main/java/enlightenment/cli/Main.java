@@ -2,16 +2,20 @@ package enlightenment.cli;
 
 import java.io.PrintStream;
 import java.util.Arrays;
+import java.util.Set;
 import picocli.CommandLine;
 
 /** The entry point of the command line. */
 public final class Main {
+    /** Commands that end well when they are asked to end. */
+    private static final Set<String> STOPPABLE = Set.of("render", "server", "worker");
+
     private Main() {}
 
     /** Does what the arguments say and ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used. */
     public static void main(String[] args) {
         Stop stop = new Stop();
-        if (args.length > 0 && args[0].equals("render")) {
+        if (args.length > 0 && STOPPABLE.contains(args[0])) {
             stop.listen();
         }
         int code;

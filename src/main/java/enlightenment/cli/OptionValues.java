@@ -67,6 +67,15 @@ final class OptionValues {
         return crop;
     }
 
+    /** A part: its number, counted from 1, and how many there are. */
+    static int[] part(String option, String text) {
+        int[] part = numbers(text, "/", 2);
+        if (part == null || part[0] < 1 || part[1] < part[0]) {
+            throw wrong(option, "I/N, part I of N, counted from 1, such as 3/16", text);
+        }
+        return part;
+    }
+
     /** One of some words. */
     static String word(String option, String text, String... words) {
         for (String word : words) {

@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.math.Check.InvalidValueException;
+import enlightenment.net.RenderParts;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderRequest;
@@ -16,9 +17,7 @@ import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.Locale;
-import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -73,6 +72,12 @@ final class RenderCommand extends Subcommand {
     @Option(names = "--progress", paramLabel = "KIND", description = "auto (default), bar, plain or none")
     private String progress;
 
+    @Option(
+            names = "--part",
+            paramLabel = "I/N",
+            description = "only part I of N, into a .film file; 'merge' makes a picture of all N")
+    private String part;
+
     private Companions companions;
 
     RenderCommand(Terminal terminal) {
@@ -85,6 +90,9 @@ final class RenderCommand extends Subcommand {
         Scene scene = read();
         RenderSettings settings = options.settings(scene, sceneFile.toString());
         Target.check(output);
+        if (part != null) {
+            return renderPart(scene, settings);
+        }
         if (report != null) {
             Target.check(report);
         }
@@ -148,16 +156,56 @@ final class RenderCommand extends Subcommand {
         }
     }
 
-    private void checkOptions() throws IOException {
-        String extension = Target.extension(output);
-        if (!extension.equals(".png") && !extension.equals(".pfm")) {
-            throw CliException.wrongUsage("-o must name a file that ends in .png or .pfm, not \"" + output + "\"");
+    private int renderPart(Scene scene, RenderSettings settings) throws IOException {
+        int[] p = OptionValues.part("--part", part);
+        RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
+        boolean complete;
+        try {
+            complete = RenderParts.render(
+                    scene,
+                    settings,
+                    p[0],
+                    p[1],
+                    PictureOptions.text(scene, options.canonical(settings)),
+                    output,
+                    display,
+                    terminal.stop());
+        } catch (InvalidValueException e) {
+            throw options.blame(e, sceneFile.toString());
+        } catch (SceneException e) {
+            throw Failures.inFile(sceneFile.toString(), e);
+        } finally {
+            ProgressDisplay.end(display);
         }
-        if (depth != null) {
-            OptionValues.word("--depth", depth, "8", "16");
-            if (extension.equals(".pfm")) {
-                throw CliException.wrongUsage("--depth must not be given for a .pfm file, which holds floats");
-            }
+        if (!complete) {
+            terminal.say("stopped: " + output + " holds only some of part " + part);
+            return CliException.FAILED;
+        }
+        return CliException.DONE;
+    }
+
+    private void checkPart() {
+        OptionValues.part("--part", part);
+        if (!Target.extension(output).equals(".film")) {
+            throw CliException.wrongUsage(
+                    "with --part, -o must name a file that ends in .film, not \"" + output + "\"");
+        }
+        if (depth != null || report != null || stats || aov != null || preview != null || clusters != null) {
+            throw CliException.wrongUsage(
+                    "with --part there is no picture yet: --depth, --report, --stats, --aov, --preview and "
+                            + "--dump-clusters must not be given");
+        }
+        if (options.hasTime()) {
+            throw CliException.wrongUsage(
+                    "--time must not be given with --part, whose parts would differ: give --samples");
+        }
+    }
+
+    private void checkOptions() throws IOException {
+        if (part != null) {
+            checkPart();
+        } else {
+            PictureOptions.check(output, depth);
         }
         if (progress != null) {
             OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
@@ -234,13 +282,7 @@ final class RenderCommand extends Subcommand {
 
     /** What the file says of itself: nothing that differs from run to run. */
     private PngOptions pngOptions(Scene scene, RenderSettings settings, RenderReport.Sampling sampling) {
-        Map<String, String> text = new LinkedHashMap<>();
-        if (!scene.name().isEmpty()) {
-            // PNG ends a text at a NUL.
-            text.put("Title", scene.name().replace('\0', ' '));
-        }
-        text.put("Software", "Enlightenment " + Version.number());
-        text.put("Settings", options.canonical(replayable(settings, sampling)));
-        return new PngOptions("16".equals(depth) ? 16 : 8, text);
+        String canonical = options.canonical(replayable(settings, sampling));
+        return new PngOptions("16".equals(depth) ? 16 : 8, PictureOptions.text(scene, canonical));
     }
 }

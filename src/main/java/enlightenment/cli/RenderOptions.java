@@ -74,6 +74,11 @@ final class RenderOptions {
 
     RenderOptions() {}
 
+    /** Whether the render is to take some time, so that it is not the same each time. */
+    boolean hasTime() {
+        return time != null;
+    }
+
     /** Which frame is wanted, if any is named. */
     Optional<Integer> frame() {
         return frame == null

@@ -1,5 +1,7 @@
 package enlightenment.compiled;
 
+import java.util.Arrays;
+
 /** What one thread counted. Plain fields; added up in the order of threads when all is done. */
 public final class RayCounters {
     public long cameraRays;
@@ -26,6 +28,22 @@ public final class RayCounters {
     public RayCounters(int kinds) {
         tests = new long[kinds];
         hits = new long[kinds];
+    }
+
+    /** Forgets all that was counted. */
+    public void clear() {
+        cameraRays = 0;
+        mirrorRays = 0;
+        refractedRays = 0;
+        shadowRays = 0;
+        lightSamples = 0;
+        lightSamplesWithoutRay = 0;
+        textureLookups = 0;
+        proposals = 0;
+        accepted = 0;
+        clusters = 0;
+        Arrays.fill(tests, 0);
+        Arrays.fill(hits, 0);
     }
 
     /** Adds what another thread counted. */

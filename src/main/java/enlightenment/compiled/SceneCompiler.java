@@ -15,10 +15,12 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 
 /** Builds from a scene only what it requires. */
 public final class SceneCompiler {
@@ -29,18 +31,32 @@ public final class SceneCompiler {
 
     /** The scene, ready for rendering at the size of the settings. */
     public static CompiledScene compile(Scene scene, RenderSettings settings) {
-        return compile(scene, settings, scene.objects().size() > LOOP_LIMIT);
+        return compile(scene, settings, path -> null);
+    }
+
+    /**
+     * As {@link #compile(Scene, RenderSettings)}, with image files that are not read from the disk.
+     *
+     * @param files gives the content of an image file, or null if it is to be read
+     */
+    public static CompiledScene compile(Scene scene, RenderSettings settings, Function<Path, byte[]> files) {
+        return compile(scene, settings, scene.objects().size() > LOOP_LIMIT, files);
     }
 
     /** As {@link #compile(Scene, RenderSettings)}, with or without a hierarchy: the picture is the same. */
     static CompiledScene compile(Scene scene, RenderSettings settings, boolean withBvh) {
+        return compile(scene, settings, withBvh, path -> null);
+    }
+
+    private static CompiledScene compile(
+            Scene scene, RenderSettings settings, boolean withBvh, Function<Path, byte[]> files) {
         SceneFrame frame = frameOf(scene);
         CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
         CompiledLight[] lights = new CompiledLight[scene.lights().size()];
         for (int i = 0; i < lights.length; i++) {
             lights[i] = new CompiledLight(scene.lights().get(i), frame);
         }
-        Map<Material, SurfaceMaterial> surfaces = surfaces(scene);
+        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, files);
         CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces);
         Primitive[] primitives = compiled.primitives();
         Bvh bvh = withBvh ? Bvh.build(primitives) : null;
@@ -80,22 +96,25 @@ public final class SceneCompiler {
     }
 
     /** By identity: materials that are used many times are one object, and comparing records by value starts slowly. */
-    private static Map<Material, SurfaceMaterial> surfaces(Scene scene) {
+    private static Map<Material, SurfaceMaterial> surfaces(Scene scene, Function<Path, byte[]> files) {
         Map<Texture, TexelImage> images = new IdentityHashMap<>();
         Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
-                addSurface(o.material(), surfaces, images);
+                addSurface(o.material(), surfaces, images, files);
             }
             for (Material m : o.faces()) {
-                addSurface(m, surfaces, images);
+                addSurface(m, surfaces, images, files);
             }
         }
         return surfaces;
     }
 
     private static void addSurface(
-            Material m, Map<Material, SurfaceMaterial> surfaces, Map<Texture, TexelImage> images) {
+            Material m,
+            Map<Material, SurfaceMaterial> surfaces,
+            Map<Texture, TexelImage> images,
+            Function<Path, byte[]> files) {
         if (surfaces.containsKey(m)) {
             return;
         }
@@ -103,15 +122,18 @@ public final class SceneCompiler {
         if (m.color() instanceof Texture.File file) {
             image = images.get(file);
             if (image == null) {
-                image = load(file);
+                image = load(file, files.apply(file.file()));
                 images.put(file, image);
             }
         }
         surfaces.put(m, new SurfaceMaterial(m, image));
     }
 
-    private static TexelImage load(Texture.File texture) {
+    private static TexelImage load(Texture.File texture, byte[] content) {
         try {
+            if (content != null) {
+                return TexelImage.of(content, texture.encoding() == Texture.Encoding.LINEAR);
+            }
             return texture.encoding() == Texture.Encoding.LINEAR
                     ? TexelImage.readLinear(texture.file())
                     : TexelImage.read(texture.file());

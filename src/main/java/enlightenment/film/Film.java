@@ -49,6 +49,20 @@ public final class Film {
         addSurveyRays(tile.surveyRays());
     }
 
+    /**
+     * Puts a finished pixel, given by its place in the whole picture; 0 samples make it unfinished.
+     *
+     * @param means the means of red, green and blue
+     * @param from where in {@code means} they are
+     */
+    public void put(int column, int row, double[] means, int from, float half, float quarter, int samples) {
+        int pixel = pixel(column, row);
+        System.arraycopy(means, from, rgb, 3 * pixel, 3);
+        halves[pixel] = half;
+        quarters[pixel] = quarter;
+        counts[pixel] = samples;
+    }
+
     private synchronized void addSurveyRays(long rays) {
         surveyRays += rays;
     }

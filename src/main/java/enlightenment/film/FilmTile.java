@@ -107,13 +107,13 @@ public final class FilmTile {
     }
 
     /** See {@link SampleSpread#halves}. For a single sample: from the differences between neighbours. */
-    float halves(int column, int row) {
+    public float halves(int column, int row) {
         int pixel = pixel(column, row);
         return counts[pixel] == 1 ? (float) spreadOfNeighbours(column, row) : spreads[2 * pixel];
     }
 
     /** See {@link SampleSpread#quarters}. */
-    float quarters(int column, int row) {
+    public float quarters(int column, int row) {
         return spreads[2 * pixel(column, row) + 1];
     }
 
@@ -143,7 +143,7 @@ public final class FilmTile {
     }
 
     /** See {@link #addSurveyRays}. */
-    long surveyRays() {
+    public long surveyRays() {
         return surveyRays;
     }
 

@@ -90,7 +90,7 @@ public final class ImageFiles {
         return decode(file, ImageFiles::decodeRaster);
     }
 
-    private static Raster decodeRaster(byte[] bytes) throws IOException {
+    static Raster decodeRaster(byte[] bytes) throws IOException {
         if (PngReader.matches(bytes)) {
             return PngReader.read(bytes);
         }

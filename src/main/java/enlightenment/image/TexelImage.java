@@ -63,6 +63,16 @@ public final class TexelImage {
         return new TexelImage(ImageFiles.readRaster(file), true);
     }
 
+    /**
+     * As {@link #read} and {@link #readLinear}, of the bytes of such a file.
+     *
+     * @param linear whether the numbers are proportional to light
+     * @throws IOException with a message that says what is wrong with the bytes
+     */
+    public static TexelImage of(byte[] file, boolean linear) throws IOException {
+        return new TexelImage(ImageFiles.decodeRaster(file), linear);
+    }
+
     /** Columns of texels. */
     public int width() {
         return width;

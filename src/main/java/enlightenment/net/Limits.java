@@ -20,6 +20,9 @@ final class Limits {
     /** Most bytes of content (scene, texture) in one message; longer content travels in pieces. */
     static final int CONTENT_PIECE = 4 << 20;
 
+    /** Most bytes of all contents of a job. */
+    static final long JOB = 1L << 30;
+
     /** Most contents (scene and textures) of a job. */
     static final int CONTENTS = 1_000;
 
@@ -34,6 +37,15 @@ final class Limits {
 
     /** Most tiles of a job. */
     static final int TILES = 1 << 24;
+
+    /** Most messages that wait to be sent over one connection. */
+    static final int QUEUED_MESSAGES = 4_096;
+
+    /** Most connections that have not proved yet that they know the token. */
+    static final int STRANGERS = 32;
+
+    /** Most connected workers. */
+    static final int WORKERS = 256;
 
     private Limits() {}
 }

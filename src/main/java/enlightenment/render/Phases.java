@@ -24,6 +24,11 @@ final class Phases {
         return result;
     }
 
+    /** A phase that began at this {@link System#nanoTime} and ends now; the time of processors is not known. */
+    void add(String name, long start) {
+        phases.add(new RenderReport.Phase(name, (System.nanoTime() - start) * NANO, 0));
+    }
+
     void run(String name, Runnable work) {
         run(name, () -> {
             work.run();

@@ -59,7 +59,8 @@ public final class Renderer {
         long start = System.nanoTime();
         RenderSettings settings = request.settings();
         checkMethod(settings.method());
-        checkMemory(request);
+        checkMemory(
+                settings, (request.progressive() ? 1 : 0) + request.auxiliary().size());
         Phases phases = new Phases();
         CompiledScene scene = phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings));
         AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.auxiliary());
@@ -107,15 +108,20 @@ public final class Renderer {
         return (long) region.width() * region.height() * BYTES_PER_PIXEL;
     }
 
-    private static void checkMethod(String method) {
+    /** Refuses settings that cannot be used, whatever the scene. */
+    static void check(RenderSettings settings) {
+        checkMethod(settings.method());
+        checkMemory(settings, 0);
+    }
+
+    static void checkMethod(String method) {
         Check.that(METHODS.contains(method), "render/method", "must be one of " + METHODS + ", not \"" + method + "\"");
     }
 
     /** Refuses a picture that cannot fit before anything is allocated. */
-    private static void checkMemory(RenderRequest request) {
-        RenderSettings.Crop region = request.settings().region();
-        int more = (request.progressive() ? 1 : 0) + request.auxiliary().size();
-        long needed = memoryFor(request.settings()) + more * BYTES_PER_IMAGE_PIXEL * region.width() * region.height();
+    private static void checkMemory(RenderSettings settings, int moreImages) {
+        RenderSettings.Crop region = settings.region();
+        long needed = memoryFor(settings) + moreImages * BYTES_PER_IMAGE_PIXEL * region.width() * region.height();
         long available = Runtime.getRuntime().maxMemory();
         boolean fits = needed <= available && 3L * region.width() * region.height() <= Integer.MAX_VALUE - 8;
         Check.that(

@@ -2,7 +2,6 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
-import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
@@ -11,9 +10,7 @@ import enlightenment.method.cluster.ClusterRecord;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -141,46 +138,8 @@ final class TileRender {
         for (RayCounters one : counters) {
             all.add(one);
         }
-        Map<String, Long> rays = new LinkedHashMap<>();
-        rays.put("camera", all.cameraRays);
-        rays.put("mirror", all.mirrorRays);
-        rays.put("refracted", all.refractedRays);
-        rays.put("shadow", all.shadowRays);
-        return new RenderReport(
-                sceneName,
-                settings,
-                scene.features(),
-                rays,
-                all.lightSamples,
-                all.lightSamplesWithoutRay,
-                sampling(all),
-                byKind(all.tests),
-                byKind(all.hits),
-                all.textureLookups,
-                phases,
-                pixelsDone,
-                peakMemory);
-    }
-
-    private RenderReport.Sampling sampling(RayCounters all) {
-        ErrorEstimate error = film.error();
-        return new RenderReport.Sampling(
-                plan.decidedBy(),
-                plan.samples(),
-                film.cameraSamples() / (double) Math.max(pixelsDone, 1),
-                error.rmse(),
-                error.low(),
-                error.high(),
-                all.clusters,
-                all.proposals,
-                all.accepted);
-    }
-
-    private Map<String, Long> byKind(long[] counts) {
-        Map<String, Long> map = new LinkedHashMap<>();
-        for (int k = 0; k < counts.length; k++) {
-            map.put(scene.kindNames.get(k), counts[k]);
-        }
-        return map;
+        RenderOutline outline =
+                new RenderOutline(sceneName, settings, TilePlan.of(plan), scene.features(), scene.kindNames);
+        return Reports.of(outline, film.error(), film.cameraSamples(), all, phases, pixelsDone, peakMemory);
     }
 }

@@ -70,6 +70,12 @@ public record Scene(
         return new SceneBuilder();
     }
 
+    /** The scene as it stands, without what changes it over frames. */
+    public Scene withoutAnimation() {
+        return new Scene(
+                name, width, height, camera, shading, textures, materials, lights, objects, render, Optional.empty());
+    }
+
     /** Refuses a picture size that no picture can have. */
     public static void checkSize(int width, int height) {
         Check.that(

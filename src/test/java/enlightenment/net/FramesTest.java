@@ -72,9 +72,16 @@ class FramesTest {
     /** A frame around a body in hexadecimal digits. */
     private static byte[] body(String hex) {
         byte[] body = HexFormat.of().parseHex(hex.replace(" ", ""));
-        byte[] frame = new byte[4 + body.length];
+        byte[] frame = new byte[4 + body.length + 4];
         frame[3] = (byte) body.length;
         System.arraycopy(body, 0, frame, 4, body.length);
+        return sealed(frame);
+    }
+
+    /** The frame with the right checksum, however its body was changed. */
+    private static byte[] sealed(byte[] frame) {
+        byte[] checksum = Frames.checksum(Arrays.copyOfRange(frame, 4, frame.length - 4));
+        System.arraycopy(checksum, 0, frame, frame.length - 4, 4);
         return frame;
     }
 
@@ -222,7 +229,7 @@ class FramesTest {
                 frame[at] = (byte) random.nextInt(256);
             }
             try {
-                read(frame, Limits.FRAME);
+                read(sealed(frame), Limits.FRAME);
             } catch (ProtocolException e) {
                 refused++;
                 assertTrue(e.getMessage() != null && !e.getMessage().isBlank());
@@ -237,10 +244,20 @@ class FramesTest {
         for (int i = 0; i < 20_000; i++) {
             byte[] noise = new byte[1 + random.nextInt(200)];
             random.nextBytes(noise);
-            byte[] frame = new byte[4 + noise.length];
+            byte[] frame = new byte[4 + noise.length + 4];
             frame[3] = (byte) noise.length;
             System.arraycopy(noise, 0, frame, 4, noise.length);
-            refusal(frame);
+            refusal(sealed(frame));
+        }
+    }
+
+    @Test
+    void aFlippedBitIsFoundWhereverItIs() {
+        byte[] frame = frame(new Message.Result(7, HASH, 3, new byte[40]));
+        for (int bit = 8 * 4; bit < 8 * frame.length; bit++) {
+            byte[] damaged = frame.clone();
+            damaged[bit / 8] ^= (byte) (1 << bit % 8);
+            assertEquals("a frame was damaged on its way", refusal(damaged));
         }
     }
 }

@@ -12,15 +12,22 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 
 /** Makes a scene of a document, or says all that is wrong with it. */
 final class SceneBinder {
     private final Values values;
     private final Path folder;
+    private final Set<String> fileNames;
 
-    SceneBinder(Problems problems, Path folder) {
+    /**
+     * @param folder what the paths of image files are relative to
+     * @param fileNames the names of image files that are not on the disk, or null if they are
+     */
+    SceneBinder(Problems problems, Path folder, Set<String> fileNames) {
         this.values = new Values(problems);
         this.folder = folder;
+        this.fileNames = fileNames;
     }
 
     /** The scene at a frame, or as it is written; null after a problem. */
@@ -55,7 +62,7 @@ final class SceneBinder {
         int height = image == null ? 1 : image.integer("height", 1, Scene.MAX_SIDE, 1);
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
         ClassicShading shading = shading(f);
-        Textures textures = new Textures(values, folder);
+        Textures textures = new Textures(values, folder, fileNames);
         if (f.has("textures")) {
             textures.readNamed(f.get("textures"), f.at("textures"));
         }

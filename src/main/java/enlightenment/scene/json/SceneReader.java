@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.OptionalInt;
+import java.util.Set;
 
 /**
  * Reads scene files (see {@code docs/scene-format.md}).
@@ -56,6 +57,24 @@ public final class SceneReader {
         return read(() -> new StringReader(json), baseFolder, new Problems(displayName, ""), OptionalInt.empty());
     }
 
+    /**
+     * Reads a text whose image files are called by names and lie somewhere else than on the disk: no file is looked at. A
+     * texture's path is then its name.
+     *
+     * @param fileNames the names that there are
+     * @param displayName what problems call the text; may be ""
+     * @throws SceneException if the text is not a scene or has a name that there is not
+     */
+    public static Scene readNamed(String json, Set<String> fileNames, String displayName) {
+        Problems problems = new Problems(displayName, "");
+        JsonValue root = JsonTree.parse(() -> new StringReader(json), problems);
+        Scene scene = root == null
+                ? null
+                : new SceneBinder(problems, Path.of(""), Set.copyOf(fileNames)).bind(root, OptionalInt.empty());
+        problems.throwIfAny();
+        return scene;
+    }
+
     private static Scene read(Path file, OptionalInt frame) {
         Problems problems =
                 new Problems(file.toString(), frame.isPresent() ? " (in frame " + frame.getAsInt() + ")" : "");
@@ -74,7 +93,7 @@ public final class SceneReader {
 
     private static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame) {
         JsonValue root = JsonTree.parse(source, problems);
-        Scene scene = root == null ? null : new SceneBinder(problems, folder).bind(root, frame);
+        Scene scene = root == null ? null : new SceneBinder(problems, folder, null).bind(root, frame);
         problems.throwIfAny();
         return scene;
     }

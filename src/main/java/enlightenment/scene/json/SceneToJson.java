@@ -18,19 +18,21 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.function.Function;
 
 /** Turns a scene into JSON. */
 final class SceneToJson {
     private final Scene scene;
-    private final Path folder;
+    private final Function<Path, String> fileNames;
     private final TreeSet<String> targets = new TreeSet<>();
     private final Map<String, Texture> textures;
     private final Map<Texture, String> textureNames = new HashMap<>();
     private final Map<Material, String> materialNames = new HashMap<>();
 
-    SceneToJson(Scene scene, Path folder) {
+    /** @param fileNames how image files are called in the text */
+    SceneToJson(Scene scene, Function<Path, String> fileNames) {
         this.scene = scene;
-        this.folder = folder.toAbsolutePath().normalize();
+        this.fileNames = fileNames;
         this.textures = new LinkedHashMap<>(scene.textures());
         scene.animation().ifPresent(a -> a.tracks().forEach(t -> targets.add(t.target())));
         textures.forEach((name, texture) -> textureNames.putIfAbsent(texture, name));
@@ -149,7 +151,7 @@ final class SceneToJson {
 
     private JsonValue texture(Texture texture, Part p) {
         if (texture instanceof Texture.File f) {
-            p.text("file", relative(f.file()));
+            p.text("file", fileNames.apply(f.file()));
             if (f.filter() != Texture.Filter.BILINEAR) {
                 p.text("filter", f.filter().name().toLowerCase(Locale.ROOT));
             }
@@ -164,11 +166,15 @@ final class SceneToJson {
         return p.json();
     }
 
-    private String relative(Path file) {
-        Path absolute = file.toAbsolutePath().normalize();
-        boolean sameRoot = folder.getRoot() != null && folder.getRoot().equals(absolute.getRoot());
-        String path = (sameRoot ? folder.relativize(absolute) : absolute).toString();
-        return path.replace(folder.getFileSystem().getSeparator(), "/");
+    /** Calls image files by their paths relative to a folder. */
+    static Function<Path, String> relativeTo(Path baseFolder) {
+        Path folder = baseFolder.toAbsolutePath().normalize();
+        return file -> {
+            Path absolute = file.toAbsolutePath().normalize();
+            boolean sameRoot = folder.getRoot() != null && folder.getRoot().equals(absolute.getRoot());
+            String path = (sameRoot ? folder.relativize(absolute) : absolute).toString();
+            return path.replace(folder.getFileSystem().getSeparator(), "/");
+        };
     }
 
     private Part materials() {

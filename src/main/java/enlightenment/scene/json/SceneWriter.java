@@ -7,6 +7,7 @@ import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.Function;
 
 /**
  * Writes scene files that {@link SceneReader} reads back as an equal scene.
@@ -40,7 +41,18 @@ public final class SceneWriter {
      * @throws SceneException if the scene holds something that the format cannot say
      */
     public static String toJson(Scene scene, Path baseFolder) {
-        String json = JsonPrinter.print(new SceneToJson(scene, baseFolder).json());
+        return toJson(scene, SceneToJson.relativeTo(baseFolder));
+    }
+
+    /**
+     * The text of a scene whose image files are called by other names than their paths; see {@link
+     * SceneReader#readNamed}.
+     *
+     * @param fileNames gives the name of an image file
+     * @throws SceneException if the scene holds something that the format cannot say
+     */
+    public static String toJson(Scene scene, Function<Path, String> fileNames) {
+        String json = JsonPrinter.print(new SceneToJson(scene, fileNames).json());
         if (scene.animation().isPresent()) {
             checkAnimation(json);
         }

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** Reads the named textures, and the colours that use them. */
 final class Textures {
@@ -24,13 +25,18 @@ final class Textures {
 
     private final Values values;
     private final Path folder;
+    /** Names of image files that are not on the disk; null if they are. */
+    private final Set<String> fileNames;
+
     /** Null for a texture that is there but wrong: its own problem is enough. */
     private final Map<String, Texture> named = new LinkedHashMap<>();
 
     /**
      * @param folder what the paths of image files are relative to
+     * @param fileNames the names of image files that are not on the disk, or null if they are
      */
-    Textures(Values values, Path folder) {
+    Textures(Values values, Path folder, Set<String> fileNames) {
+        this.fileNames = fileNames;
         this.values = values;
         this.folder = folder.toAbsolutePath();
     }
@@ -106,6 +112,13 @@ final class Textures {
 
     /** The file that is meant, after a look at whether it is one. */
     private Path imageFile(Fields f, String written) {
+        if (fileNames != null) {
+            if (!fileNames.contains(written)) {
+                f.problem("file", "there is no image " + JsonValue.quoted(written));
+                return null;
+            }
+            return Path.of(written);
+        }
         Path file;
         try {
             file = folder.resolve(written).normalize();

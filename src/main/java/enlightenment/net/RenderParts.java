@@ -1,0 +1,156 @@
+package enlightenment.net;
+
+import enlightenment.render.FilmAssembly;
+import enlightenment.render.RenderOutline;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.TiledRender;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+
+/**
+ * A render in parts that know nothing of each other: for job arrays of whatever scheduler there is. Part i of n has every
+ * n-th tile, so that the parts take about equally long.
+ */
+public final class RenderParts {
+    private RenderParts() {}
+
+    /**
+     * Renders a part and writes its file, whole or not at all.
+     *
+     * @param part which part, 1..parts
+     * @param parts how many there are
+     * @param text what the picture's file is to say of itself; kept in the part
+     * @return whether the part is complete: false where it was cancelled
+     * @throws IOException if the file cannot be written
+     * @throws IllegalArgumentException if the part's number is out of range
+     */
+    public static boolean render(
+            Scene scene,
+            RenderSettings settings,
+            int part,
+            int parts,
+            Map<String, String> text,
+            Path file,
+            RenderProgress progress,
+            BooleanSupplier cancelled)
+            throws IOException {
+        if (part < 1 || part > parts) {
+            throw new IllegalArgumentException("there is no part " + part + " of " + parts);
+        }
+        if (settings.budget().seconds().isPresent()) {
+            throw new IllegalArgumentException("parts of a render must not depend on the time that they take");
+        }
+        TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        ContentHash job =
+                JobContent.of(scene, settings, render.plan(), Build.number()).hash();
+        int[] tiles = IntStream.range(0, render.tiles())
+                .filter(tile -> tile % parts == part - 1)
+                .toArray();
+        Map<Integer, byte[]> made = make(render, tiles, progress, cancelled);
+        PartFile.write(file, new PartFile.Head(job, render.outline(), text, part, parts), made);
+        return made.size() == tiles.length;
+    }
+
+    private static Map<Integer, byte[]> make(
+            TiledRender render, int[] tiles, RenderProgress progress, BooleanSupplier cancelled) {
+        Map<Integer, byte[]> made = new TreeMap<>();
+        FilmAssembly film = render.assembly();
+        long pixels = film.pixels() * tiles.length / render.tiles();
+        render.make(tiles, cancelled, (tile, bytes) -> {
+            synchronized (made) {
+                made.put(tile, bytes);
+                film.put(tile, bytes);
+                progress.progress(Math.min(film.pixelsDone(), pixels), pixels, film::image);
+            }
+        });
+        return made;
+    }
+
+    /**
+     * What parts make together.
+     *
+     * @param result the picture and its report; its counts are those of a render at once
+     * @param outline what was rendered
+     * @param text what the picture's file is to say of itself
+     * @param missing what is missing, in words; empty if nothing is
+     */
+    public record Merged(RenderResult result, RenderOutline outline, Map<String, String> text, List<String> missing) {}
+
+    /**
+     * Puts parts together. The same tile may be in several files, if it is the same there.
+     *
+     * @throws IOException if a file cannot be read or is damaged, or files do not go together; the message names it
+     */
+    public static Merged merge(List<Path> files) throws IOException {
+        PartFile.Head first = null;
+        FilmAssembly film = null;
+        ContentHash[] hashes = null;
+        Path[] from = null;
+        for (Path file : files) {
+            try (PartFile part = PartFile.open(file)) {
+                if (first == null) {
+                    first = part.head();
+                    film = new FilmAssembly(first.outline());
+                    hashes = new ContentHash[film.tiles()];
+                    from = new Path[film.tiles()];
+                }
+                checkSame(files.get(0), first, file, part.head());
+                add(part, film, hashes, from);
+            }
+        }
+        if (first == null) {
+            throw new IOException("there are no parts to merge");
+        }
+        return new Merged(film.result(), first.outline(), first.text(), missing(first, film));
+    }
+
+    private static void add(PartFile part, FilmAssembly film, ContentHash[] hashes, Path[] from) throws IOException {
+        for (PartFile.Tile t = part.next(film); t != null; t = part.next(film)) {
+            ContentHash hash = ContentHash.of(t.bytes());
+            int tile = t.tile();
+            if (hashes[tile] != null && !hashes[tile].equals(hash)) {
+                throw new IOException(part.file() + ": tile " + tile + " differs from that in " + from[tile]
+                        + "; one of the machines computes wrongly");
+            }
+            if (hashes[tile] == null) {
+                film.put(tile, t.bytes());
+                hashes[tile] = hash;
+                from[tile] = part.file();
+            }
+        }
+    }
+
+    private static void checkSame(Path first, PartFile.Head a, Path file, PartFile.Head b) throws IOException {
+        if (!a.job().equals(b.job()) || !a.text().equals(b.text())) {
+            throw new IOException(file + ": is a part of another picture than " + first + " (" + b.text()
+                    + " instead of " + a.text() + (a.text().equals(b.text()) ? "; the scenes differ" : "") + ")");
+        }
+    }
+
+    private static List<String> missing(PartFile.Head head, FilmAssembly film) {
+        TreeMap<Integer, Integer> missing = new TreeMap<>();
+        TreeSet<Integer> whole = new TreeSet<>();
+        for (int tile = 0; tile < film.tiles(); tile++) {
+            int part = tile % head.parts() + 1;
+            if (film.has(tile)) {
+                whole.add(part);
+            } else {
+                missing.merge(part, 1, Integer::sum);
+            }
+        }
+        List<String> words = new ArrayList<>();
+        missing.forEach((part, tiles) ->
+                words.add((whole.contains(part) ? tiles + " tiles of part " : "part ") + part + "/" + head.parts()));
+        return words;
+    }
+}

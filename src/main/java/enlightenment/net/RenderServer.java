@@ -1,0 +1,400 @@
+package enlightenment.net;
+
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.TiledRender;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.io.Closeable;
+import java.io.IOException;
+import java.net.Socket;
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Renders one picture with the help of {@link RenderWorker}s, which may come, go and die as they please: the picture is that
+ * of {@link enlightenment.render.Renderer}, bit for bit. docs/distributed.md tells how it is set up.
+ */
+public final class RenderServer implements Closeable {
+    private static final long TICK_MILLIS = 200;
+    private static final long FAREWELL_MILLIS = 3_000;
+
+    private final ServerOptions options;
+    private final ServerJob job;
+    private final Tls tls;
+    private final byte[] token;
+    private final Reception reception;
+    private final Coordinator coordinator;
+    private final StatusServer status;
+    private final long started = System.nanoTime();
+    private final Map<Long, ServerConnection> connections = new LinkedHashMap<>();
+    private final List<ServerConnection> waiting = new ArrayList<>();
+    private long connectionsMade = LocalWorker.ID;
+    private LocalWorker local;
+    private boolean hasBegun;
+    private boolean isFinished;
+    private boolean isClosed;
+    private long lonelySince = System.nanoTime();
+    private Throwable failure;
+
+    private RenderServer(ServerOptions options, ServerJob job) throws IOException {
+        this.options = options;
+        this.job = job;
+        tls = options.certificate.isPresent()
+                ? Tls.server(options.certificate.get(), options.privateKey.orElseThrow())
+                : null;
+        token = options.tokenFile.isPresent() ? Token.read(options.tokenFile.get()) : Token.NONE;
+        if (options.checkpoint.isPresent()) {
+            job.open(options.checkpoint.get());
+        }
+        CoordinatorSettings settings = CoordinatorSettings.of(job.tiles(), new SecureRandom().nextLong(), job.hash())
+                .withAuditRate(options.auditRate)
+                .withSilence(options.timing.silenceMillis() * 1_000_000L);
+        coordinator = new Coordinator(settings, job.restored(), System.nanoTime());
+        try {
+            reception = new Reception(options.host, options.port, options.log);
+            status = openStatus();
+        } catch (IOException e) {
+            job.close();
+            throw e;
+        }
+    }
+
+    private StatusServer openStatus() throws IOException {
+        try {
+            return options.statusPort < 0 ? null : StatusServer.start(this, options.statusPort);
+        } catch (IOException e) {
+            reception.close();
+            throw new IOException("cannot show a status page at " + options.statusPort + ": " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Plans the render and begins to listen; nothing is rendered before {@link #await}.
+     *
+     * @param cancelled asked now and then while the render is planned
+     * @throws IOException if the server cannot listen, or a file of the options cannot be used
+     * @throws IllegalArgumentException if options do not go together
+     * @throws enlightenment.scene.SceneException if the scene cannot be used
+     */
+    public static RenderServer start(
+            Scene scene, RenderSettings settings, ServerOptions options, BooleanSupplier cancelled) throws IOException {
+        options.check();
+        if (options.checkpoint.isPresent() && settings.budget().seconds().isPresent()) {
+            throw new IllegalArgumentException(
+                    "a budget of time is planned anew each time, so that a checkpoint would not fit: give samples");
+        }
+        Canary.hash();
+        TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        JobContent content = JobContent.of(scene, settings, render.plan(), options.build);
+        RenderServer server = new RenderServer(options, new ServerJob(render, content, options.log));
+        Reception.startThread(() -> server.reception.accept(server::welcome), "accept");
+        Reception.startThread(server::tickAll, "tick");
+        return server;
+    }
+
+    /** The port that it listens at. */
+    public int port() {
+        return reception.port();
+    }
+
+    /** The port of the status page, or -1. */
+    public int statusPort() {
+        return status == null ? -1 : status.port();
+    }
+
+    /** What a worker may pin: the SHA-256 of the server's certificate in hexadecimal; empty without TLS. */
+    public String pin() {
+        return tls == null ? "" : tls.certificate().toString();
+    }
+
+    /**
+     * Renders until the picture is done or it is cancelled, and closes the server.
+     *
+     * @param progress hears how it gets on, a few times a second
+     * @throws IOException if something in this process failed
+     */
+    public RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
+        long told = -1;
+        while (!isOver() && !cancelled.getAsBoolean()) {
+            synchronized (this) {
+                pause(TICK_MILLIS);
+            }
+            long done = job.film().pixelsDone();
+            if (done != told) {
+                told = done;
+                progress.progress(done, job.film().pixels(), job.film()::image);
+            }
+        }
+        Throwable failed;
+        synchronized (this) {
+            failed = failure;
+        }
+        close();
+        if (failed != null) {
+            throw new IOException("rendering failed here: " + failed, failed);
+        }
+        return job.film().result();
+    }
+
+    private synchronized boolean isOver() {
+        return isFinished || isClosed || failure != null;
+    }
+
+    private void pause(long millis) {
+        try {
+            wait(millis);
+        } catch (InterruptedException e) {
+            isClosed = true;
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Null if there are too many that nobody knows. */
+    private synchronized Runnable welcome(Socket plain) {
+        long strangers = connections.values().stream().filter(c -> !c.isKnown()).count();
+        if (strangers >= Limits.STRANGERS || isClosed) {
+            options.log.accept("a connection was refused: " + strangers + " others have not said who they are");
+            return null;
+        }
+        ServerConnection connection = new ServerConnection(++connectionsMade, this, plain);
+        connections.put(connection.id(), connection);
+        return connection::run;
+    }
+
+    synchronized boolean admit(ServerConnection connection) {
+        long known =
+                connections.values().stream().filter(ServerConnection::isKnown).count();
+        if (known >= Limits.WORKERS || isClosed) {
+            return false;
+        }
+        connection.known();
+        return true;
+    }
+
+    /** A worker has all that it needs. */
+    synchronized void ready(ServerConnection connection) {
+        if (connection.isJoined() || waiting.contains(connection)) {
+            return;
+        }
+        waiting.add(connection);
+        options.log.accept(connection + " joined");
+        if (!hasBegun && waiting.size() < options.minWorkers) {
+            return;
+        }
+        begin();
+    }
+
+    /** Begins whoever is missing. */
+    synchronized void beginNow() {
+        begin();
+    }
+
+    private void begin() {
+        if (!hasBegun) {
+            hasBegun = true;
+            if (options.localThreads > 0) {
+                startLocal(options.localThreads);
+            }
+        }
+        List<ServerConnection> now = List.copyOf(waiting);
+        waiting.clear();
+        now.forEach(c -> handle(c.joined()));
+    }
+
+    private void startLocal(int threads) {
+        if (local == null) {
+            local = new LocalWorker(this, threads);
+            local.start();
+        }
+    }
+
+    /** Something in this process went wrong: the render ends. */
+    synchronized void failed(Throwable thrown) {
+        failure = thrown;
+        notifyAll();
+    }
+
+    /** Tells the coordinator, and does what it says. */
+    synchronized void handle(Event event) {
+        if (isClosed) {
+            return;
+        }
+        for (Action action : coordinator.handle(System.nanoTime(), event)) {
+            if (!job.keep(action)) {
+                perform(action);
+            }
+        }
+    }
+
+    private void perform(Action action) {
+        if (action instanceof Action.Grant a) {
+            toWorker(a.worker(), new Message.Grant(a.lease(), job.hash(), a.first(), a.last()));
+        } else if (action instanceof Action.Cancel a) {
+            toWorker(a.worker(), new Message.Cancel(a.lease()));
+        } else if (action instanceof Action.Skip a) {
+            toWorker(a.worker(), new Message.Skip(a.lease(), a.first(), a.last()));
+        } else if (action instanceof Action.Answer a) {
+            toWorker(a.worker(), new Message.Alive(a.done(), job.tiles()));
+        } else if (action instanceof Action.Acknowledge a) {
+            toWorker(a.worker(), new Message.Acknowledge(a.tile()));
+        } else if (action instanceof Action.HangUp a) {
+            refuse(a.worker(), a.reason(), true);
+        } else if (action instanceof Action.Refuse a) {
+            refuse(a.worker(), a.reason(), false);
+        } else if (action instanceof Action.CallLocal) {
+            startLocal(Math.max(options.localThreads, 1));
+        } else if (action instanceof Action.Finish) {
+            isFinished = true;
+            notifyAll();
+        }
+    }
+
+    private void refuse(long worker, String reason, boolean again) {
+        ServerConnection connection = connections.get(worker);
+        if (connection != null) {
+            connection.refuse(reason, again);
+        }
+    }
+
+    private void toWorker(long worker, Message message) {
+        if (worker == LocalWorker.ID) {
+            local.hear(message);
+        } else if (connections.get(worker) != null) {
+            connections.get(worker).send(message);
+        }
+    }
+
+    /** A connection has ended. */
+    void ended(ServerConnection connection, String reason) {
+        synchronized (this) {
+            connections.remove(connection.id());
+            waiting.remove(connection);
+        }
+        if (connection.isJoined()) {
+            handle(new Event.Left(connection.id(), reason));
+        }
+        if (!reason.isEmpty()) {
+            options.log.accept(connection + " left: " + reason);
+        }
+    }
+
+    private void tickAll() {
+        try {
+            while (!reception.isClosed()) {
+                Thread.sleep(TICK_MILLIS);
+                tick();
+            }
+        } catch (InterruptedException e) {
+            close();
+        } catch (RuntimeException | Error e) {
+            failed(e);
+        }
+    }
+
+    private void tick() {
+        long now = System.nanoTime();
+        List<ServerConnection> all;
+        synchronized (this) {
+            all = List.copyOf(connections.values());
+        }
+        all.forEach(c -> c.check(now));
+        synchronized (this) {
+            job.tick();
+            boolean waited = (now - started) / 1e9 >= options.waitSeconds;
+            if (!hasBegun && (options.minWorkers == 0 || waited)) {
+                begin();
+            }
+            if (all.stream().anyMatch(ServerConnection::isJoined)) {
+                lonelySince = now;
+            } else if (hasBegun && (now - lonelySince) / 1e9 >= options.waitSeconds) {
+                startLocal(Math.max(options.localThreads, Runtime.getRuntime().availableProcessors()));
+            }
+            if (local != null) {
+                local.beat();
+            }
+            handle(new Event.Tick());
+        }
+    }
+
+    /** How far it is. */
+    synchronized Snapshot snapshot() {
+        return coordinator.snapshot(System.nanoTime());
+    }
+
+    ServerJob job() {
+        return job;
+    }
+
+    ServerOptions options() {
+        return options;
+    }
+
+    Tls tls() {
+        return tls;
+    }
+
+    ContentHash certificate() {
+        return tls == null ? Tls.noCertificate() : tls.certificate();
+    }
+
+    byte[] token() {
+        return token;
+    }
+
+    /** Ends the server: workers are told why, the checkpoint is kept. Harmless if it has ended already. */
+    @Override
+    public void close() {
+        List<ServerConnection> all;
+        synchronized (this) {
+            if (isClosed) {
+                return;
+            }
+            isClosed = true;
+            notifyAll();
+            all = List.copyOf(connections.values());
+        }
+        Message last = isFinished
+                ? new Message.Bye("the picture is done")
+                : new Message.Refuse("the server was stopped", true);
+        all.forEach(c -> c.sayLast(last));
+        if (local != null) {
+            local.close();
+        }
+        waitForFarewells();
+        closeQuietly(reception);
+        if (status != null) {
+            status.close();
+        }
+        closeQuietly(job);
+    }
+
+    private void waitForFarewells() {
+        long deadline = System.nanoTime() + FAREWELL_MILLIS * 1_000_000L;
+        while (System.nanoTime() - deadline < 0) {
+            synchronized (this) {
+                if (connections.isEmpty()) {
+                    return;
+                }
+            }
+            try {
+                Thread.sleep(10);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                return;
+            }
+        }
+    }
+
+    private void closeQuietly(Closeable what) {
+        try {
+            what.close();
+        } catch (IOException e) {
+            options.log.accept("while ending: " + e.getMessage());
+        }
+    }
+}

@@ -1,0 +1,105 @@
+package enlightenment.net;
+
+import java.io.IOException;
+import java.util.HexFormat;
+import java.util.Random;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Renders tiles for a {@link RenderServer}. It needs no files, and neither writes nor executes anything that it is sent.
+ */
+public final class RenderWorker {
+    private static final long FIRST_PAUSE_MILLIS = 100;
+    private static final long LONGEST_PAUSE_MILLIS = 5_000;
+
+    private RenderWorker() {}
+
+    /**
+     * How a worker ended.
+     *
+     * @param isDone whether the server said that the picture is done
+     * @param reason in words
+     * @param tiles number of tiles that this worker made
+     */
+    public record Outcome(boolean isDone, String reason, long tiles) {}
+
+    /**
+     * Works until the picture is done, the server refuses, or it has been away for too long.
+     *
+     * @param cancelled asked a few times a second; once true, the worker says good-bye and ends
+     * @throws IOException if a file of the options cannot be used
+     */
+    public static Outcome run(String host, int port, WorkerOptions options, BooleanSupplier cancelled)
+            throws IOException {
+        byte[] token = options.tokenFile.isPresent() ? Token.read(options.tokenFile.get()) : Token.NONE;
+        Tls tls = tls(options);
+        options.log.accept("computing the canary tile");
+        Canary.hash();
+        byte[] key = new byte[16];
+        new java.security.SecureRandom().nextBytes(key);
+        WorkerJobs jobs = new WorkerJobs(options);
+        WorkerSession.Place place =
+                new WorkerSession.Place(host, port, token, tls, HexFormat.of().formatHex(key));
+        try {
+            return work(place, options, jobs, cancelled);
+        } finally {
+            jobs.close();
+        }
+    }
+
+    private static Tls tls(WorkerOptions options) throws IOException {
+        if (options.pin.isPresent()) {
+            return Tls.pinned(options.pin.get());
+        }
+        return options.authorities.isPresent() ? Tls.trusting(options.authorities.get()) : null;
+    }
+
+    private static Outcome work(
+            WorkerSession.Place place, WorkerOptions options, WorkerJobs jobs, BooleanSupplier cancelled) {
+        Random spread = new Random();
+        long lastContact = System.nanoTime();
+        long pause = FIRST_PAUSE_MILLIS;
+        while (true) {
+            WorkerSession session = new WorkerSession(place, options, jobs, cancelled);
+            WorkerSession.End end = session.run();
+            if (cancelled.getAsBoolean()) {
+                return new Outcome(false, "stopped", jobs.made());
+            }
+            if (end.isFinal()) {
+                return new Outcome(end.isDone(), end.reason(), jobs.made());
+            }
+            if (session.wasWelcome()) {
+                lastContact = System.nanoTime();
+                pause = FIRST_PAUSE_MILLIS;
+            }
+            double away = (System.nanoTime() - lastContact) / 1e9;
+            if (away >= options.reconnectSeconds) {
+                return new Outcome(
+                        false,
+                        String.format(java.util.Locale.ROOT, "no server for %.0f s: %s", away, end.reason()),
+                        jobs.made());
+            }
+            if (session.wasWelcome()) {
+                options.log.accept("lost the server: " + end.reason() + "; trying again");
+            }
+            // Not all workers at once.
+            if (!pause(pause / 2 + spread.nextInt((int) pause), cancelled)) {
+                return new Outcome(false, "stopped", jobs.made());
+            }
+            pause = Math.min(2 * pause, LONGEST_PAUSE_MILLIS);
+        }
+    }
+
+    private static boolean pause(long millis, BooleanSupplier cancelled) {
+        long end = System.nanoTime() + millis * 1_000_000L;
+        while (System.nanoTime() - end < 0 && !cancelled.getAsBoolean()) {
+            try {
+                Thread.sleep(Math.min(millis, 50));
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                return false;
+            }
+        }
+        return true;
+    }
+}

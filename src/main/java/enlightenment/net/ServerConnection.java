@@ -1,0 +1,259 @@
+package enlightenment.net;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.security.SecureRandom;
+import java.util.Set;
+import javax.net.ssl.SSLException;
+
+/** One connection to a server, from the first byte of a stranger to the last of a worker. One thread listens to it. */
+final class ServerConnection {
+    private static final SecureRandom RANDOM = new SecureRandom();
+
+    private final long id;
+    private final RenderServer server;
+    private final Socket plain;
+    private final String address;
+    private final long opened = System.nanoTime();
+    private volatile Link link;
+    private volatile Message.Hello hello;
+    private volatile boolean isKnown;
+    private volatile boolean isJoined;
+
+    ServerConnection(long id, RenderServer server, Socket plain) {
+        this.id = id;
+        this.server = server;
+        this.plain = plain;
+        address = plain.getInetAddress().getHostAddress();
+    }
+
+    /** Listens until the connection ends, and tells the server why it did. */
+    void run() {
+        String reason = "";
+        try {
+            Link made = open();
+            link = made;
+            boolean isWorker = shakeHands(made);
+            while (listen(made, isWorker)) {
+                reason = isWorker ? "the connection was closed" : "";
+            }
+        } catch (ProtocolException e) {
+            reason = "sent what is no message: " + e.getMessage();
+        } catch (SSLException e) {
+            reason = "TLS failed: " + e.getMessage();
+        } catch (IOException | RuntimeException e) {
+            reason = String.valueOf(e.getMessage());
+        } finally {
+            end(reason);
+        }
+    }
+
+    private Link open() throws IOException {
+        plain.setTcpNoDelay(true);
+        Socket socket = server.tls() == null ? plain : server.tls().over(plain, null);
+        return new Link(plain, socket, server.options().timing, "connection " + id);
+    }
+
+    private void end(String why) {
+        Link mine = link;
+        String reason = mine == null || mine.reason().isEmpty() ? why : mine.reason();
+        close(reason);
+        server.ended(this, reason);
+    }
+
+    /** Whether a worker of ours is at the other side; it has been told the reason if not. */
+    private boolean shakeHands(Link on) throws IOException {
+        Message first = on.receive();
+        if (!(first instanceof Message.Hello worker)) {
+            throw new ProtocolException(first == null ? "nothing was said" : "no hello");
+        }
+        hello = worker;
+        String refusal = refusal(worker);
+        if (refusal != null) {
+            refuse(refusal, false);
+            return false;
+        }
+        byte[] nonce = new byte[Handshake.NONCE_BYTES];
+        RANDOM.nextBytes(nonce);
+        on.send(new Message.Challenge(Message.PROTOCOL, nonce));
+        if (!(on.receive() instanceof Message.Proof proof)) {
+            throw new ProtocolException("no proof");
+        }
+        ContentHash certificate = server.certificate();
+        byte[] token = server.token();
+        byte[] expected = Handshake.proof(Handshake.Side.WORKER, token, worker.nonce(), nonce, certificate);
+        if (!Handshake.same(expected, proof.mac())) {
+            refuse("the worker does not know the server's token (--token-file), or someone is in between", false);
+            return false;
+        }
+        if (!server.admit(this)) {
+            refuse("the server has as many workers as it can have", true);
+            return false;
+        }
+        on.trust();
+        Timing timing = server.options().timing;
+        on.send(new Message.Welcome(
+                Handshake.proof(Handshake.Side.SERVER, token, worker.nonce(), nonce, certificate),
+                timing.heartbeatMillis(),
+                timing.silenceMillis(),
+                Limits.UNACKNOWLEDGED_TILES));
+        ServerJob job = server.job();
+        on.send(new Message.Job(job.hash(), job.tiles(), job.content().hashes()));
+        return true;
+    }
+
+    private String refusal(Message.Hello worker) {
+        if (worker.oldest() > Message.PROTOCOL || worker.newest() < Message.PROTOCOL) {
+            return "the server speaks protocol " + Message.PROTOCOL + ", the worker " + worker.oldest() + ".."
+                    + worker.newest() + ": install the same version on both";
+        }
+        if (!worker.build().equals(server.options().build)) {
+            return "the server is version " + server.options().build + ", the worker " + worker.build()
+                    + ": install the same version on both";
+        }
+        if (!worker.arithmetic().equals(Canary.hash())) {
+            return "the worker's machine computes other numbers than the server's (the canary tile differs)";
+        }
+        return null;
+    }
+
+    /** Hears one message; false at the end. After the last word was said the rest is let pass until the other side closes. */
+    private boolean listen(Link on, boolean isWorker) throws IOException {
+        Message message = on.receive();
+        if (message instanceof Message.Bye bye) {
+            throw new IOException(bye.reason());
+        }
+        if (message != null && isWorker && !on.isLastSaid()) {
+            hear(on, message);
+        }
+        return message != null;
+    }
+
+    private void hear(Link on, Message message) throws IOException {
+        if (message instanceof Message.Heartbeat beat) {
+            if (isJoined) {
+                server.handle(new Event.Heard(id, Set.copyOf(beat.leases())));
+            } else {
+                on.send(new Message.Alive(
+                        server.job().film().done(), server.job().tiles()));
+            }
+        } else if (message instanceof Message.Result result) {
+            deliver(on, result);
+        } else if (message instanceof Message.ContentRequest request) {
+            on.sendWhenFree(content(request));
+        } else if (message instanceof Message.Ready ready
+                && ready.job().equals(server.job().hash())) {
+            server.ready(this);
+        } else {
+            throw new ProtocolException(message.getClass().getSimpleName() + " is nothing that a worker says now");
+        }
+    }
+
+    private void deliver(Link on, Message.Result result) {
+        ServerJob job = server.job();
+        if (!isJoined) {
+            // It worked for an earlier incarnation of this server: there is nothing to wait for.
+            server.beginNow();
+        }
+        if (!result.job().equals(job.hash()) || !isJoined) {
+            on.send(new Message.Acknowledge(result.tile()));
+            return;
+        }
+        String problem = job.film().problem(result.tile(), result.data()).orElse(null);
+        server.handle(
+                problem == null
+                        ? new Event.Delivered(id, result.lease(), result.tile(), TileData.of(result.data()))
+                        : new Event.Misbehaved(id, "tile " + result.tile() + ": " + problem));
+    }
+
+    private Message.Content content(Message.ContentRequest request) throws ProtocolException {
+        byte[] content = server.job().content().content(request.content());
+        if (content == null || request.offset() > content.length) {
+            throw new ProtocolException("there is no content " + request.content() + " at " + request.offset());
+        }
+        int offset = (int) request.offset();
+        int length = Math.min(content.length - offset, Limits.CONTENT_PIECE);
+        byte[] piece = new byte[length];
+        System.arraycopy(content, offset, piece, 0, length);
+        return new Message.Content(request.content(), offset, content.length, piece);
+    }
+
+    /** Ends the connection where a deadline is missed. */
+    void check(long now) {
+        long limit = server.options().timing.authenticationMillis() * 1_000_000L;
+        if (!isKnown && now - opened > limit) {
+            close("did not prove within " + limit / 1_000_000L + " ms who it is");
+        } else if (link != null) {
+            link.check(now);
+        }
+    }
+
+    void refuse(String reason, boolean again) {
+        if (link != null) {
+            link.sayLast(new Message.Refuse(reason, again));
+        }
+        server.options().log.accept(this + " refused: " + reason);
+    }
+
+    void send(Message message) {
+        link.send(message);
+    }
+
+    void sayLast(Message message) {
+        Link mine = link;
+        if (mine == null) {
+            close("");
+        } else {
+            mine.sayLast(message);
+        }
+    }
+
+    void close(String reason) {
+        Link mine = link;
+        if (mine != null) {
+            mine.close(reason);
+            return;
+        }
+        try {
+            plain.close();
+        } catch (IOException e) {
+            server.options().log.accept(this + ": " + e.getMessage());
+        }
+    }
+
+    /** What the coordinator is told when the worker joins. */
+    Event.Joined joined() {
+        isJoined = true;
+        double weight = server.options().weight(hello.name(), address);
+        return new Event.Joined(id, hello.key(), hello.machine(), toString(), hello.threads(), weight);
+    }
+
+    long id() {
+        return id;
+    }
+
+    /** The worker has proved that it knows the token. */
+    void known() {
+        isKnown = true;
+    }
+
+    boolean isKnown() {
+        return isKnown;
+    }
+
+    boolean isJoined() {
+        return isJoined;
+    }
+
+    /** For people; what a stranger says of itself is not repeated. */
+    @Override
+    public String toString() {
+        Message.Hello h = isKnown ? hello : null;
+        return h == null ? address : printable(h.name()) + " (" + address + ")";
+    }
+
+    private static String printable(String name) {
+        String plain = name.replaceAll("[^\\p{Graph} ]", "?");
+        return plain.length() > 60 ? plain.substring(0, 60) : plain;
+    }
+}

@@ -1,0 +1,163 @@
+package enlightenment.net;
+
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** How a {@link RenderServer} serves. Immutable; each {@code with} gives a changed copy. */
+public final class ServerOptions implements Cloneable {
+    /** The port of the paper's server. */
+    public static final int PORT = 6002;
+
+    /** Loopback, the usual port, no token, all processors but one render here, nothing is waited for. */
+    public static final ServerOptions DEFAULT = new ServerOptions();
+
+    String host = "127.0.0.1";
+    int port = PORT;
+    int minWorkers;
+    double waitSeconds = 30;
+    Map<String, Double> shares = Map.of();
+    Optional<Path> tokenFile = Optional.empty();
+    Optional<Path> certificate = Optional.empty();
+    Optional<Path> privateKey = Optional.empty();
+    int statusPort = -1;
+    Optional<Path> checkpoint = Optional.empty();
+    int localThreads = Math.max(Runtime.getRuntime().availableProcessors() - 1, 1);
+    double auditRate = CoordinatorSettings.AUDIT_RATE;
+    Consumer<String> log = line -> {};
+
+    /** For tests. */
+    String build = Build.number();
+
+    Timing timing = Timing.USUAL;
+
+    private ServerOptions() {}
+
+    private ServerOptions copy() {
+        try {
+            return (ServerOptions) clone();
+        } catch (CloneNotSupportedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /**
+     * The address to listen at; whatever is not loopback needs a token.
+     *
+     * @param port 0 for any that is free
+     */
+    public ServerOptions withAddress(String host, int port) {
+        ServerOptions o = copy();
+        o.host = host;
+        o.port = port;
+        return o;
+    }
+
+    /** Begins when so many workers are there, or after so long. */
+    public ServerOptions withWait(int minWorkers, double seconds) {
+        ServerOptions o = copy();
+        o.minWorkers = minWorkers;
+        o.waitSeconds = seconds;
+        return o;
+    }
+
+    /** First guesses of the speed of workers, by name or address, relative to 1 for all others (the paper's speed map). */
+    public ServerOptions withShares(Map<String, Double> shares) {
+        ServerOptions o = copy();
+        o.shares = new LinkedHashMap<>(shares);
+        return o;
+    }
+
+    /** The file with the secret that workers must know, at least 16 characters. */
+    public ServerOptions withTokenFile(Path file) {
+        ServerOptions o = copy();
+        o.tokenFile = Optional.of(file);
+        return o;
+    }
+
+    /** TLS 1.3 with this certificate and private key, both as PEM files. */
+    public ServerOptions withTls(Path certificate, Path privateKey) {
+        ServerOptions o = copy();
+        o.certificate = Optional.of(certificate);
+        o.privateKey = Optional.of(privateKey);
+        return o;
+    }
+
+    /** A page that shows how far it is, on loopback; 0 for any port that is free. */
+    public ServerOptions withStatusPort(int port) {
+        ServerOptions o = copy();
+        o.statusPort = port;
+        return o;
+    }
+
+    /** The file that keeps what is done; a server with the same job goes on from it. */
+    public ServerOptions withCheckpoint(Path file) {
+        ServerOptions o = copy();
+        o.checkpoint = Optional.of(file);
+        return o;
+    }
+
+    /** How many threads render in this process; 0 for none as long as there are workers. */
+    public ServerOptions withLocalThreads(int threads) {
+        ServerOptions o = copy();
+        o.localThreads = threads;
+        return o;
+    }
+
+    /** The share of tiles, 0..1, that a second machine renders too, to find machines that compute wrongly. */
+    public ServerOptions withAuditRate(double rate) {
+        ServerOptions o = copy();
+        o.auditRate = rate;
+        return o;
+    }
+
+    /** Hears what happens, a line at a time. */
+    public ServerOptions withLog(Consumer<String> log) {
+        ServerOptions o = copy();
+        o.log = log;
+        return o;
+    }
+
+    ServerOptions withBuild(String build) {
+        ServerOptions o = copy();
+        o.build = build;
+        return o;
+    }
+
+    ServerOptions withTiming(Timing timing) {
+        ServerOptions o = copy();
+        o.timing = timing;
+        return o;
+    }
+
+    /**
+     * Fails unless these options go together.
+     *
+     * @throws IllegalArgumentException with the reason
+     */
+    void check() throws UnknownHostException {
+        if (!InetAddress.getByName(host).isLoopbackAddress() && tokenFile.isEmpty()) {
+            throw new IllegalArgumentException("beyond this machine (" + host
+                    + ") workers need a token: give a file with at least " + Handshake.SHORTEST_TOKEN
+                    + " secret characters");
+        }
+        if (certificate.isPresent() != privateKey.isPresent()) {
+            throw new IllegalArgumentException("a certificate and its private key go together");
+        }
+        for (Map.Entry<String, Double> share : shares.entrySet()) {
+            if (!(share.getValue() > 0 && share.getValue() < Double.POSITIVE_INFINITY)) {
+                throw new IllegalArgumentException(
+                        "the share of " + share.getKey() + " must be greater than 0, not " + share.getValue());
+            }
+        }
+    }
+
+    /** The weight of a worker of this name at this address. */
+    double weight(String name, String address) {
+        return shares.getOrDefault(name, shares.getOrDefault(address, 1.0));
+    }
+}

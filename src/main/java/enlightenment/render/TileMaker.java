@@ -1,0 +1,12 @@
+package enlightenment.render;
+
+/** Makes tiles, for one thread. */
+@FunctionalInterface
+public interface TileMaker {
+    /**
+     * The tile with this number as bytes: the same on every machine, however often and in whatever order tiles are made.
+     *
+     * @throws IndexOutOfBoundsException if there is no such tile
+     */
+    byte[] make(int tile);
+}

@@ -1,0 +1,24 @@
+package enlightenment.render;
+
+import enlightenment.math.Check;
+
+/**
+ * What is decided about a render before its first tile: with it, a tile is a pure function of scene, settings and place.
+ *
+ * @param level how much is spent, in the measure of the method
+ * @param samples the mean number of camera rays per pixel that this is expected to take
+ * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
+ */
+public record TilePlan(double level, double samples, String decidedBy) {
+    public TilePlan {
+        Check.that(level >= 0 && level < Double.POSITIVE_INFINITY, "plan", "must not be negative, but is " + level);
+    }
+
+    static TilePlan of(RenderPlan plan) {
+        return new TilePlan(plan.level(), plan.samples(), plan.decidedBy());
+    }
+
+    RenderPlan plan() {
+        return new RenderPlan(level, samples, decidedBy);
+    }
+}

@@ -1,0 +1,133 @@
+package enlightenment.render;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.film.FilmTile;
+import enlightenment.method.TileMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.nio.ByteBuffer;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+
+/**
+ * One render as numbered tiles that may be made anywhere, by anyone, in any order: the ground of server, workers and job
+ * arrays. {@link FilmAssembly} puts the tiles together to the picture that {@link Renderer} makes, bit for bit.
+ */
+public final class TiledRender {
+    private final CompiledScene compiled;
+    private final RenderSettings settings;
+    private final TilePlan plan;
+    private final ColumnGrid grid;
+    private final RenderOutline outline;
+    private final Phases phases;
+
+    private TiledRender(String name, CompiledScene compiled, RenderSettings settings, TilePlan plan, Phases phases) {
+        this.compiled = compiled;
+        this.settings = settings;
+        this.plan = plan;
+        this.phases = phases;
+        grid = new ColumnGrid(settings);
+        outline = new RenderOutline(name, settings, plan, compiled.features(), compiled.kindNames);
+    }
+
+    /**
+     * Compiles the scene and plans the render.
+     *
+     * @param cancelled asked now and then from several threads; once true, a plan is made in haste
+     * @throws enlightenment.scene.SceneException if the scene cannot be used
+     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     */
+    public static TiledRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        long start = System.nanoTime();
+        Renderer.check(settings);
+        Phases phases = new Phases();
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
+        TilePlan plan =
+                phases.run("plan", () -> TilePlan.of(new Planner(compiled, settings, cancelled).plan(start, 0)));
+        return new TiledRender(scene.name(), compiled, settings, plan, phases);
+    }
+
+    /**
+     * A render that was planned elsewhere.
+     *
+     * @param files gives the content of an image file, or null if it is to be read from the disk
+     * @throws enlightenment.scene.SceneException if the scene cannot be used
+     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     */
+    public static TiledRender planned(
+            Scene scene, RenderSettings settings, TilePlan plan, Function<Path, byte[]> files) {
+        Renderer.checkMethod(settings.method());
+        Phases phases = new Phases();
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, files));
+        return new TiledRender(scene.name(), compiled, settings, plan, phases);
+    }
+
+    /** Number of tiles, counted from 0. */
+    public int tiles() {
+        return grid.tiles();
+    }
+
+    /** What was decided before the first tile. */
+    public TilePlan plan() {
+        return plan;
+    }
+
+    /** What is needed to put the picture together. */
+    public RenderOutline outline() {
+        return outline;
+    }
+
+    /** A picture without tiles yet. */
+    public FilmAssembly assembly() {
+        return new FilmAssembly(outline, phases);
+    }
+
+    /** Makes tiles, for one thread. */
+    public TileMaker maker() {
+        RayCounters counters = new RayCounters(compiled.kindNames.size());
+        TileMethod method = plan.plan().method(compiled, settings, counters);
+        return tile -> make(Objects.checkIndex(tile, grid.tiles()), method, counters);
+    }
+
+    /** Hears of finished tiles, from several threads at once. */
+    @FunctionalInterface
+    public interface TileSink {
+        /** The tile is made. */
+        void made(int tile, byte[] bytes);
+    }
+
+    /**
+     * Makes some tiles with as many threads as the settings say.
+     *
+     * @param cancelled asked now and then from several threads; once true, the rest is left undone
+     */
+    public void make(int[] tiles, BooleanSupplier cancelled, TileSink sink) {
+        Workers.run(settings.threads(), tiles.length, cancelled, () -> {
+            TileMaker maker = maker();
+            return i -> sink.made(tiles[i], maker.make(tiles[i]));
+        });
+    }
+
+    private byte[] make(int tile, TileMethod method, RayCounters counters) {
+        counters.clear();
+        RenderSettings.Crop place = grid.place(tile);
+        int kinds = compiled.kindNames.size();
+        ByteBuffer out = ByteBuffer.allocate(TileBytes.length(place.width() * place.height(), kinds));
+        long surveyRays = 0;
+        int side = ColumnGrid.SIDE;
+        int bottom = place.y() + place.height();
+        for (int y = place.y(); y < bottom; y = Math.min((y / side + 1) * side, bottom)) {
+            int height = Math.min((y / side + 1) * side, bottom) - y;
+            FilmTile block = new FilmTile(place.x(), y, place.width(), height);
+            method.render(block);
+            surveyRays += block.surveyRays();
+            TileBytes.putBlock(out, kinds, place, block);
+        }
+        TileBytes.putCounters(out.position(0), counters, surveyRays);
+        return out.array();
+    }
+}

@@ -1,0 +1,134 @@
+package enlightenment.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class MergeCommandTest {
+    @TempDir
+    Path folder;
+
+    private Path scene;
+    private Path picture;
+    private Path merged;
+
+    @BeforeEach
+    void scene() throws IOException {
+        scene = CliRun.scene(folder, "\"width\": 50, \"height\": 34");
+        picture = folder.resolve("picture.png");
+        merged = folder.resolve("merged.png");
+    }
+
+    private Path part(int part, int parts, Object... more) {
+        Path file = folder.resolve("part-" + part + "-" + parts + ".film");
+        Object[] args = new Object[8 + more.length];
+        Object[] first = {"render", scene, "-o", file, "--part", part + "/" + parts, "--progress", "none"};
+        System.arraycopy(first, 0, args, 0, 8);
+        System.arraycopy(more, 0, args, 8, more.length);
+        CliRun run = CliRun.of(args);
+        assertEquals("", run.err());
+        assertEquals(0, run.code());
+        return file;
+    }
+
+    private void assertSays(CliRun run, int code, String words) {
+        assertTrue(run.err().contains(words), run.err());
+        assertEquals(code, run.code());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"raytrace", "cluster"})
+    void partsInAnyOrderAndFromAnyThreadsMakeTheBytesOfOneMachine(String method) throws IOException {
+        CliRun whole = CliRun.of("render", scene, "-o", picture, "--method", method, "--progress", "none");
+        assertEquals(0, whole.code(), whole.err());
+        Path a = part(1, 3, "--method", method, "--threads", "1");
+        Path b = part(2, 3, "--method", method, "--threads", "3");
+        Path c = part(3, 3, "--method", method);
+        CliRun run = CliRun.of("merge", c, a, b, a, "-o", merged, "--stats");
+        assertEquals(0, run.code(), run.err());
+        assertArrayEquals(Files.readAllBytes(picture), Files.readAllBytes(merged));
+        assertTrue(run.out().contains("estimated error"), run.out());
+    }
+
+    @Test
+    void partsOfDifferentDivisionsGoTogether() throws IOException {
+        assertEquals(
+                0,
+                CliRun.of("render", scene, "-o", picture, "--progress", "none").code());
+        Path a = part(1, 2);
+        Path b = part(2, 4);
+        Path c = part(4, 4);
+        assertEquals(0, CliRun.of("merge", a, b, c, "-o", merged).code());
+        assertArrayEquals(Files.readAllBytes(picture), Files.readAllBytes(merged));
+    }
+
+    @Test
+    void whatIsMissingIsNamedAndNothingIsWrittenUnlessAskedFor() {
+        Path a = part(1, 3);
+        assertSays(CliRun.of("merge", a, "-o", merged), 1, "missing: part 2/3, part 3/3");
+        assertFalse(Files.exists(merged));
+        assertSays(CliRun.of("merge", a, "-o", merged, "--partial"), 1, "missing: part 2/3, part 3/3");
+        assertTrue(Files.exists(merged));
+    }
+
+    @Test
+    void partsOfOtherPicturesAreRefused() throws IOException {
+        Path a = part(1, 2);
+        Path seed = part(2, 2, "--seed", "7");
+        assertSays(CliRun.of("merge", a, seed, "-o", merged), 1, "seed=7");
+        Files.writeString(scene, Files.readString(scene).replace("\"radius\": 1,", "\"radius\": 2,"));
+        Path other = part(2, 2);
+        assertSays(CliRun.of("merge", a, other, "-o", merged), 1, "the scenes differ");
+    }
+
+    @Test
+    void damageIsFoundWhereverItIs() throws IOException {
+        Path a = part(1, 1);
+        byte[] good = Files.readAllBytes(a);
+        for (int at = 0; at < good.length; at += 1 + good.length / 200) {
+            byte[] bad = good.clone();
+            bad[at] ^= 4;
+            Files.write(a, bad);
+            CliRun run = CliRun.of("merge", a, "-o", merged);
+            assertEquals(1, run.code(), "byte " + at);
+            assertTrue(run.err().contains("part-1-1.film: is "), run.err());
+        }
+        Files.write(a, java.util.Arrays.copyOf(good, good.length - 40));
+        assertSays(CliRun.of("merge", a, "-o", merged), 1, "cut short");
+        Files.write(a, new byte[5]);
+        assertSays(CliRun.of("merge", a, "-o", merged), 1, "is not a part of a render");
+        Files.write(a, good);
+        assertEquals(0, CliRun.of("merge", a, "-o", merged).code());
+    }
+
+    @Test
+    void aPartThatIsStoppedHoldsWhatIsDone() {
+        Stop stop = new Stop();
+        stop.request();
+        Path file = folder.resolve("stopped.film");
+        CliRun run = CliRun.of(stop, "render", scene, "-o", file, "--part", "1/2", "--progress", "none");
+        assertSays(run, 1, "holds only some of part 1/2");
+        assertSays(CliRun.of("merge", file, "-o", merged), 1, "missing: part 1/2, part 2/2");
+    }
+
+    @Test
+    void whatMakesNoSenseIsRefused() {
+        Path film = folder.resolve("x.film");
+        assertSays(CliRun.of("render", scene, "-o", film, "--part", "3/2"), 2, "--part must be I/N");
+        assertSays(CliRun.of("render", scene, "-o", picture, "--part", "1/2"), 2, "ends in .film");
+        assertSays(CliRun.of("render", scene, "-o", film, "--part", "1/2", "--time", "3"), 2, "give --samples");
+        assertSays(CliRun.of("render", scene, "-o", film, "--part", "1/2", "--stats"), 2, "belong to 'merge'");
+        assertSays(CliRun.of("merge", folder.resolve("none.film"), "-o", merged), 1, "none.film");
+        assertSays(CliRun.of("merge", film, "-o", film), 2, "ends in .png or .pfm");
+    }
+}

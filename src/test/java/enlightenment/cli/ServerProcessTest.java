@@ -1,0 +1,149 @@
+package enlightenment.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Server and workers as processes of their own, which are killed as {@code kill -9} does. */
+@Timeout(180)
+class ServerProcessTest {
+    @TempDir
+    Path folder;
+
+    private final List<Process> started = new ArrayList<>();
+    private Path scene;
+    private Path picture;
+    private int port;
+
+    @BeforeEach
+    void scene() throws IOException {
+        scene = CliRun.scene(folder, "\"width\": 160, \"height\": 120");
+        picture = folder.resolve("picture.png");
+        try (ServerSocket free = new ServerSocket(0)) {
+            port = free.getLocalPort();
+        }
+    }
+
+    @AfterEach
+    void endAll() throws InterruptedException {
+        for (Process process : started) {
+            process.destroyForcibly().waitFor();
+        }
+    }
+
+    private Process start(String log, Object... args) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx256m",
+                "-cp",
+                System.getProperty("java.class.path"),
+                "enlightenment.cli.Main"));
+        for (Object arg : args) {
+            command.add(arg.toString());
+        }
+        Process process = new ProcessBuilder(command)
+                .redirectErrorStream(true)
+                .redirectOutput(folder.resolve(log).toFile())
+                .start();
+        started.add(process);
+        return process;
+    }
+
+    private Process server(String log, Object... more) throws IOException {
+        List<Object> args = new ArrayList<>(List.of("server", scene, "-o", picture, "--port", port));
+        args.addAll(List.of("--antialias", 16, "--shadow-samples", 40, "--local-threads", 0, "--wait", 60));
+        args.addAll(List.of(more));
+        return start(log, args.toArray());
+    }
+
+    private Process worker(String log) throws IOException {
+        return start(log, "worker", "127.0.0.1:" + port, "--threads", 1);
+    }
+
+    private String log(String name) {
+        try {
+            return Files.exists(folder.resolve(name)) ? Files.readString(folder.resolve(name)) : "";
+        } catch (IOException e) {
+            return e.toString();
+        }
+    }
+
+    private void await(String log, String words) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+        while (!log(log).contains(words)) {
+            assertTrue(System.nanoTime() - end < 0, "waited in vain for \"" + words + "\" in: " + log(log));
+            Thread.sleep(20);
+        }
+    }
+
+    private void assertEnds(Process process, int code, String log) throws InterruptedException {
+        assertTrue(process.waitFor(90, TimeUnit.SECONDS), () -> log + " does not end: " + log(log));
+        assertEquals(code, process.exitValue(), () -> log(log));
+    }
+
+    private byte[] alone() throws IOException {
+        Path file = folder.resolve("alone.png");
+        CliRun run =
+                CliRun.of("render", scene, "-o", file, "--antialias", 16, "--shadow-samples", 40, "--progress", "none");
+        assertEquals(0, run.code(), run.err());
+        return Files.readAllBytes(file);
+    }
+
+    @Test
+    void killedWorkersCostNothingButTime() throws Exception {
+        Process server = server("server");
+        Process first = worker("first");
+        await("server", "% done");
+        first.destroyForcibly().waitFor();
+        await("server", "left:");
+        Process second = worker("second");
+        assertEnds(server, 0, "server");
+        assertEnds(second, 0, "second");
+        assertTrue(log("second").contains("the picture is done"), log("second"));
+        assertArrayEquals(alone(), Files.readAllBytes(picture));
+    }
+
+    @Test
+    void aKilledServerGoesOnFromItsCheckpointWithTheSameWorkers() throws Exception {
+        Path checkpoint = folder.resolve("checkpoint");
+        Process server = server("server", "--checkpoint", checkpoint);
+        Process worker = worker("worker");
+        await("server", "% done");
+        server.destroyForcibly().waitFor();
+        assertFalse(Files.exists(picture));
+        Process again = server("again", "--checkpoint", checkpoint, "--status-port", 0);
+        assertEnds(again, 0, "again");
+        assertEnds(worker, 0, "worker");
+        assertTrue(log("again").contains("tiles are done already"), log("again"));
+        assertTrue(log("worker").contains("trying again"), log("worker"));
+        assertArrayEquals(alone(), Files.readAllBytes(picture));
+    }
+
+    @Test
+    void aServerThatIsAskedToEndWritesWhatItHas() throws Exception {
+        Process server = server("server", "--checkpoint", folder.resolve("checkpoint"));
+        Process worker = worker("worker");
+        await("server", "% done");
+        server.destroy();
+        assertEnds(server, 143, "server");
+        assertTrue(log("server").contains("stopped: "), log("server"));
+        assertTrue(Files.size(picture) > 0);
+        worker.destroy();
+        assertEnds(worker, 143, "worker");
+        assertTrue(log("worker").contains("stopped; "), log("worker"));
+    }
+}

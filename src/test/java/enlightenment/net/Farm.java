@@ -1,0 +1,161 @@
+package enlightenment.net;
+
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.PngOptions;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
+
+/** A server and its workers, all in this process, on loopback; ends within a minute whatever happens. */
+final class Farm implements AutoCloseable {
+    static final Scene SCENE = TestScenes.whiteFireAndIce().build();
+    static final RenderSettings SETTINGS = RenderSettings.of(SCENE)
+            .withSize(75, 42)
+            .withAntialias(2)
+            .withShadowSamples(2)
+            .withThreads(1);
+
+    /** Deadlines short enough for tests. */
+    static final Timing QUICK = new Timing(600, 600, 600, 600, 50, 400);
+
+    static final long PATIENCE_SECONDS = 60;
+
+    final RenderServer server;
+    final List<String> log = Collections.synchronizedList(new ArrayList<>());
+    final List<CompletableFuture<RenderWorker.Outcome>> workers = new ArrayList<>();
+    private final AtomicBoolean stopServer = new AtomicBoolean();
+    private final AtomicBoolean stopWorkers = new AtomicBoolean();
+    private CompletableFuture<RenderResult> result;
+
+    Farm(ServerOptions options) throws IOException {
+        this(SCENE, SETTINGS, options);
+    }
+
+    Farm(Scene scene, RenderSettings settings, ServerOptions options) throws IOException {
+        server = RenderServer.start(scene, settings, options.withLog(log::add), () -> false);
+    }
+
+    /** No rendering in the server, any port. */
+    static ServerOptions options() {
+        return ServerOptions.DEFAULT.withAddress("127.0.0.1", 0).withLocalThreads(0);
+    }
+
+    static WorkerOptions worker(int threads) {
+        return WorkerOptions.DEFAULT.withThreads(threads).withReconnect(20);
+    }
+
+    /** A worker that needs so long for each tile beside rendering it. */
+    static WorkerOptions slow(int millis) {
+        return worker(1).withTamper((tile, bytes) -> {
+            sleep(millis);
+            return bytes;
+        });
+    }
+
+    static void sleep(long millis) {
+        try {
+            Thread.sleep(millis);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    Farm begin() {
+        result = CompletableFuture.supplyAsync(
+                () -> {
+                    try {
+                        return server.await(RenderProgress.NONE, stopServer::get);
+                    } catch (IOException e) {
+                        throw new UncheckedIOException(e);
+                    }
+                },
+                work -> daemon(work, "farm"));
+        return this;
+    }
+
+    private static void daemon(Runnable work, String name) {
+        Thread thread = new Thread(work, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    CompletableFuture<RenderWorker.Outcome> join(WorkerOptions options) {
+        return join(options, server.port(), stopWorkers::get);
+    }
+
+    CompletableFuture<RenderWorker.Outcome> join(WorkerOptions options, int port, BooleanSupplier stop) {
+        CompletableFuture<RenderWorker.Outcome> worker = CompletableFuture.supplyAsync(
+                () -> {
+                    try {
+                        return RenderWorker.run("127.0.0.1", port, options, stop);
+                    } catch (IOException e) {
+                        throw new UncheckedIOException(e);
+                    }
+                },
+                work -> daemon(work, "farm worker"));
+        workers.add(worker);
+        return worker;
+    }
+
+    /** Ends the server as Ctrl-C does. */
+    RenderResult stop() throws Exception {
+        stopServer.set(true);
+        return result();
+    }
+
+    RenderResult result() throws Exception {
+        return result.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    }
+
+    /** Waits until that is so, for as long as anything may take. */
+    static void until(BooleanSupplier condition, String what) {
+        long end = System.nanoTime() + PATIENCE_SECONDS * 1_000_000_000L;
+        while (!condition.getAsBoolean()) {
+            if (System.nanoTime() - end > 0) {
+                throw new AssertionError("waited in vain until " + what);
+            }
+            sleep(5);
+        }
+    }
+
+    boolean logHas(String words) {
+        synchronized (log) {
+            return log.stream().anyMatch(line -> line.contains(words));
+        }
+    }
+
+    static byte[] png(Image image) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        try {
+            ImageFiles.toPng(image, out, PngOptions.DEFAULT);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return out.toByteArray();
+    }
+
+    static byte[] alone() {
+        return png(Renderer.render(SCENE, SETTINGS));
+    }
+
+    @Override
+    public void close() {
+        stopServer.set(true);
+        stopWorkers.set(true);
+        server.close();
+    }
+}

@@ -1,0 +1,105 @@
+package enlightenment.net;
+
+import java.io.Closeable;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import java.util.HexFormat;
+
+/** Somebody who speaks to a server byte by byte or message by message, rightly or wrongly. */
+final class RawPeer implements Closeable {
+    final Socket socket;
+    private final InputStream in;
+
+    RawPeer(int port) throws IOException {
+        socket = new Socket("127.0.0.1", port);
+        socket.setSoTimeout(15_000);
+        socket.setTcpNoDelay(true);
+        in = socket.getInputStream();
+    }
+
+    void bytes(byte[] bytes) throws IOException {
+        socket.getOutputStream().write(bytes);
+    }
+
+    void bytes(String hex) throws IOException {
+        bytes(HexFormat.of().parseHex(hex));
+    }
+
+    void send(Message message) throws IOException {
+        DataOutputStream out = new DataOutputStream(socket.getOutputStream());
+        Frames.write(out, message, Limits.FRAME);
+        out.flush();
+    }
+
+    Message receive() throws IOException {
+        return Frames.read(in, Limits.FRAME).orElse(null);
+    }
+
+    /** The next message of this kind; others are let pass. */
+    <T extends Message> T receive(Class<T> kind) throws IOException {
+        while (true) {
+            Message message = receive();
+            if (message == null) {
+                throw new IOException("closed before a " + kind.getSimpleName());
+            }
+            if (kind.isInstance(message)) {
+                return kind.cast(message);
+            }
+        }
+    }
+
+    /** Milliseconds until the server closes the connection. */
+    long millisUntilClosed() {
+        long start = System.nanoTime();
+        try {
+            while (in.read() >= 0) {
+                continue;
+            }
+        } catch (java.net.SocketTimeoutException e) {
+            throw new AssertionError("the server does not close the connection", e);
+        } catch (IOException e) {
+            return (System.nanoTime() - start) / 1_000_000;
+        }
+        return (System.nanoTime() - start) / 1_000_000;
+    }
+
+    static Message.Hello hello(String machine) {
+        return new Message.Hello(
+                Message.MAGIC,
+                1,
+                1,
+                Build.number(),
+                machine,
+                machine,
+                machine,
+                1,
+                Canary.hash(),
+                new byte[Handshake.NONCE_BYTES]);
+    }
+
+    /** Joins as an honest worker would; gives the job. */
+    Message.Job join(String machine, byte[] token) throws IOException {
+        Message.Job job = enter(machine, token);
+        send(new Message.Ready(job.job()));
+        return job;
+    }
+
+    Message.Job enter(String machine, byte[] token) throws IOException {
+        send(hello(machine));
+        Message.Challenge challenge = receive(Message.Challenge.class);
+        send(new Message.Proof(Handshake.proof(
+                Handshake.Side.WORKER,
+                token,
+                new byte[Handshake.NONCE_BYTES],
+                challenge.nonce(),
+                Tls.noCertificate())));
+        return receive(Message.Job.class);
+    }
+
+    @Override
+    public void close() throws IOException {
+        socket.close();
+    }
+}

@@ -1,0 +1,198 @@
+package enlightenment.net;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.render.RenderReport;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+@Timeout(120)
+class RenderServerTest {
+    private static final byte[] ALONE = Farm.alone();
+
+    @TempDir
+    Path folder;
+
+    @ParameterizedTest
+    @CsvSource({"0,0", "1,1", "2,1", "5,2", "3,4"})
+    void anyNumberOfWorkersMakesTheBytesOfOneProcess(int workers, int threads) throws Exception {
+        ServerOptions options = Farm.options().withWait(workers, workers == 0 ? 0.2 : 30);
+        try (Farm farm = new Farm(options).begin()) {
+            for (int i = 0; i < workers; i++) {
+                farm.join(Farm.worker(threads));
+            }
+            RenderResult result = farm.result();
+            assertTrue(result.complete());
+            assertArrayEquals(ALONE, Farm.png(result.image()));
+            for (CompletableFuture<RenderWorker.Outcome> worker : farm.workers) {
+                RenderWorker.Outcome outcome = worker.get(10, TimeUnit.SECONDS);
+                assertEquals("the picture is done", outcome.reason());
+                assertTrue(outcome.isDone());
+            }
+        }
+    }
+
+    @Test
+    void theServersOwnThreadsAreAWorkerAmongOthers() throws Exception {
+        try (Farm farm = new Farm(Farm.options().withLocalThreads(2).withWait(1, 30)).begin()) {
+            farm.join(Farm.worker(1));
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+        }
+    }
+
+    @Test
+    void methodClusterCropAndReportAreThoseOfOneProcess() throws Exception {
+        RenderSettings settings = Farm.SETTINGS.withMethod("cluster").withCrop(new RenderSettings.Crop(9, 3, 50, 30));
+        try (Farm farm = new Farm(Farm.SCENE, settings, Farm.options()).begin()) {
+            farm.join(Farm.worker(2));
+            farm.join(Farm.worker(1));
+            RenderResult result = farm.result();
+            RenderReport alone = Renderer.render(
+                            Farm.SCENE, settings, enlightenment.render.RenderProgress.NONE, () -> false)
+                    .report();
+            assertArrayEquals(
+                    Renderer.render(Farm.SCENE, settings).toArray(),
+                    result.image().toArray());
+            assertEquals(alone.raysByKind(), result.report().raysByKind());
+            assertEquals(alone.sampling(), result.report().sampling());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "jpg"})
+    void imagesTravelToWorkersByTheirContent(String kind) throws Exception {
+        Image picture = Renderer.render(Farm.SCENE, Farm.SETTINGS);
+        Path image = folder.resolve("photo." + kind);
+        if (kind.equals("png")) {
+            ImageFiles.writePng(picture, image);
+        } else {
+            writeJpeg(image);
+        }
+        Scene scene = SceneReader.readString(
+                """
+                { "image": { "width": 40, "height": 30 },
+                  "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "up": [0, 1, 0],
+                              "fieldOfView": 40 },
+                  "textures": { "photo": { "file": "photo.KIND" } },
+                  "lights": [ { "type": "sphere", "center": [2, 3, -4], "radius": 0.5, "color": "#ffffff" } ],
+                  "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1.5,
+                                 "material": { "type": "matte", "color": { "texture": "photo" } } } ] }
+                """
+                        .replace("KIND", kind),
+                folder,
+                "");
+        RenderSettings settings = RenderSettings.of(scene).withThreads(1);
+        Image alone = Renderer.render(scene, settings);
+        try (Farm farm = new Farm(scene, settings, Farm.options()).begin()) {
+            Files.delete(image);
+            farm.join(Farm.worker(2));
+            assertArrayEquals(alone.toArray(), farm.result().image().toArray());
+        }
+    }
+
+    private static void writeJpeg(Path file) throws IOException {
+        java.awt.image.BufferedImage image =
+                new java.awt.image.BufferedImage(64, 32, java.awt.image.BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 64 * 32; i++) {
+            image.setRGB(i % 64, i / 64, i * 0x010305);
+        }
+        javax.imageio.ImageIO.write(image, "jpeg", file.toFile());
+    }
+
+    @Test
+    void aWorkerThatComesLateGetsWorkWithinASecond() throws Exception {
+        try (Farm farm = new Farm(Farm.options()).begin()) {
+            farm.join(Farm.slow(100));
+            Farm.until(() -> farm.server.job().film().done() > 3, "the first worker has begun");
+            long joined = System.nanoTime();
+            CompletableFuture<RenderWorker.Outcome> late = farm.join(Farm.worker(1));
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+            assertTrue(late.get(10, TimeUnit.SECONDS).tiles() > 10);
+            assertTrue((System.nanoTime() - joined) / 1e9 < 5, "what one worker had was not shared");
+        }
+    }
+
+    @Test
+    void theServerWaitsForWorkersButNotForEver() throws Exception {
+        try (Farm farm = new Farm(Farm.options().withWait(2, 1.5)).begin()) {
+            farm.join(Farm.worker(1));
+            Farm.until(() -> farm.logHas("joined"), "the worker is there");
+            Farm.sleep(300);
+            assertEquals(0, farm.server.job().film().done());
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+        }
+    }
+
+    @Test
+    void whatIsDoneWhenTheServerIsStoppedIsThePictureSoFar() throws Exception {
+        Path checkpoint = folder.resolve("checkpoint");
+        int done;
+        try (Farm farm = new Farm(Farm.options().withCheckpoint(checkpoint)).begin()) {
+            farm.join(Farm.slow(20));
+            Farm.until(() -> farm.server.job().film().done() > 10, "some tiles are done");
+            RenderResult result = farm.stop();
+            done = farm.server.job().film().done();
+            assertFalse(result.complete());
+            assertTrue(result.report().pixels() >= 64 * 5);
+        }
+        try (Farm farm = new Farm(Farm.options().withCheckpoint(checkpoint).withWait(1, 30))) {
+            assertEquals(done, farm.server.job().film().done());
+            farm.begin().join(Farm.worker(2));
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+            assertTrue(farm.workers.get(0).get(10, TimeUnit.SECONDS).tiles()
+                    < farm.server.job().tiles());
+        }
+        try (Farm farm = new Farm(Farm.options().withCheckpoint(checkpoint)).begin()) {
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+        }
+    }
+
+    @Test
+    void workersGoOnWithAServerThatComesBack() throws Exception {
+        Path checkpoint = folder.resolve("checkpoint");
+        int port;
+        CompletableFuture<RenderWorker.Outcome> worker;
+        try (Farm farm = new Farm(Farm.options().withCheckpoint(checkpoint)).begin()) {
+            port = farm.server.port();
+            worker = farm.join(Farm.slow(10), port, () -> false);
+            Farm.until(() -> farm.server.job().film().done() > 5, "some tiles are done");
+            farm.stop();
+        }
+        ServerOptions again = Farm.options()
+                .withAddress("127.0.0.1", port)
+                .withCheckpoint(checkpoint)
+                .withWait(1, 30);
+        try (Farm farm = new Farm(again).begin()) {
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+            assertTrue(worker.get(20, TimeUnit.SECONDS).isDone());
+        }
+    }
+
+    @Test
+    void sharesAreFoundByNameAndByAddress() {
+        ServerOptions options = ServerOptions.DEFAULT.withShares(Map.of("fast", 4.0, "10.0.0.7", 2.0));
+        assertEquals(4, options.weight("fast", "10.0.0.7"));
+        assertEquals(2, options.weight("other", "10.0.0.7"));
+        assertEquals(1, options.weight("other", "10.0.0.8"));
+    }
+}

@@ -1,0 +1,251 @@
+package enlightenment.net;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Strangers, liars and the dead; in each test an honest worker ends the picture afterwards. */
+@Timeout(120)
+class ServerFaultsTest {
+    private static final byte[] ALONE = Farm.alone();
+
+    @TempDir
+    Path folder;
+
+    private Farm farm;
+
+    @BeforeEach
+    void server() throws IOException {
+        farm = new Farm(Farm.options().withTiming(Farm.QUICK)).begin();
+    }
+
+    @AfterEach
+    void theHonestWorkerEndsThePicture() throws Exception {
+        farm.join(Farm.worker(2).withMachine("honest"));
+        assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+        farm.close();
+    }
+
+    private RawPeer peer() throws IOException {
+        return new RawPeer(farm.server.port());
+    }
+
+    private void assertLogged(String words) {
+        Farm.until(() -> farm.logHas(words), "the log has: " + words + "\n" + farm.log);
+    }
+
+    @Test
+    void garbageOnThePortEndsItsConnectionOnly() throws Exception {
+        Random random = new Random(1);
+        for (int i = 0; i < 40; i++) {
+            try (RawPeer peer = peer()) {
+                byte[] garbage = new byte[random.nextInt(300) + 5];
+                random.nextBytes(garbage);
+                peer.bytes(garbage);
+                peer.millisUntilClosed();
+            }
+        }
+        try (RawPeer peer = peer()) {
+            peer.bytes("GET / HTTP/1.1\r\nHost: x\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
+            peer.millisUntilClosed();
+        }
+        assertLogged("outside the limits 1..4096");
+    }
+
+    @Test
+    void aFrameThatClaimsTwoGibibytesIsNotWaitedFor() throws Exception {
+        try (RawPeer peer = peer()) {
+            peer.bytes("7fffffff00");
+            assertTrue(peer.millisUntilClosed() < 500);
+        }
+        assertLogged("a frame of 2147483647 bytes");
+    }
+
+    @Test
+    void whoSaysNothingOrTricklesIsHungUpOn() throws Exception {
+        try (RawPeer silent = peer();
+                RawPeer trickling = peer()) {
+            Thread trickle = new Thread(() -> {
+                try {
+                    trickling.bytes("00000400");
+                    for (int i = 0; i < 200; i++) {
+                        trickling.bytes("80");
+                        Farm.sleep(20);
+                    }
+                } catch (IOException closed) {
+                    return;
+                }
+            });
+            trickle.start();
+            assertTrue(trickling.millisUntilClosed() < 3_000);
+            assertTrue(silent.millisUntilClosed() < 3_000);
+            trickle.join(5_000);
+        }
+        assertLogged("did not prove within 600 ms");
+    }
+
+    @Test
+    void afterTheHandshakeAFrameMustComeInTimeToo() throws Exception {
+        try (RawPeer peer = peer()) {
+            peer.enter("slow", Token.NONE);
+            peer.bytes("00001000");
+            assertTrue(peer.millisUntilClosed() < 3_000);
+        }
+        assertLogged("sends a message too slowly");
+    }
+
+    @Test
+    void whoIsIdleAfterTheHandshakeIsHungUpOn() throws Exception {
+        try (RawPeer peer = peer()) {
+            peer.enter("idle", Token.NONE);
+            assertTrue(peer.millisUntilClosed() < 3_000);
+        }
+        assertLogged("is idle");
+    }
+
+    @Test
+    void aWorkerThatFallsSilentLosesItsTiles() throws Exception {
+        try (RawPeer peer = peer()) {
+            peer.join("silent", Token.NONE);
+            peer.receive(Message.Grant.class);
+            assertInstanceOf(Message.Refuse.class, peer.receive(Message.Refuse.class));
+        }
+        assertLogged("silent for");
+    }
+
+    @Test
+    void strangersDoNotTakeAllConnections() throws Exception {
+        List<RawPeer> strangers = new ArrayList<>();
+        for (int i = 0; i < Limits.STRANGERS + 8; i++) {
+            strangers.add(peer());
+        }
+        assertLogged("32 others have not said who they are");
+        for (RawPeer stranger : strangers) {
+            stranger.close();
+        }
+    }
+
+    @Test
+    void whoReadsNothingIsHungUpOn() throws Exception {
+        try (RawPeer peer = peer()) {
+            Message.Job job = peer.enter("deaf", Token.NONE);
+            Message request = new Message.ContentRequest(job.contents().get(0), 0);
+            assertThrows(IOException.class, () -> {
+                for (int i = 0; i < 1_000_000; i++) {
+                    peer.send(request);
+                }
+            });
+        }
+        assertLogged("does not read what it is sent");
+    }
+
+    @Test
+    void anotherVersionIsRefusedWithBothNumbers() throws Exception {
+        RenderWorker.Outcome outcome =
+                farm.join(Farm.worker(1).withBuild("0.0.7")).get(20, TimeUnit.SECONDS);
+        assertFalse(outcome.isDone());
+        assertTrue(outcome.reason().contains("the worker 0.0.7: install the same version"), outcome.reason());
+        try (RawPeer peer = peer()) {
+            Message.Hello h = RawPeer.hello("future");
+            peer.send(new Message.Hello(h.magic(), 2, 9, h.build(), "x", "x", "x", 1, h.arithmetic(), h.nonce()));
+            assertTrue(peer.receive(Message.Refuse.class).reason().contains("protocol 1, the worker 2..9"));
+        }
+    }
+
+    @Test
+    void aMachineThatComputesOtherNumbersIsRefused() throws Exception {
+        try (RawPeer peer = peer()) {
+            Message.Hello h = RawPeer.hello("odd");
+            peer.send(new Message.Hello(
+                    h.magic(), 1, 1, h.build(), "x", "x", "x", 1, ContentHash.of(new byte[1]), h.nonce()));
+            assertTrue(peer.receive(Message.Refuse.class).reason().contains("canary"));
+        }
+    }
+
+    @Test
+    void aWrongTokenIsRefusedAndNotTriedAgain() throws Exception {
+        Path token = Files.writeString(folder.resolve("token"), "0123456789abcdef wrong");
+        RenderWorker.Outcome outcome =
+                farm.join(Farm.worker(1).withTokenFile(token)).get(20, TimeUnit.SECONDS);
+        assertTrue(outcome.reason().contains("does not know the server's token"), outcome.reason());
+    }
+
+    @Test
+    void beforeTheHandshakeNothingElseIsHeard() throws Exception {
+        for (Message message : new Message[] {
+            new Message.Ready(ContentHash.of(new byte[0])),
+            new Message.Heartbeat(List.of(1L)),
+            new Message.ContentRequest(ContentHash.of(new byte[0]), 0),
+            new Message.Result(0, ContentHash.of(new byte[0]), 0, new byte[9])
+        }) {
+            try (RawPeer peer = peer()) {
+                peer.send(message);
+                peer.millisUntilClosed();
+            }
+        }
+        assertLogged("no hello");
+        assertEquals(0, farm.server.job().film().done());
+    }
+
+    @Test
+    void resultsOfWrongSizeOrWithNanExpelTheirMachine() throws Exception {
+        int length = farm.server.job().film().length(0);
+        byte[] nan =
+                ByteBuffer.allocate(length).putDouble(length - 36, Double.NaN).array();
+        int n = 0;
+        for (byte[] bytes : new byte[][] {new byte[3], nan, new byte[length]}) {
+            String machine = "liar " + n++;
+            try (RawPeer peer = peer()) {
+                Message.Job job = peer.join(machine, Token.NONE);
+                peer.receive(Message.Grant.class);
+                peer.send(new Message.Result(0, job.job(), 0, bytes));
+                Message.Refuse refusal = peer.receive(Message.Refuse.class);
+                assertTrue(refusal.reason().startsWith("tile 0: "), refusal.reason());
+                assertFalse(refusal.again());
+            }
+            assertLogged(machine + " expelled");
+            try (RawPeer peer = peer()) {
+                peer.join(machine, Token.NONE);
+                assertTrue(peer.receive(Message.Refuse.class).reason().contains("expelled"));
+            }
+        }
+    }
+
+    @Test
+    void anotherJobsResultIsTakenFromTheWorkerAndForgotten() throws Exception {
+        try (RawPeer peer = peer()) {
+            peer.join("old", Token.NONE);
+            peer.send(new Message.Result(5, ContentHash.of(new byte[4]), 3, new byte[8]));
+            assertEquals(3, peer.receive(Message.Acknowledge.class).tile());
+        }
+        assertEquals(0, farm.server.job().film().done());
+    }
+
+    @Test
+    void contentThatThereIsNotEndsTheConnection() throws Exception {
+        try (RawPeer peer = peer()) {
+            peer.enter("curious", Token.NONE);
+            peer.send(new Message.ContentRequest(ContentHash.of("/etc/passwd".getBytes(StandardCharsets.UTF_8)), 0));
+            peer.millisUntilClosed();
+        }
+        assertLogged("there is no content");
+    }
+}

@@ -1,0 +1,140 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class TiledRenderTest {
+    private static final Scene SCENE = TestScenes.whiteFireAndIce().build();
+
+    private static RenderSettings settings(String method) {
+        return RenderSettings.of(SCENE)
+                .withMethod(method)
+                .withSize(75, 42)
+                .withAntialias(2)
+                .withShadowSamples(2)
+                .withThreads(2);
+    }
+
+    private static TiledRender tiled(RenderSettings settings) {
+        return TiledRender.prepare(SCENE, settings, () -> false);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"raytrace", "cluster"})
+    void tilesInAnyOrderMakeThePictureAndTheCountsOfTheRenderer(String method) {
+        RenderSettings settings = settings(method);
+        TiledRender tiled = tiled(settings);
+        FilmAssembly assembly = tiled.assembly();
+        List<Integer> order = new ArrayList<>();
+        for (int tile = 0; tile < tiled.tiles(); tile++) {
+            order.add(tile);
+        }
+        order.addAll(order);
+        Collections.shuffle(order, new Random(7));
+        for (int tile : order) {
+            assembly.put(tile, tiled.maker().make(tile));
+        }
+        RenderResult expected = Renderer.render(SCENE, settings, RenderProgress.NONE, () -> false);
+        RenderResult actual = assembly.result();
+        assertTrue(actual.complete());
+        assertArrayEquals(expected.image().toArray(), actual.image().toArray());
+        assertEquals(expected.report().raysByKind(), actual.report().raysByKind());
+        assertEquals(expected.report().sampling(), actual.report().sampling());
+        assertEquals(expected.report().hitsByPrimitive(), actual.report().hitsByPrimitive());
+        assertEquals(expected.report().pixels(), actual.report().pixels());
+    }
+
+    @Test
+    void aTileHasTheSameBytesWhateverWasMadeBefore() {
+        TiledRender tiled = tiled(settings("cluster"));
+        TileMaker maker = tiled.maker();
+        byte[] first = maker.make(11);
+        maker.make(3);
+        assertArrayEquals(first, maker.make(11));
+        assertArrayEquals(first, tiled(settings("cluster")).maker().make(11));
+    }
+
+    @Test
+    void tilesOfACropAreCutWhereThoseOfTheWholePictureAre() {
+        RenderSettings settings = settings("cluster").withCrop(new RenderSettings.Crop(13, 5, 30, 21));
+        TiledRender tiled = tiled(settings);
+        FilmAssembly assembly = tiled.assembly();
+        for (int tile = 0; tile < tiled.tiles(); tile++) {
+            assembly.put(tile, tiled.maker().make(tile));
+        }
+        assertArrayEquals(
+                Renderer.render(SCENE, settings).toArray(), assembly.image().toArray());
+    }
+
+    @Test
+    void tilesCoverLargePicturesExactlyOnceInPiecesThatFitIntoAFrame() {
+        int[][] sizes = {{1, 1}, {9, 65_536}, {800, 400}, {65_536, 17}, {4_000, 3_000}};
+        for (int[] size : sizes) {
+            ColumnGrid grid = new ColumnGrid(settings("raytrace").withSize(size[0], size[1]));
+            long pixels = 0;
+            for (int tile = 0; tile < grid.tiles(); tile++) {
+                RenderSettings.Crop place = grid.place(tile);
+                pixels += (long) place.width() * place.height();
+                assertTrue(TileBytes.length(place.width() * place.height(), 100) < 1 << 20);
+                assertEquals(0, place.x() % ColumnGrid.SIDE + place.y() % ColumnGrid.SIDE);
+            }
+            assertEquals((long) size[0] * size[1], pixels);
+        }
+    }
+
+    @Test
+    void whatCannotBeATileIsRefusedWithTheReason() {
+        TiledRender tiled = tiled(settings("raytrace"));
+        FilmAssembly assembly = tiled.assembly();
+        byte[] good = tiled.maker().make(0);
+        int pixels = good.length - 64 * 36;
+        assertRefused(assembly, 0, new byte[good.length - 1], "bytes instead of");
+        assertRefused(assembly, tiled.tiles(), good, "there is no tile");
+        assertRefused(assembly, -1, good, "there is no tile");
+        ByteBuffer changed = ByteBuffer.wrap(good.clone());
+        assertRefused(assembly, 0, changed.putDouble(pixels, Double.NaN).array(), "pixel 0,0 a colour is NaN");
+        assertRefused(assembly, 0, changed.putDouble(pixels, 1e300).array(), "a colour is 1.0E300");
+        changed = ByteBuffer.wrap(good.clone());
+        assertRefused(assembly, 0, changed.putFloat(pixels + 24, -1).array(), "a spread is -1.0");
+        changed = ByteBuffer.wrap(good.clone());
+        assertRefused(assembly, 0, changed.putInt(pixels + 32, 0).array(), "number of samples is 0");
+        changed = ByteBuffer.wrap(good.clone());
+        assertRefused(assembly, 0, changed.putLong(8, -1).array(), "a counter is negative");
+        assertEquals(0, assembly.done());
+    }
+
+    private static void assertRefused(FilmAssembly assembly, int tile, byte[] bytes, String reason) {
+        String message = assertThrows(IllegalArgumentException.class, () -> assembly.put(tile, bytes))
+                .getMessage();
+        assertTrue(message.contains(reason), message);
+    }
+
+    @Test
+    void aTileThatIsTakenOutIsMissingAgain() {
+        TiledRender tiled = tiled(settings("raytrace"));
+        FilmAssembly assembly = tiled.assembly();
+        assembly.put(2, tiled.maker().make(2));
+        assembly.put(2, tiled.maker().make(2));
+        assertEquals(1, assembly.done());
+        assembly.remove(2);
+        assembly.remove(2);
+        assertEquals(0, assembly.done());
+        assertEquals(0, assembly.result().report().rays());
+        assertFalse(assembly.result().complete());
+        assertArrayEquals(tiled.assembly().image().toArray(), assembly.image().toArray());
+    }
+}

@@ -103,6 +103,31 @@ class RayClusterTest {
         }
     }
 
+    /** A lobe of which a good part lies outside the disk: what falls there is lost, and must be. */
+    @ParameterizedTest
+    @ValueSource(strings = {"normal", "zeta", "linear"})
+    void weightsAreOneInTheMeanAtTheBorderToo(String family) {
+        RayCluster cluster = new RayCluster(Distribution.of(family));
+        cluster.begin(1, 0, 0);
+        Random random = new Random(6);
+        for (int k = 0; k < 2000; k++) {
+            Warp.toDisk(random.nextDouble(), random.nextDouble(), disk);
+            cluster.watch(0, 0, disk[0], disk[1], disk[0] < 0.93);
+        }
+        assertTrue(cluster.fit());
+        cluster.aim(0, 0);
+        int n = 800;
+        int outside = 0;
+        double sum = 0;
+        for (int k = 0; k < n * n; k++) {
+            double weight = cluster.propose((k % n + 0.5) / n, (k / n + 0.5) / n);
+            outside += weight == 0 ? 1 : 0;
+            sum += weight;
+        }
+        assertTrue(outside > n * n / 30, outside + " outside");
+        assertEquals(1, sum / n / n, 5.0 / n, family);
+    }
+
     @Test
     void theRarerKindIsSoughtBeItSeenOrHidden() {
         RayCluster hidden = watching("normal", new Random(4), 1500, true);

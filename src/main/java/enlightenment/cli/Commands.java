@@ -6,7 +6,7 @@ import picocli.CommandLine;
 
 /** All commands by name. */
 final class Commands {
-    private static final String[] NAMES = {"render", "validate", "inspect", "schema", "convert", "compare"};
+    private static final String[] NAMES = {"render", "validate", "inspect", "schema", "convert", "compare", "trade", "bench"};
 
     private Commands() {}
 
@@ -19,6 +19,8 @@ final class Commands {
             case "schema" -> new SchemaCommand(terminal);
             case "convert" -> new ConvertCommand(terminal);
             case "compare" -> new CompareCommand(terminal);
+            case "trade" -> new TradeCommand(terminal);
+            case "bench" -> new BenchCommand(terminal);
             default -> null;
         };
     }

@@ -11,7 +11,7 @@ public final class Main {
     /** Does what the arguments say and ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used. */
     public static void main(String[] args) {
         Stop stop = new Stop();
-        if (args.length > 0 && args[0].equals("render")) {
+        if (args.length > 0 && (args[0].equals("render") || args[0].equals("trade"))) {
             stop.listen();
         }
         int code;

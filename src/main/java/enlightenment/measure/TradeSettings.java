@@ -4,6 +4,7 @@ import enlightenment.image.Image;
 import enlightenment.math.Check;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -72,6 +73,7 @@ public record TradeSettings(
                 "proposal=" + base.proposal(),
                 "seed=" + base.seed(),
                 "threads=" + base.threads(),
-                "reference=" + (reference.isPresent() ? "given" : "auto"));
+                "reference="
+                        + reference.map(r -> "given, " + Arrays.hashCode(r.toArray())).orElse("auto"));
     }
 }

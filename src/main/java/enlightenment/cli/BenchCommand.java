@@ -30,7 +30,10 @@ final class BenchCommand extends Subcommand {
     @Option(names = "--scenes", paramLabel = "DIR", description = "where the shipped scenes are (default: scenes)")
     private Path scenes = Path.of("scenes");
 
-    @Option(names = "--repeat", paramLabel = "N", description = "renders of each scene that count, 1..1000 (default: 5)")
+    @Option(
+            names = "--repeat",
+            paramLabel = "N",
+            description = "renders of each scene that count, 1..1000 (default: 5)")
     private String repeat;
 
     BenchCommand(Terminal terminal) {
@@ -47,8 +50,9 @@ final class BenchCommand extends Subcommand {
         Map<String, String> machine = Machine.facts();
         machine.forEach((label, value) -> terminal.out().printf(Locale.ROOT, "%-20s%s%n", label + ":", value));
         terminal.out().println();
-        terminal.out().println("scene                          settings                               seconds (low to high)"
-                + "     CPU s   Mrays/s  light samples/s");
+        terminal.out()
+                .println("scene                          settings                               seconds (low to high)"
+                        + "     CPU s   Mrays/s  light samples/s");
         List<Bench> all = new ArrayList<>();
         Path paper = scenes.resolve(PAPER_SCENE);
         Scene fireAndIce = SceneReader.read(paper);

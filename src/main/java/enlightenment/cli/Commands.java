@@ -6,7 +6,9 @@ import picocli.CommandLine;
 
 /** All commands by name. */
 final class Commands {
-    private static final String[] NAMES = {"render", "validate", "inspect", "schema", "convert", "compare", "trade", "bench"};
+    private static final String[] NAMES = {
+        "render", "validate", "inspect", "schema", "convert", "compare", "trade", "bench"
+    };
 
     private Commands() {}
 

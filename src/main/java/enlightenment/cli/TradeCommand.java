@@ -66,7 +66,8 @@ final class TradeCommand extends Subcommand {
     @Option(
             names = "--sweep",
             paramLabel = "NAME=A..B",
-            description = "turn a switch as well: antialias=1..8, shadowSamples=1..256 or threads=1..N; may be repeated")
+            description =
+                    "turn a switch as well: antialias=1..8, shadowSamples=1..256 or threads=1..N; may be repeated")
     private List<String> sweeps = new ArrayList<>();
 
     @Option(names = "--resume", description = "go on with what the folder holds")

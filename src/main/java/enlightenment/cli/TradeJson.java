@@ -24,6 +24,7 @@ final class TradeJson {
         json.key("complete").value(result.complete());
         json.key("seconds").value(result.seconds());
         json.key("coldStartSeconds").value(result.coldSeconds());
+        json.key("shareOfProcessors").value(result.shareOfProcessors());
         settings(json.key("settings"), result);
         reference(json.key("reference"), result.reference());
         json.key("verdicts").beginArray();

@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Writes what a trade found: figures, charts, the page, and the advice on standard output. */
 final class TradeOutput {
@@ -53,18 +54,17 @@ final class TradeOutput {
 
     /** A machine without fonts, as some small containers are, draws no charts; all else is worth having. */
     private List<Chart> charts(TradeResult result) throws IOException {
-        try {
-            List<Chart> charts = TradeCharts.of(result);
-            for (Chart chart : charts) {
-                ImageFiles.writePng(chart.image(), folder.resolve(chart.name() + ".png"));
-                Target.write(folder.resolve(chart.name() + ".svg"), chart.svg());
-            }
-            return charts;
-        } catch (LinkageError | InternalError | NullPointerException e) {
-            // What AWT throws where there are no fonts depends on its version.
-            terminal.say("there are no charts, as this Java cannot draw letters here: " + e);
+        Optional<String> whyNot = TradeCharts.whyNot();
+        if (whyNot.isPresent()) {
+            terminal.say("there are no charts: " + whyNot.get());
             return List.of();
         }
+        List<Chart> charts = TradeCharts.of(result);
+        for (Chart chart : charts) {
+            ImageFiles.writePng(chart.image(), folder.resolve(chart.name() + ".png"));
+            Target.write(folder.resolve(chart.name() + ".svg"), chart.svg());
+        }
+        return charts;
     }
 
     private String stem() {

@@ -57,7 +57,8 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
             String name, Scene scene, RenderSettings settings, int repeats, BooleanSupplier cancelled) {
         long start = System.nanoTime();
         do {
-            if (!Renderer.render(scene, settings, RenderProgress.NONE, cancelled).complete()) {
+            if (!Renderer.render(scene, settings, RenderProgress.NONE, cancelled)
+                    .complete()) {
                 return Optional.empty();
             }
         } while (seconds(start) < WARM_UP);

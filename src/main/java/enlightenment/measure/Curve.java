@@ -12,7 +12,8 @@ import java.util.TreeMap;
  * @param method the method
  * @param points one for each budget, by ascending samples
  * @param overSamples the fitted line of error over samples per pixel taken, if two budgets or more could be judged
- * @param overTime the fitted line of error over seconds by the clock
+ * @param overTime the fitted line of error over seconds by the clock, of those budgets that take at least twice as long as
+ *     the shortest render: before, the time goes into what every render has to do
  * @param insideOwnInterval in how many of the runs the true error lay inside the interval that the render gave itself
  * @param judged how many runs could be judged
  */
@@ -23,6 +24,11 @@ public record Curve(
         Optional<PowerLaw> overTime,
         int insideOwnInterval,
         int judged) {
+    private static final double START = 2;
+
+    /** How far beyond the last budget a line is followed without having been there. */
+    private static final double MOST_BEYOND = 2;
+
     public Curve {
         points = List.copyOf(points);
     }
@@ -70,7 +76,6 @@ public record Curve(
                 judged.stream().mapToDouble(r -> r.error(referenceVariance)).toArray();
         double[] samples =
                 judged.stream().mapToDouble(TradeRun::samplesPerPixel).toArray();
-        double[] wall = judged.stream().mapToDouble(TradeRun::wallSeconds).toArray();
         int inside = 0;
         for (int i = 0; i < error.length; i++) {
             TradeRun run = judged.get(i);
@@ -81,9 +86,26 @@ public record Curve(
                 method,
                 points,
                 enough ? Optional.of(PowerLaw.fit(samples, error)) : Optional.empty(),
-                enough ? Optional.of(PowerLaw.fit(wall, error)) : Optional.empty(),
+                overTime(judged, points, referenceVariance),
                 inside,
                 error.length);
+    }
+
+    private static Optional<PowerLaw> overTime(List<TradeRun> judged, List<Point> points, double variance) {
+        double shortest =
+                points.stream().mapToDouble(p -> p.wall.median()).min().orElse(0);
+        List<Point> slow = points.stream()
+                .filter(p -> p.judged && p.wall.median() >= START * shortest)
+                .toList();
+        if (slow.size() < 2) {
+            return Optional.empty();
+        }
+        List<TradeRun> runs = judged.stream()
+                .filter(r -> slow.stream().anyMatch(p -> p.samples == r.samples()))
+                .toList();
+        return Optional.of(PowerLaw.fit(
+                runs.stream().mapToDouble(TradeRun::wallSeconds).toArray(),
+                runs.stream().mapToDouble(r -> r.error(variance)).toArray()));
     }
 
     private static Point point(List<TradeRun> rung, double referenceVariance) {
@@ -154,20 +176,23 @@ public record Curve(
         return Optional.of(new Estimate(last.samples * factor, last.wall.median() * factor, error, false));
     }
 
-    /** The budget that takes so long, by the same means; the first where all take longer. */
+    /** The budget that takes so long undisturbed, by the same means; the first where all take longer. */
     double samplesIn(double seconds) {
-        List<Point> p = points;
-        if (p.get(0).wall.median() >= seconds || p.size() == 1) {
-            return p.get(0).samples;
+        // The first budget from above that does not take so long: a disturbed run of a smaller one misleads nobody.
+        int i = points.size() - 1;
+        while (i > 0 && points.get(i).wall.low() > seconds) {
+            i--;
         }
-        int i = 1;
-        while (i < p.size() - 1 && p.get(i).wall.median() < seconds) {
-            i++;
+        if (i == points.size() - 1 || points.get(i).wall.low() > seconds) {
+            double factor = i == 0 ? 1 : Math.min(seconds / points.get(i).wall.low(), MOST_BEYOND);
+            return points.get(i).samples * factor;
         }
-        double before = p.get(i - 1).wall.median();
-        double after = p.get(i).wall.median();
-        double t = after > before ? Math.log(seconds / before) / Math.log(after / before) : 1;
-        return Math.max(between(p.get(i - 1).samples, p.get(i).samples, Math.min(t, 2)), 1);
+        double before = points.get(i).wall.low();
+        double after = points.get(i + 1).wall.low();
+        return between(
+                points.get(i).samples,
+                points.get(i + 1).samples,
+                Math.log(seconds / before) / Math.log(after / before));
     }
 
     private static double between(double a, double b, double t) {

@@ -19,6 +19,8 @@ public record EqualTime(TradeRun run, Image image, Image errorMap) {
     /** An error that can be seen. */
     private static final double VISIBLE = 0.02;
 
+    private static final double STARTS = 1.5;
+
     /** One picture for each method, written into the folder as well. */
     static List<EqualTime> make(Session session) throws IOException {
         List<Curve> curves =
@@ -48,20 +50,17 @@ public record EqualTime(TradeRun run, Image image, Image errorMap) {
         return pictures;
     }
 
-    /** The time in which the quickest method comes down to a visible error, but enough for each to take two samples. */
+    /** The time in which the quickest method comes down to a visible error, but enough for each to do more than begin. */
     private static double seconds(List<Curve> curves) {
         double visible = curves.stream()
                 .flatMap(c -> c.samplesFor(VISIBLE).stream())
                 .mapToDouble(Curve.Estimate::wall)
                 .min()
                 .orElse(0);
-        double second = curves.stream()
-                .mapToDouble(c -> c.points()
-                        .get(Math.min(1, c.points().size() - 1))
-                        .wall()
-                        .median())
+        double start = curves.stream()
+                .mapToDouble(c -> c.points().get(0).wall().low())
                 .max()
                 .orElse(0);
-        return Math.max(visible, second);
+        return Math.max(visible, STARTS * start);
     }
 }

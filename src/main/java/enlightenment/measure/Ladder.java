@@ -37,7 +37,10 @@ final class Ladder {
             for (int k = 0; k < session.settings.seeds(); k++) {
                 boolean needed = rung < LEAST_RUNGS && k == 0;
                 if (!needed && !session.fits(expected(samples), share)) {
-                    return;
+                    if (rung >= LEAST_RUNGS - 1) {
+                        return;
+                    }
+                    break;
                 }
                 step(samples, session.settings.base().seed() + 1 + k + rung * RUNG, k);
             }

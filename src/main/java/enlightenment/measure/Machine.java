@@ -36,7 +36,8 @@ public final class Machine {
     /** The processor's name where Linux tells it, its kind elsewhere. */
     private static String processor() {
         try {
-            for (String line : Files.readString(CPU_INFO, StandardCharsets.UTF_8).split("\n")) {
+            for (String line :
+                    Files.readString(CPU_INFO, StandardCharsets.UTF_8).split("\n")) {
                 if (line.startsWith("model name") && line.indexOf(':') > 0) {
                     return line.substring(line.indexOf(':') + 1).strip();
                 }

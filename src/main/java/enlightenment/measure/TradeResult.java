@@ -31,6 +31,9 @@ public record TradeResult(
     /** The errors that are asked about: one, a half and a tenth of a percent of white. */
     public static final List<Double> TARGETS = List.of(0.01, 0.005, 0.001);
 
+    /** How many renders tell how busy the machine was. */
+    private static final int LONGEST = 7;
+
     public TradeResult {
         curves = List.copyOf(curves);
         needs = List.copyOf(needs);
@@ -44,5 +47,20 @@ public record TradeResult(
         return needs.stream()
                 .filter(n -> n.method().equals(method) && n.target() == target)
                 .findFirst();
+    }
+
+    /**
+     * How much of the processors' time the longest renders got, 0..1: well below 1 where the machine had other work to do. Also
+     * 1 where the machine does not tell processor times.
+     */
+    public double shareOfProcessors() {
+        int processors = Runtime.getRuntime().availableProcessors();
+        List<Double> shares = runs.stream()
+                .filter(r -> r.kind().equals(TradeRun.LADDER) && r.cpuSeconds() > 0)
+                .sorted((a, b) -> Double.compare(b.wallSeconds(), a.wallSeconds()))
+                .limit(LONGEST)
+                .map(r -> r.cpuSeconds() / (r.wallSeconds() * Math.min(r.threads(), processors)))
+                .toList();
+        return shares.isEmpty() ? 1 : Math.min(Spread.of(shares).median(), 1);
     }
 }

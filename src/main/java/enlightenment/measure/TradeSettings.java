@@ -74,6 +74,8 @@ public record TradeSettings(
                 "seed=" + base.seed(),
                 "threads=" + base.threads(),
                 "reference="
-                        + reference.map(r -> "given, " + Arrays.hashCode(r.toArray())).orElse("auto"));
+                        + reference
+                                .map(r -> "given, " + Arrays.hashCode(r.toArray()))
+                                .orElse("auto"));
     }
 }

@@ -23,6 +23,7 @@ final class Trial {
 
     private static final double STILL = 0.85;
     private static final double A_LITTLE_ABOVE = 1.02;
+    private static final double OF_REFERENCE = 0.5;
     private static final double STEEPEST = -1.2;
     private static final double FLATTEST = -0.4;
 
@@ -55,7 +56,7 @@ final class Trial {
     private boolean search(String method, double target) throws IOException {
         Curve curve = session.curve(method);
         Optional<Curve.Estimate> estimate = curve.samplesFor(target);
-        if (estimate.isEmpty() || !estimate.get().measured()) {
+        if (estimate.isEmpty() || !estimate.get().measured() && estimate.get().samples() > mostSamples()) {
             return false;
         }
         double slope = curve.overSamples().map(PowerLaw::slope).orElse(FLATTEST);
@@ -81,6 +82,15 @@ final class Trial {
             samples = Math.max(samples * Math.pow(target / error, 1 / steep), 1);
         }
         return tried(method, target).isPresent();
+    }
+
+    /** With more samples than this, a render could not be told from the reference. */
+    private double mostSamples() {
+        return OF_REFERENCE
+                * session.reference().parts().stream()
+                        .mapToDouble(Reference.Part::samples)
+                        .min()
+                        .orElse(0);
     }
 
     private void repeat(String method, double target, int times) throws IOException {

@@ -53,9 +53,8 @@ public record Verdict(double target, Optional<Need> best, String sentence) {
         for (double target : TradeResult.TARGETS) {
             Verdict verdict = of(result, target);
             boolean trivial = result.settings().methods().stream()
-                    .allMatch(m -> result.need(m, target)
-                            .filter(n -> n.samples() <= 1)
-                            .isPresent());
+                    .allMatch(m ->
+                            result.need(m, target).filter(n -> n.samples() <= 1).isPresent());
             if (verdict.best.isPresent() && !trivial) {
                 return verdict;
             }

@@ -18,11 +18,11 @@ final class Look {
     static final int HEIGHT = 560;
 
     /** From Okabe and Ito's palette: blue, vermilion, bluish green, reddish purple. */
-    private static final List<Color> COLORS = List.of(
-            new Color(0x0072B2), new Color(0xD55E00), new Color(0x009E73), new Color(0xCC79A7));
+    private static final List<Color> COLORS =
+            List.of(new Color(0x0072B2), new Color(0xD55E00), new Color(0x009E73), new Color(0xCC79A7));
 
-    private static final List<Marker> MARKERS = List.of(
-            SeriesMarkers.CIRCLE, SeriesMarkers.DIAMOND, SeriesMarkers.SQUARE, SeriesMarkers.TRIANGLE_UP);
+    private static final List<Marker> MARKERS =
+            List.of(SeriesMarkers.CIRCLE, SeriesMarkers.DIAMOND, SeriesMarkers.SQUARE, SeriesMarkers.TRIANGLE_UP);
 
     private static final Color INK = new Color(0x222222);
     private static final Color GRID = new Color(0xDDDDDD);
@@ -36,6 +36,11 @@ final class Look {
 
     /** Room on a logarithmic axis before the first and after the last value, as a factor. */
     private static final double ROOM = 1.25;
+
+    /** From here on there is no room for more than one label for each power of ten. */
+    private static final double MANY_DECADES = 5000;
+
+    private static final double NEARLY = 1e-6;
 
     private Look() {}
 
@@ -81,8 +86,21 @@ final class Look {
         s.setXAxisLogarithmic(true).setYAxisLogarithmic(true);
         s.setXAxisMin(lowest(x) / ROOM).setXAxisMax(highest(x) * ROOM);
         s.setYAxisMin(lowest(y) / ROOM).setYAxisMax(highest(y) * ROOM);
-        s.setXAxisTickLabelsFormattingFunction(Look::number);
-        s.setYAxisTickLabelsFormattingFunction(Look::number);
+        s.setXAxisLogarithmicDecadeOnly(false).setYAxisLogarithmicDecadeOnly(false);
+        boolean wide = s.getXAxisMax() / s.getXAxisMin() > MANY_DECADES;
+        s.setXAxisTickLabelsFormattingFunction(v -> decade(v, wide));
+        s.setYAxisTickLabelsFormattingFunction(v -> decade(v, s.getYAxisMax() / s.getYAxisMin() > MANY_DECADES));
+    }
+
+    /** Numbers that begin with 1, 2 or 5 get a label, or with 1 only where there are many of them. */
+    private static String decade(double value, boolean onlyOnes) {
+        double leading = value / Math.pow(10, Math.floor(Math.log10(value) + NEARLY));
+        boolean shown = isNear(leading, 1) || !onlyOnes && (isNear(leading, 2) || isNear(leading, 5));
+        return shown ? number(value) : " ";
+    }
+
+    private static boolean isNear(double a, double b) {
+        return Math.abs(a - b) < NEARLY;
     }
 
     static String number(double value) {

@@ -22,8 +22,7 @@ final class SweepChart {
         if (result.points().size() < 2) {
             return Optional.empty();
         }
-        return Optional.of(
-                result.sweep().name().equals("threads") ? threads(result) : errors(result, usualThreads));
+        return Optional.of(result.sweep().name().equals("threads") ? threads(result) : errors(result, usualThreads));
     }
 
     private static Chart errors(SweepResult result, int threads) {
@@ -33,19 +32,18 @@ final class SweepChart {
                 title,
                 "time for the picture in seconds by the clock, " + threads + (threads == 1 ? " thread" : " threads"),
                 "error (RMSE, 1 = black against white)");
-        List<SweepResult.Point> points = result.points().stream()
-                .filter(p -> p.error().median() > 0)
-                .toList();
+        List<SweepResult.Point> points =
+                result.points().stream().filter(p -> p.error().median() > 0).toList();
         double[] x = points.stream().mapToDouble(p -> p.wall().median()).toArray();
         double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
         series(chart, name, x, y, 0);
         Look.logarithmic(chart, x, y);
         chart.getStyler().setLegendVisible(false);
-        double lift = Math.pow(
-                chart.getStyler().getYAxisMax() / chart.getStyler().getYAxisMin(), LIFT);
+        double lift =
+                Math.pow(chart.getStyler().getYAxisMax() / chart.getStyler().getYAxisMin(), LIFT);
         for (int i = 0; i < points.size(); i++) {
-            chart.addAnnotation(new AnnotationText(
-                    Integer.toString(points.get(i).value()), x[i], y[i] * lift, false));
+            chart.addAnnotation(
+                    new AnnotationText(Integer.toString(points.get(i).value()), x[i], y[i] * lift, false));
         }
         return new Chart("sweep-" + name, title + ". The numbers are in the table below.", chart);
     }
@@ -53,10 +51,10 @@ final class SweepChart {
     private static Chart threads(SweepResult result) {
         String title = "threads with " + result.method() + ": time against threads";
         XYChart chart = Look.chart(title, "threads", "time for the picture in seconds by the clock");
-        double[] x = result.points().stream()
-                .mapToDouble(SweepResult.Point::value)
-                .toArray();
-        double[] y = result.points().stream().mapToDouble(p -> p.wall().median()).toArray();
+        double[] x =
+                result.points().stream().mapToDouble(SweepResult.Point::value).toArray();
+        double[] y =
+                result.points().stream().mapToDouble(p -> p.wall().median()).toArray();
         double[] ideal = new double[x.length];
         for (int i = 0; i < x.length; i++) {
             ideal[i] = y[0] * x[0] / x[i];
@@ -65,8 +63,9 @@ final class SweepChart {
         XYSeries line = chart.addSeries("if every thread helped as much as the first", x, ideal);
         line.setMarker(SeriesMarkers.NONE).setLineColor(Look.QUIET).setLineStyle(Look.dashes());
         chart.getStyler().setYAxisMin(0.0).setYAxisMax(1.15 * Look.highest(y));
-        chart.getStyler().setXAxisMin(x[0] - 0.5).setXAxisMax(x[x.length - 1] + 0.5);
-        chart.getStyler().setXAxisTickLabelsFormattingFunction(v -> v == Math.rint(v) ? Look.number(v) : "");
+        chart.getStyler().setXAxisMin(x[0] - 1).setXAxisMax(x[x.length - 1] + 1);
+        chart.getStyler().setXAxisMaxLabelCount(x.length + 2);
+        chart.getStyler().setXAxisTickLabelsFormattingFunction(v -> v == Math.rint(v) ? Look.number(v) : " ");
         chart.getStyler().setYAxisTickLabelsFormattingFunction(Look::number);
         chart.getStyler().setLegendPosition(Styler.LegendPosition.InsideNE);
         return new Chart("sweep-threads", title + ". The numbers are in the table below.", chart);

@@ -6,6 +6,9 @@ import enlightenment.measure.PowerLaw;
 import enlightenment.measure.SweepResult;
 import enlightenment.measure.TradeResult;
 import enlightenment.measure.TradeRun;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -24,6 +27,20 @@ public final class TradeCharts {
     private static final double PERCENT = 100;
 
     private TradeCharts() {}
+
+    /** Why this machine cannot draw charts, if it cannot: some small containers have no letters. */
+    public static Optional<String> whyNot() {
+        try {
+            BufferedImage canvas = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+            Graphics2D g = canvas.createGraphics();
+            g.getFontMetrics(new Font(Font.SANS_SERIF, Font.PLAIN, 1)).stringWidth("0");
+            g.dispose();
+            return Optional.empty();
+        } catch (RuntimeException | LinkageError | InternalError e) {
+            // Which of them AWT throws where there are no fonts depends on its version.
+            return Optional.of("this Java finds no fonts (" + e + ")");
+        }
+    }
 
     /** All charts that the result has points for. */
     public static List<Chart> of(TradeResult result) {
@@ -49,6 +66,15 @@ public final class TradeCharts {
                         Curve.Point::samplesPerPixel,
                         Curve::overSamples)
                 .ifPresent(charts::add);
+        errors(
+                        result,
+                        "error-over-processor-time",
+                        "Error against processor time: neighbours on the machine count less",
+                        "time of all processors together in seconds",
+                        TradeRun::cpuSeconds,
+                        p -> p.cpu().median(),
+                        c -> Optional.empty())
+                .ifPresent(charts::add);
         for (SweepResult sweep : result.sweeps()) {
             SweepChart.of(sweep, result.settings().base().threads()).ifPresent(charts::add);
         }
@@ -69,7 +95,9 @@ public final class TradeCharts {
         List<Double> allY = new ArrayList<>();
         for (int i = 0; i < result.curves().size(); i++) {
             Curve curve = result.curves().get(i);
-            List<Curve.Point> points = curve.judgedPoints();
+            List<Curve.Point> points = curve.judgedPoints().stream()
+                    .filter(p -> xOfPoint.applyAsDouble(p) > 0)
+                    .toList();
             if (points.isEmpty()) {
                 continue;
             }
@@ -79,7 +107,8 @@ public final class TradeCharts {
             List<TradeRun> runs = result.runs().stream()
                     .filter(r -> r.kind().equals(TradeRun.LADDER)
                             && r.method().equals(curve.method())
-                            && r.isJudged(variance))
+                            && r.isJudged(variance)
+                            && xOfRun.applyAsDouble(r) > 0)
                     .toList();
             double[] runX = runs.stream().mapToDouble(xOfRun).toArray();
             double[] runY = runs.stream().mapToDouble(r -> r.error(variance)).toArray();

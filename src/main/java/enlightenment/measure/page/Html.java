@@ -58,7 +58,9 @@ final class Html {
 
     private Html figure(String type, byte[] data, String description, String caption) {
         text.append("<figure><img src=\"data:").append(type).append(";base64,");
-        text.append(Base64.getEncoder().encodeToString(data)).append("\" alt=\"").append(escaped(description));
+        text.append(Base64.getEncoder().encodeToString(data))
+                .append("\" alt=\"")
+                .append(escaped(description));
         text.append("\">");
         if (!caption.isEmpty()) {
             element("figcaption", caption);
@@ -68,10 +70,7 @@ final class Html {
     }
 
     static String escaped(String s) {
-        return s.replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace(">", "&gt;")
-                .replace("\"", "&quot;");
+        return s.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
     }
 
     @Override

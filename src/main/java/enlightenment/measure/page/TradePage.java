@@ -18,6 +18,7 @@ import java.util.Locale;
 /** Everything that a trade found, as one page that needs nothing but itself. */
 public final class TradePage {
     private static final double PERCENT = 100;
+    private static final double QUIET_SHARE = 0.75;
 
     private final TradeResult result;
     private final PageContext context;
@@ -36,6 +37,7 @@ public final class TradePage {
     public static String of(TradeResult result, PageContext context, List<Chart> charts) throws IOException {
         TradePage page = new TradePage(result, context);
         page.begin();
+        page.busy();
         page.verdict();
         page.charts(charts);
         page.needs();
@@ -64,6 +66,19 @@ public final class TradePage {
         }
     }
 
+    /** Where neighbours took much of the machine, times are worth little, and that has to be said first. */
+    private void busy() {
+        double share = result.shareOfProcessors();
+        if (share < QUIET_SHARE) {
+            html.element(
+                    "p class=\"warning\"",
+                    "The machine was busy with other work: the renders got "
+                            + Math.round(PERCENT * share)
+                            + " % of the processors they asked for. Seconds by the clock are longer than they would be, "
+                            + "and scatter; the processor times are worth more. Errors are not affected.");
+        }
+    }
+
     private void verdict() {
         Verdict headline = Verdict.headline(result);
         html.raw("<section class=\"verdict\">\n").element("p class=\"big\"", headline.sentence());
@@ -73,9 +88,13 @@ public final class TradePage {
                 html.element(
                         "p",
                         "This was tried: the picture that this command makes has an error of "
-                                + Digits.of(best.error(), 3) + ". It makes the same picture for you, to the last bit, and "
+                                + Digits.of(best.error(), 3)
+                                + ". It makes the same picture for you, to the last bit, and "
                                 + context.compareCommand() + " will say RMSE "
-                                + Digits.of(Math.hypot(best.error(), result.reference().error()), 3)
+                                + Digits.of(
+                                        Math.hypot(
+                                                best.error(), result.reference().error()),
+                                        3)
                                 + ". The time is by the clock on this machine once Java has warmed up; as the first "
                                 + "render of a process it took "
                                 + Digits.of(Math.max(result.coldSeconds(), 0.01), 2) + " s longer.");
@@ -178,8 +197,12 @@ public final class TradePage {
                         spread(p.wall().low(), p.wall().median(), p.wall().high()),
                         Digits.of(p.cpu().median(), 2),
                         Digits.of(p.error().median(), 3),
-                        before == null ? "" : change(p.wall().median(), before.wall().median()),
-                        before == null ? "" : change(p.error().median(), before.error().median())));
+                        before == null
+                                ? ""
+                                : change(p.wall().median(), before.wall().median()),
+                        before == null
+                                ? ""
+                                : change(p.error().median(), before.error().median())));
                 before = p;
             }
             html.table(
@@ -262,7 +285,9 @@ public final class TradePage {
         List<List<String>> rows = new ArrayList<>();
         context.machine().forEach((k, v) -> rows.add(List.of(k, v)));
         rows.add(List.of("command", context.tradeCommand()));
-        rows.add(List.of("this took", Digits.of(result.seconds(), 3) + " s, " + result.runs().size() + " runs"));
+        rows.add(List.of(
+                "this took",
+                Digits.of(result.seconds(), 3) + " s, " + result.runs().size() + " runs"));
         html.table(List.of("what", "value"), rows);
     }
 }

@@ -62,7 +62,7 @@ public final class Chart {
         return new Image(width, height, rgb);
     }
 
-    /** As SVG. Letters are shapes: it looks the same wherever it is seen, whatever fonts there are. */
+    /** As SVG. Letters stay letters: a tenth of the size of their shapes, and they can be searched and read aloud. */
     public String svg() throws IOException {
         Document document;
         try {
@@ -76,7 +76,7 @@ public final class Chart {
         SVGGeneratorContext context = SVGGeneratorContext.createDefault(document);
         context.setPrecision(DECIMALS);
         context.setComment(null);
-        SVGGraphics2D g = new SVGGraphics2D(context, true);
+        SVGGraphics2D g = new SVGGraphics2D(context, false);
         g.setSVGCanvasSize(new Dimension(Look.WIDTH, Look.HEIGHT));
         chart.paint(g, Look.WIDTH, Look.HEIGHT);
         StringWriter text = new StringWriter();

@@ -40,6 +40,7 @@ final class Look {
     /** From here on there is no room for more than one label for each power of ten. */
     private static final double MANY_DECADES = 5000;
 
+    private static final double DECADE = 10;
     private static final double NEARLY = 1e-6;
 
     private Look() {}
@@ -87,19 +88,22 @@ final class Look {
         s.setXAxisMin(lowest(x) / ROOM).setXAxisMax(highest(x) * ROOM);
         s.setYAxisMin(lowest(y) / ROOM).setYAxisMax(highest(y) * ROOM);
         s.setXAxisLogarithmicDecadeOnly(false).setYAxisLogarithmicDecadeOnly(false);
-        boolean wide = s.getXAxisMax() / s.getXAxisMin() > MANY_DECADES;
+        double wide = s.getXAxisMax() / s.getXAxisMin();
+        double high = s.getYAxisMax() / s.getYAxisMin();
         s.setXAxisTickLabelsFormattingFunction(v -> decade(v, wide));
-        s.setYAxisTickLabelsFormattingFunction(v -> decade(v, s.getYAxisMax() / s.getYAxisMin() > MANY_DECADES));
+        s.setYAxisTickLabelsFormattingFunction(v -> decade(v, high));
     }
 
-    /** Numbers that begin with 1, 2 or 5 get a label, or with 1 only where there are many of them. */
-    private static String decade(double value, boolean onlyOnes) {
+    /** Every tick gets a label on a short axis, one that begins with 1, 2 or 5 on a longer one, with 1 on a very long one. */
+    private static String decade(double value, double range) {
         double leading = value / Math.pow(10, Math.floor(Math.log10(value) + NEARLY));
-        boolean shown = isNear(leading, 1) || !onlyOnes && (isNear(leading, 2) || isNear(leading, 5));
+        boolean shown = range < DECADE
+                || isNear(leading, 1)
+                || range < MANY_DECADES && (isNear(leading, 2) || isNear(leading, 5));
         return shown ? number(value) : " ";
     }
 
-    private static boolean isNear(double a, double b) {
+    static boolean isNear(double a, double b) {
         return Math.abs(a - b) < NEARLY;
     }
 

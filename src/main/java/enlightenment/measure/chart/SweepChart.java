@@ -60,12 +60,13 @@ final class SweepChart {
             ideal[i] = y[0] * x[0] / x[i];
         }
         series(chart, "measured", x, y, 0);
-        XYSeries line = chart.addSeries("if every thread helped as much as the first", x, ideal);
+        XYSeries line = chart.addSeries("if all threads helped alike", x, ideal);
         line.setMarker(SeriesMarkers.NONE).setLineColor(Look.QUIET).setLineStyle(Look.dashes());
         chart.getStyler().setYAxisMin(0.0).setYAxisMax(1.15 * Look.highest(y));
-        chart.getStyler().setXAxisMin(x[0] - 1).setXAxisMax(x[x.length - 1] + 1);
-        chart.getStyler().setXAxisMaxLabelCount(x.length + 2);
-        chart.getStyler().setXAxisTickLabelsFormattingFunction(v -> v == Math.rint(v) ? Look.number(v) : " ");
+        chart.getStyler().setXAxisMin(x[0] - 0.5).setXAxisMax(x[x.length - 1] + 0.5);
+        chart.getStyler()
+                .setXAxisTickLabelsFormattingFunction(
+                        v -> Look.isNear(v, Math.rint(v)) ? Look.number(Math.rint(v)) : " ");
         chart.getStyler().setYAxisTickLabelsFormattingFunction(Look::number);
         chart.getStyler().setLegendPosition(Styler.LegendPosition.InsideNE);
         return new Chart("sweep-threads", title + ". The numbers are in the table below.", chart);

@@ -1,6 +1,8 @@
 /**
  * Enlightenment, a renderer for the JVM: scene descriptions, exact geometry, light transport, finished images.
  */
+@SuppressWarnings(
+        "requires-automatic") // Of the charting libraries none names itself a module; nothing exported shows them.
 module enlightenment {
     requires java.desktop; // javax.imageio, for JPEG and BMP textures
     requires tools.jackson.core;
@@ -13,6 +15,10 @@ module enlightenment {
     // Only the command line needs these; whoever embeds the library does not.
     requires static info.picocli;
     requires static me.tongfei.progressbar;
+    // Only charts need these.
+    requires static xchart;
+    requires static org.apache.xmlgraphics.batik.svggen;
+    requires static java.xml;
 
     exports enlightenment.math;
     exports enlightenment.color;
@@ -27,6 +33,7 @@ module enlightenment {
     exports enlightenment.image;
     exports enlightenment.render;
     exports enlightenment.net;
+    exports enlightenment.measure;
 
     opens enlightenment.cli to
             info.picocli;

@@ -36,7 +36,8 @@ final class BarProgress implements RenderProgress, AutoCloseable {
         bar.stepTo(done);
     }
 
-    private static int columns() {
+    /** How wide a bar may be. */
+    static int columns() {
         String columns = System.getenv("COLUMNS");
         try {
             return columns == null ? USUAL_COLUMNS - 1 : Math.max(Integer.parseInt(columns) - 1, USUAL_COLUMNS / 2);

@@ -7,7 +7,7 @@ import picocli.CommandLine;
 /** All commands by name. */
 final class Commands {
     private static final String[] NAMES = {
-        "render", "validate", "inspect", "schema", "convert", "compare", "merge", "server", "worker"
+        "render", "validate", "inspect", "schema", "convert", "compare", "trade", "bench", "merge", "server", "worker"
     };
 
     private Commands() {}
@@ -24,6 +24,8 @@ final class Commands {
             case "server" -> new ServerCommand(terminal);
             case "worker" -> new WorkerCommand(terminal);
             case "compare" -> new CompareCommand(terminal);
+            case "trade" -> new TradeCommand(terminal);
+            case "bench" -> new BenchCommand(terminal);
             default -> null;
         };
     }

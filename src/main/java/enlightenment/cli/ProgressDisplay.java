@@ -13,12 +13,19 @@ final class ProgressDisplay {
 
     /** The display of one of {@link #KINDS}. */
     static RenderProgress of(String kind, PrintStream err) {
-        return switch (kind) {
+        return switch (chosen(kind)) {
             case "none" -> RenderProgress.NONE;
             case "bar" -> new BarProgress(err);
-            case "plain" -> new PlainProgress(err, new NanoClock());
-            default -> of(isInteractive() ? "bar" : "plain", err);
+            default -> new PlainProgress(err, new NanoClock());
         };
+    }
+
+    /** The kind that {@code auto} stands for here, or the kind itself. */
+    static String chosen(String kind) {
+        if (!kind.equals("auto")) {
+            return kind;
+        }
+        return isInteractive() ? "bar" : "plain";
     }
 
     /** Ends the display. */

@@ -8,6 +8,8 @@ import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -154,6 +156,38 @@ final class RenderOptions {
             s = s == null ? null : s.withThreads(n);
         }
         return s;
+    }
+
+    /** The options given that decide what is in the picture and who works on it, as they were typed; not how long. */
+    List<String> given() {
+        List<String> all = new ArrayList<>();
+        add(all, "--size", size);
+        add(all, "--shadow-samples", shadowSamples);
+        add(all, "--proposal", proposal);
+        add(all, "--seed", seed);
+        add(all, "--threads", threads);
+        add(all, "--crop", crop);
+        add(all, "--frame", frame);
+        return all;
+    }
+
+    private static void add(List<String> all, String option, String value) {
+        if (value != null) {
+            all.add(option);
+            all.add(value);
+        }
+    }
+
+    /** For commands that decide on methods and budgets themselves: fails if one was given. */
+    void refuseBudgets(String instead) {
+        List<String> refused = new ArrayList<>();
+        add(refused, "--method", method);
+        add(refused, "--samples", samples);
+        add(refused, "--error", error);
+        add(refused, "--time", time);
+        if (!refused.isEmpty()) {
+            throw CliException.wrongUsage(refused.get(0) + " must not be given here: " + instead);
+        }
     }
 
     /** A number with as many digits as it has, and no exponent. */

@@ -51,14 +51,18 @@ class ArchitectureTest {
             .definedBy("enlightenment.render")
             .layer("net")
             .definedBy("enlightenment.net")
+            .layer("measure")
+            .definedBy("enlightenment.measure..")
             .layer("cli")
             .definedBy("enlightenment.cli")
             .whereLayer("cli")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("net")
             .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("measure")
+            .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("net", "cli")
+            .mayOnlyBeAccessedByLayers("net", "measure", "cli")
             .whereLayer("nff")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("json")
@@ -74,13 +78,14 @@ class ArchitectureTest {
             .whereLayer("accel")
             .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("scene")
-            .mayOnlyBeAccessedByLayers("json", "nff", "compiled", "shading", "method", "render", "net", "cli")
+            .mayOnlyBeAccessedByLayers(
+                    "json", "nff", "compiled", "shading", "method", "render", "net", "measure", "cli")
             .whereLayer("descriptions")
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "render", "net", "cli")
             .whereLayer("image")
-            .mayOnlyBeAccessedByLayers("compiled", "film", "render", "net", "cli", "json");
+            .mayOnlyBeAccessedByLayers("compiled", "film", "render", "net", "measure", "cli", "json");
 
     @ArchTest
     static final ArchRule onlyTheSceneReaderSeesJackson = noClasses()
@@ -110,9 +115,17 @@ class ArchitectureTest {
             .callMethod(System.class, "exit", int.class);
 
     @ArchTest
-    static final ArchRule onlyReadingImagesUsesAwt = noClasses()
+    static final ArchRule onlyChartsSeeTheChartingLibraries = noClasses()
             .that()
-            .resideOutsideOfPackage("enlightenment.image")
+            .resideOutsideOfPackage("enlightenment.measure.chart")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("org.knowm..", "org.apache.batik..", "org.w3c.dom..", "javax.xml..");
+
+    @ArchTest
+    static final ArchRule onlyReadingImagesAndChartsUseAwt = noClasses()
+            .that()
+            .resideOutsideOfPackages("enlightenment.image", "enlightenment.measure.chart")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("java.awt..", "javax.imageio..", "javax.swing..");

@@ -8,7 +8,6 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
-import enlightenment.geometry.Hit;
 import enlightenment.geometry.Ray;
 import enlightenment.light.Light;
 import enlightenment.math.Point;
@@ -76,7 +75,7 @@ class GuidedShareTest {
         }
 
         @Override
-        public void tell(Hit from, double dx, double dy, double dz, double distance, boolean isBlocked) {
+        public void tell(boolean isBlocked) {
             told++;
         }
     }

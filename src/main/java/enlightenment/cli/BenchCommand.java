@@ -1,0 +1,113 @@
+package enlightenment.cli;
+
+import enlightenment.measure.Bench;
+import enlightenment.measure.Machine;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code enlightenment bench}: tells how fast this machine renders. */
+@Command(name = "bench", description = "Tells how fast this machine renders.", sortOptions = false)
+final class BenchCommand extends Subcommand {
+    private static final int REPEATS = 5;
+    private static final double MILLION = 1e6;
+    private static final String PAPER_SCENE = "fire-and-ice.json";
+
+    @Option(names = "--json", paramLabel = "FILE", description = "write the figures to this JSON file as well")
+    private Path json;
+
+    @Option(names = "--scenes", paramLabel = "DIR", description = "where the shipped scenes are (default: scenes)")
+    private Path scenes = Path.of("scenes");
+
+    @Option(
+            names = "--repeat",
+            paramLabel = "N",
+            description = "renders of each scene that count, 1..1000 (default: 5)")
+    private String repeat;
+
+    BenchCommand(Terminal terminal) {
+        super(terminal);
+    }
+
+    @Override
+    int execute() throws IOException {
+        int repeats = repeat == null ? REPEATS : OptionValues.integer("--repeat", repeat, 1, 1000);
+        if (json != null) {
+            Target.check(json);
+        }
+        List<Path> files = files();
+        Map<String, String> machine = Machine.facts();
+        machine.forEach((label, value) -> terminal.out().printf(Locale.ROOT, "%-20s%s%n", label + ":", value));
+        terminal.out().println();
+        terminal.out()
+                .println("scene                          settings                               seconds (low to high)"
+                        + "     CPU s   Mrays/s  light samples/s");
+        List<Bench> all = new ArrayList<>();
+        Path paper = scenes.resolve(PAPER_SCENE);
+        Scene fireAndIce = SceneReader.read(paper);
+        boolean complete = line(all, "paper's benchmark", fireAndIce, Bench.paperSettings(fireAndIce), repeats);
+        for (int i = 0; i < files.size() && complete; i++) {
+            Scene scene = SceneReader.read(files.get(i));
+            String name = files.get(i).getFileName().toString().replaceFirst("\\.json$", "");
+            complete = line(all, name, scene, RenderSettings.of(scene), repeats);
+        }
+        if (json != null) {
+            Target.write(json, BenchJson.of(all, machine, repeats));
+        }
+        return complete ? CliException.DONE : CliException.FAILED;
+    }
+
+    private List<Path> files() throws IOException {
+        if (!Files.isRegularFile(scenes.resolve(PAPER_SCENE))) {
+            throw CliException.wrongUsage("--scenes must name the folder of the shipped scenes, with " + PAPER_SCENE
+                    + " in it, not \"" + scenes + "\"");
+        }
+        try (Stream<Path> all = Files.list(scenes)) {
+            return all.filter(f -> Target.extension(f).equals(".json")).sorted().toList();
+        }
+    }
+
+    /** Measures and prints; false where it was stopped. */
+    private boolean line(List<Bench> all, String name, Scene scene, RenderSettings settings, int repeats) {
+        Optional<Bench> measured = Bench.run(name, scene, settings, repeats, terminal.stop());
+        if (measured.isEmpty()) {
+            terminal.say("stopped");
+            return false;
+        }
+        Bench b = measured.get();
+        all.add(b);
+        terminal.out()
+                .printf(
+                        Locale.ROOT,
+                        "%-31s%-39s%-26s%6.2f%10.2f%15.2f M%n",
+                        name,
+                        describe(settings),
+                        String.format(
+                                Locale.ROOT,
+                                "%.3f (%.3f to %.3f)",
+                                b.wall().median(),
+                                b.wall().low(),
+                                b.wall().high()),
+                        b.cpu().median(),
+                        b.raysPerSecond() / MILLION,
+                        b.lightSamplesPerSecond() / MILLION);
+        terminal.out().flush();
+        return true;
+    }
+
+    private static String describe(RenderSettings s) {
+        return s.method() + " " + s.width() + "x" + s.height() + " aa " + s.antialias() + " sh " + s.shadowSamples()
+                + " th " + s.threads();
+    }
+}

@@ -1,0 +1,101 @@
+package enlightenment.cli;
+
+import enlightenment.image.ImageFiles;
+import enlightenment.measure.Machine;
+import enlightenment.measure.Need;
+import enlightenment.measure.TradeResult;
+import enlightenment.measure.Verdict;
+import enlightenment.measure.chart.Chart;
+import enlightenment.measure.chart.TradeCharts;
+import enlightenment.measure.page.PageContext;
+import enlightenment.measure.page.TradePage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Writes what a trade found: figures, charts, the page, and the advice on standard output. */
+final class TradeOutput {
+    private static final String PROGRAM = "java -jar target/enlightenment.jar";
+
+    private final Terminal terminal;
+    private final Path folder;
+    private final Path sceneFile;
+    private final List<String> given;
+    private final String title;
+    private final Map<String, String> machine = Machine.facts();
+
+    /** @param given the render options that were given, word by word */
+    TradeOutput(Terminal terminal, Path folder, Path sceneFile, List<String> given, String title) {
+        this.terminal = terminal;
+        this.folder = folder;
+        this.sceneFile = sceneFile;
+        this.given = given;
+        this.title = title.isEmpty() ? stem() : title;
+    }
+
+    void write(TradeResult result) throws IOException {
+        Target.write(folder.resolve("trade.json"), TradeJson.of(result, machine));
+        List<Chart> charts = charts(result);
+        Target.write(folder.resolve("index.html"), TradePage.of(result, context(), charts));
+        terminal.out().println(Verdict.headline(result).sentence());
+        Verdict.headline(result)
+                .best()
+                .filter(b -> b.source() != Need.Source.BEYOND)
+                .ifPresent(b -> terminal.out().println("  " + renderCommand() + " " + Verdict.arguments(b)));
+        for (Verdict v : Verdict.all(result)) {
+            if (v.target() != Verdict.headline(result).target()) {
+                terminal.out().println(v.sentence());
+            }
+        }
+        terminal.out().println("All of it: " + folder.resolve("index.html"));
+    }
+
+    /** A machine without fonts, as some small containers are, draws no charts; all else is worth having. */
+    private List<Chart> charts(TradeResult result) throws IOException {
+        Optional<String> whyNot = TradeCharts.whyNot();
+        if (whyNot.isPresent()) {
+            terminal.say("there are no charts: " + whyNot.get());
+            return List.of();
+        }
+        List<Chart> charts = TradeCharts.of(result);
+        for (Chart chart : charts) {
+            ImageFiles.writePng(chart.image(), folder.resolve(chart.name() + ".png"));
+            Target.write(folder.resolve(chart.name() + ".svg"), chart.svg());
+        }
+        return charts;
+    }
+
+    private String stem() {
+        return sceneFile.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+    }
+
+    private PageContext context() {
+        return new PageContext(title, renderCommand(), compareCommand(), tradeCommand(), machine);
+    }
+
+    private String renderCommand() {
+        return PROGRAM + " render " + word(sceneFile.toString()) + " -o " + word(stem() + ".png") + options();
+    }
+
+    private String compareCommand() {
+        return "enlightenment compare " + word(stem() + ".png") + " "
+                + word(folder.resolve("reference.pfm").toString());
+    }
+
+    private String tradeCommand() {
+        return "enlightenment trade " + word(sceneFile.toString()) + " -o " + word(folder.toString()) + options();
+    }
+
+    private String options() {
+        StringBuilder text = new StringBuilder();
+        given.forEach(g -> text.append(' ').append(word(g)));
+        return text.toString();
+    }
+
+    /** A word as a shell takes it for one. */
+    private static String word(String s) {
+        return s.matches("[A-Za-z0-9_@%+=:,./-]+") ? s : "'" + s.replace("'", "'\\''") + "'";
+    }
+}

@@ -1,0 +1,47 @@
+package enlightenment.cli;
+
+import enlightenment.measure.TradeListener;
+import java.io.PrintStream;
+
+/** Progress of a trade: by its time, which is what its budget is. */
+final class TradeProgress implements TradeListener, AutoCloseable {
+    private static final long PERIOD_NANOS = 2_000_000_000L;
+    private static final double MILLI = 1000;
+
+    private final PrintStream err;
+    private final boolean plain;
+    private final TradeBar bar;
+    private String what = "";
+    private long last;
+
+    private TradeProgress(PrintStream err, boolean plain, TradeBar bar) {
+        this.err = err;
+        this.plain = plain;
+        this.bar = bar;
+    }
+
+    /** The display of one of {@link ProgressDisplay#KINDS}. */
+    static TradeProgress of(String kind, PrintStream err) {
+        String chosen = ProgressDisplay.chosen(kind);
+        return new TradeProgress(err, chosen.equals("plain"), chosen.equals("bar") ? new TradeBar(err) : null);
+    }
+
+    @Override
+    public synchronized void progress(String now, double done, double total) {
+        if (bar != null) {
+            bar.show(now, (long) (done * MILLI), (long) (total * MILLI));
+        } else if (plain && (!now.equals(what) || System.nanoTime() - last > PERIOD_NANOS)) {
+            last = System.nanoTime();
+            long left = (long) Math.ceil(total - done);
+            err.println((int) (100 * done / total) + " % of the time, " + left + " s left: " + now);
+        }
+        what = now;
+    }
+
+    @Override
+    public void close() {
+        if (bar != null) {
+            bar.close();
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package enlightenment.measure;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Renders with 1, 2, 4, ... samples per pixel, several times each. The methods take turns, render by render: a machine with
+ * neighbours then disturbs all of them alike.
+ */
+final class Ladder {
+    private static final double SHARE = 0.78;
+    private static final double SHARE_WITH_SWEEPS = 0.55;
+
+    /** These are rendered once whatever they take: with fewer there is nothing to tell. */
+    private static final int LEAST_RUNGS = 3;
+
+    private static final int MOST_RUNGS = 13;
+
+    /** A render with more than this share of the reference's samples has nothing better to be compared with. */
+    private static final double OF_REFERENCE = 0.25;
+
+    /** Seeds of neighbouring rungs are this far apart, so that no two renders share their random numbers. */
+    private static final long RUNG = TradeSettings.MAX_SEEDS;
+
+    private final Session session;
+
+    Ladder(Session session) {
+        this.session = session;
+    }
+
+    void climb() throws IOException {
+        double share = session.settings.sweeps().isEmpty() ? SHARE : SHARE_WITH_SWEEPS;
+        for (int rung = 0; rung < rungs(); rung++) {
+            double samples = 1 << rung;
+            session.say(samples == 1 ? "1 sample per pixel" : (long) samples + " samples per pixel");
+            for (int k = 0; k < session.settings.seeds(); k++) {
+                boolean needed = rung < LEAST_RUNGS && k == 0;
+                if (!needed && !session.fits(expected(samples), share)) {
+                    if (rung >= LEAST_RUNGS - 1) {
+                        return;
+                    }
+                    break;
+                }
+                step(samples, session.settings.base().seed() + 1 + k + rung * RUNG, k);
+            }
+        }
+    }
+
+    private double expected(double samples) {
+        return session.settings.methods().stream()
+                .mapToDouble(m -> session.expected(m, samples))
+                .sum();
+    }
+
+    private int rungs() {
+        double most = session.reference().parts().stream()
+                .mapToDouble(Reference.Part::samples)
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+        int rungs = LEAST_RUNGS;
+        while (rungs < MOST_RUNGS && 1 << rungs <= OF_REFERENCE * most) {
+            rungs++;
+        }
+        return rungs;
+    }
+
+    private void step(double samples, long seed, int turn) throws IOException {
+        List<Meter.Timed> renders = new ArrayList<>();
+        List<String> methods = session.settings.methods();
+        for (int i = 0; i < methods.size(); i++) {
+            // Who goes first changes, too.
+            String method = methods.get((i + turn) % methods.size());
+            boolean done = session.has(r -> r.kind().equals(TradeRun.LADDER)
+                    && r.method().equals(method)
+                    && r.samples() == samples
+                    && r.seed() == seed);
+            if (!done) {
+                renders.add(session.timed(method, samples, seed));
+            }
+        }
+        session.record(TradeRun.LADDER, renders);
+    }
+}

@@ -1,0 +1,50 @@
+package enlightenment.measure;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+
+/** What was measured on: without it no time means anything. */
+public final class Machine {
+    private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
+    private static final double MEBI = 1 << 20;
+
+    private Machine() {}
+
+    /** Processor, system, Java, and how busy the machine is now, label by label. */
+    public static Map<String, String> facts() {
+        Map<String, String> facts = new LinkedHashMap<>();
+        Runtime runtime = Runtime.getRuntime();
+        facts.put("processor", processor());
+        facts.put("processors in use", Integer.toString(runtime.availableProcessors()));
+        facts.put(
+                "system",
+                System.getProperty("os.name") + " " + System.getProperty("os.version") + " "
+                        + System.getProperty("os.arch"));
+        facts.put("Java", Runtime.version() + ", " + System.getProperty("java.vm.name"));
+        facts.put("largest heap", String.format(Locale.ROOT, "%.0f MiB", runtime.maxMemory() / MEBI));
+        double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
+        facts.put("load when it began", load < 0 ? "unknown" : String.format(Locale.ROOT, "%.1f", load));
+        return facts;
+    }
+
+    /** The processor's name where Linux tells it, its kind elsewhere. */
+    private static String processor() {
+        try {
+            for (String line :
+                    Files.readString(CPU_INFO, StandardCharsets.UTF_8).split("\n")) {
+                if (line.startsWith("model name") && line.indexOf(':') > 0) {
+                    return line.substring(line.indexOf(':') + 1).strip();
+                }
+            }
+        } catch (IOException e) {
+            // Not Linux, or not told.
+        }
+        return System.getProperty("os.arch");
+    }
+}

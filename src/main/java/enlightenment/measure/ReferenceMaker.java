@@ -1,0 +1,120 @@
+package enlightenment.measure;
+
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.PngOptions;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Makes what is taken for the truth: the mean of one long render by each method, with seeds that no run uses. Each part is
+ * kept in a file, so that nobody has to wait for it twice.
+ */
+final class ReferenceMaker {
+    /** How much of the budget the parts may take together, without sweeps and with. */
+    private static final double SHARE = 0.4;
+
+    private static final double SHARE_WITH_SWEEPS = 0.3;
+
+    private static final double LEAST_SAMPLES = 16;
+    private static final double MOST_SAMPLES = 1 << 16;
+
+    /** For the two renders that tell the error of a given reference. */
+    private static final double PROBE_SHARE = 0.1;
+
+    private final Session session;
+
+    ReferenceMaker(Session session) {
+        this.session = session;
+    }
+
+    Reference make() throws IOException {
+        Reference reference = session.settings.reference().isPresent()
+                ? given(session.settings.reference().get())
+                : made();
+        ImageFiles.writePfm(reference.image(), session.folder.file("reference.pfm"));
+        // Finer than eight bits: errors of a thousandth are to be told from those of the file.
+        ImageFiles.writePng(
+                reference.image(), session.folder.file("reference.png"), new PngOptions(16, java.util.Map.of()));
+        return reference;
+    }
+
+    private Reference made() throws IOException {
+        boolean sweeps = !session.settings.sweeps().isEmpty();
+        List<String> methods = pair();
+        double share = (sweeps ? SHARE_WITH_SWEEPS : SHARE) / methods.size();
+        List<Image> images = new ArrayList<>();
+        List<Reference.Part> parts = new ArrayList<>();
+        for (int i = 0; i < methods.size(); i++) {
+            part(i, methods.get(i), share, images, parts);
+        }
+        return Reference.meanOf(images, parts);
+    }
+
+    /** Every method once, or the only one twice: of a single render nobody could tell how good it is. */
+    private List<String> pair() {
+        List<String> methods = session.settings.methods();
+        return methods.size() > 1 ? methods : List.of(methods.get(0), methods.get(0));
+    }
+
+    private long seed(int part) {
+        return session.settings.base().seed() - 1 - part;
+    }
+
+    /** One part from its file, or rendered. */
+    private void part(int index, String method, double share, List<Image> images, List<Reference.Part> parts)
+            throws IOException {
+        Path note = session.folder.file("reference-" + (index + 1) + ".txt");
+        Path file = session.folder.file("reference-" + (index + 1) + ".pfm");
+        if (Files.exists(note) && Files.exists(file)) {
+            images.add(ImageFiles.readPfm(file));
+            parts.add(new Reference.Part(method, samples(note), seed(index)));
+            return;
+        }
+        double samples = samples(method, share * session.settings.budgetSeconds());
+        session.say("reference: " + method + ", " + (long) samples + " samples per pixel");
+        Image image = session.timed(method, samples, seed(index)).image();
+        ImageFiles.writePfm(image, file);
+        // Last, as it says that the picture is whole.
+        Files.writeString(note, samples + "\n");
+        images.add(image);
+        parts.add(new Reference.Part(method, samples, seed(index)));
+    }
+
+    private static double samples(Path note) throws IOException {
+        try {
+            return Double.parseDouble(Files.readString(note).strip());
+        } catch (NumberFormatException e) {
+            throw new IOException(note + ": is not what the command trade wrote", e);
+        }
+    }
+
+    /** The largest power of two that fits into so many seconds: that many samples are the best distributed. */
+    private double samples(String method, double seconds) {
+        long seed = session.settings.base().seed();
+        if (session.expected(method, LEAST_SAMPLES) < seconds / 2) {
+            // The rate of few samples has the start in it.
+            session.timed(method, LEAST_SAMPLES, seed);
+        }
+        double samples = LEAST_SAMPLES;
+        while (2 * samples <= MOST_SAMPLES && session.expected(method, 2 * samples) <= seconds) {
+            samples *= 2;
+        }
+        return samples;
+    }
+
+    private Reference given(Image image) {
+        session.say("looking at the reference");
+        List<String> methods = pair();
+        List<Image> images = new ArrayList<>();
+        for (int i = 0; i < 2; i++) {
+            String method = methods.get(i);
+            double samples = samples(method, PROBE_SHARE / 2 * session.settings.budgetSeconds());
+            images.add(session.timed(method, samples, seed(i)).image());
+        }
+        return Reference.given(image, images.get(0), images.get(1));
+    }
+}

@@ -1,0 +1,86 @@
+package enlightenment.measure;
+
+import enlightenment.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+
+/** Measures the trade of speed against accuracy of a scene. */
+public final class Trade {
+    private static final double BEFORE_SWEEPS = 0.7;
+
+    private Trade() {}
+
+    /**
+     * Measures, and keeps every run in the folder as soon as it has ended: {@code trade.csv}. What was interrupted goes on with
+     * {@code resume}.
+     *
+     * @param folder made if it is not there
+     * @param resume whether to go on with what the folder holds, if it holds something
+     * @param cancelled asked now and then from several threads; once true, the trade ends with what it has
+     * @return what is known, or nothing where it was stopped before there was a reference
+     * @throws enlightenment.math.Check.InvalidValueException if the folder cannot be used: key "output", or "resume" where it
+     *     holds a trade of something else
+     */
+    public static Optional<TradeResult> run(
+            Scene scene,
+            TradeSettings settings,
+            Path folder,
+            boolean resume,
+            TradeListener listener,
+            BooleanSupplier cancelled)
+            throws IOException {
+        TradeFolder files = TradeFolder.open(folder, settings, resume);
+        Session session = new Session(scene, settings, files, listener, cancelled);
+        List<EqualTime> pictures = new ArrayList<>();
+        double cold = 0;
+        boolean complete = true;
+        try {
+            cold = WarmUp.run(session);
+            session.reference(new ReferenceMaker(session).make());
+            new Ladder(session).climb();
+            Trial trial = new Trial(session);
+            for (double target : TradeResult.TARGETS) {
+                trial.run(target);
+            }
+            pictures.addAll(EqualTime.make(session));
+            sweeps(session);
+        } catch (Stopped e) {
+            complete = false;
+        }
+        return session.reference() == null ? Optional.empty() : Optional.of(result(session, pictures, cold, complete));
+    }
+
+    private static void sweeps(Session session) throws IOException {
+        List<Sweep> sweeps = session.settings.sweeps();
+        for (int i = 0; i < sweeps.size(); i++) {
+            double share = BEFORE_SWEEPS + (1 - BEFORE_SWEEPS) * (i + 1) / sweeps.size();
+            SweepResult.run(session, sweeps.get(i), share);
+        }
+    }
+
+    private static TradeResult result(Session session, List<EqualTime> pictures, double cold, boolean complete) {
+        TradeSettings settings = session.settings;
+        Trial trial = new Trial(session);
+        List<Need> needs = new ArrayList<>();
+        for (double target : TradeResult.TARGETS) {
+            for (String method : settings.methods()) {
+                trial.need(method, target).ifPresent(needs::add);
+            }
+        }
+        return new TradeResult(
+                settings,
+                session.reference(),
+                settings.methods().stream().map(session::curve).toList(),
+                needs,
+                pictures,
+                settings.sweeps().stream().map(s -> SweepResult.of(session, s)).toList(),
+                session.runs(r -> true),
+                cold,
+                session.elapsed(),
+                complete);
+    }
+}

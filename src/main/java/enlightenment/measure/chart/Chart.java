@@ -1,0 +1,86 @@
+package enlightenment.measure.chart;
+
+import enlightenment.image.Image;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.StringWriter;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
+import org.apache.batik.svggen.SVGGeneratorContext;
+import org.apache.batik.svggen.SVGGraphics2D;
+import org.knowm.xchart.XYChart;
+import org.w3c.dom.Document;
+
+/** A finished chart, to be painted in any size or written as SVG. */
+public final class Chart {
+    private static final int SHARPER = 2;
+    private static final float WHITE = 255;
+    private static final int DECIMALS = 2;
+
+    private final String name;
+    private final String description;
+    private final XYChart chart;
+
+    Chart(String name, String description, XYChart chart) {
+        this.name = name;
+        this.description = description;
+        this.chart = chart;
+    }
+
+    /** The name of its file, without an extension. */
+    public String name() {
+        return name;
+    }
+
+    /** What it shows, for those who cannot see it. */
+    public String description() {
+        return description;
+    }
+
+    /** As dots: twice as many along each side as the chart has units, for fine screens. */
+    public Image image() {
+        int width = SHARPER * Look.WIDTH;
+        int height = SHARPER * Look.HEIGHT;
+        BufferedImage canvas = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = canvas.createGraphics();
+        g.scale(SHARPER, SHARPER);
+        chart.paint(g, Look.WIDTH, Look.HEIGHT);
+        g.dispose();
+        float[] rgb = new float[3 * width * height];
+        int i = 0;
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                Color c = new Color(canvas.getRGB(x, y));
+                rgb[i++] = c.getRed() / WHITE;
+                rgb[i++] = c.getGreen() / WHITE;
+                rgb[i++] = c.getBlue() / WHITE;
+            }
+        }
+        return new Image(width, height, rgb);
+    }
+
+    /** As SVG. Letters stay letters: a tenth of the size of their shapes, and they can be searched and read aloud. */
+    public String svg() throws IOException {
+        Document document;
+        try {
+            document = DocumentBuilderFactory.newInstance()
+                    .newDocumentBuilder()
+                    .getDOMImplementation()
+                    .createDocument("http://www.w3.org/2000/svg", "svg", null);
+        } catch (ParserConfigurationException e) {
+            throw new IOException("this Java makes no XML documents: " + e.getMessage(), e);
+        }
+        SVGGeneratorContext context = SVGGeneratorContext.createDefault(document);
+        context.setPrecision(DECIMALS);
+        context.setComment(null);
+        SVGGraphics2D g = new SVGGraphics2D(context, false);
+        g.setSVGCanvasSize(new Dimension(Look.WIDTH, Look.HEIGHT));
+        chart.paint(g, Look.WIDTH, Look.HEIGHT);
+        StringWriter text = new StringWriter();
+        g.stream(text, true);
+        return text.toString();
+    }
+}

@@ -1,0 +1,80 @@
+package enlightenment.measure.chart;
+
+import enlightenment.measure.SweepResult;
+import java.util.List;
+import java.util.Optional;
+import org.knowm.xchart.AnnotationText;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** The charts of sweeps: error against time with the notches written beside the points, and time against threads. */
+final class SweepChart {
+    private static final float LINE = 2.2f;
+
+    /** How far above its point a notch is written, as a share of the chart's height in the logarithm. */
+    private static final double LIFT = 0.045;
+
+    private SweepChart() {}
+
+    static Optional<Chart> of(SweepResult result, int usualThreads) {
+        if (result.points().size() < 2) {
+            return Optional.empty();
+        }
+        return Optional.of(result.sweep().name().equals("threads") ? threads(result) : errors(result, usualThreads));
+    }
+
+    private static Chart errors(SweepResult result, int threads) {
+        String name = result.sweep().name();
+        String title = name + " with " + result.method() + ": what each notch costs and buys";
+        XYChart chart = Look.chart(
+                title,
+                "time for the picture in seconds by the clock, " + threads + (threads == 1 ? " thread" : " threads"),
+                "error (RMSE, 1 = black against white)");
+        List<SweepResult.Point> points =
+                result.points().stream().filter(p -> p.error().median() > 0).toList();
+        double[] x = points.stream().mapToDouble(p -> p.wall().median()).toArray();
+        double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
+        series(chart, name, x, y, 0);
+        Look.logarithmic(chart, x, y);
+        chart.getStyler().setLegendVisible(false);
+        double lift =
+                Math.pow(chart.getStyler().getYAxisMax() / chart.getStyler().getYAxisMin(), LIFT);
+        for (int i = 0; i < points.size(); i++) {
+            chart.addAnnotation(
+                    new AnnotationText(Integer.toString(points.get(i).value()), x[i], y[i] * lift, false));
+        }
+        return new Chart("sweep-" + name, title + ". The numbers are in the table below.", chart);
+    }
+
+    private static Chart threads(SweepResult result) {
+        String title = "threads with " + result.method() + ": time against threads";
+        XYChart chart = Look.chart(title, "threads", "time for the picture in seconds by the clock");
+        double[] x =
+                result.points().stream().mapToDouble(SweepResult.Point::value).toArray();
+        double[] y =
+                result.points().stream().mapToDouble(p -> p.wall().median()).toArray();
+        double[] ideal = new double[x.length];
+        for (int i = 0; i < x.length; i++) {
+            ideal[i] = y[0] * x[0] / x[i];
+        }
+        series(chart, "measured", x, y, 0);
+        XYSeries line = chart.addSeries("if all threads helped alike", x, ideal);
+        line.setMarker(SeriesMarkers.NONE).setLineColor(Look.QUIET).setLineStyle(Look.dashes());
+        chart.getStyler().setYAxisMin(0.0).setYAxisMax(1.15 * Look.highest(y));
+        chart.getStyler().setXAxisMin(x[0] - 0.5).setXAxisMax(x[x.length - 1] + 0.5);
+        chart.getStyler()
+                .setXAxisTickLabelsFormattingFunction(
+                        v -> Look.isNear(v, Math.rint(v)) ? Look.number(Math.rint(v)) : " ");
+        chart.getStyler().setYAxisTickLabelsFormattingFunction(Look::number);
+        chart.getStyler().setLegendPosition(Styler.LegendPosition.InsideNE);
+        return new Chart("sweep-threads", title + ". The numbers are in the table below.", chart);
+    }
+
+    private static void series(XYChart chart, String name, double[] x, double[] y, int i) {
+        XYSeries series = chart.addSeries(name, x, y);
+        series.setMarker(Look.marker(i)).setMarkerColor(Look.color(i));
+        series.setLineColor(Look.color(i)).setLineWidth(LINE);
+    }
+}

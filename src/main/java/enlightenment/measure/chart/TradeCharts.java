@@ -1,0 +1,175 @@
+package enlightenment.measure.chart;
+
+import enlightenment.measure.Curve;
+import enlightenment.measure.Digits;
+import enlightenment.measure.PowerLaw;
+import enlightenment.measure.SweepResult;
+import enlightenment.measure.TradeResult;
+import enlightenment.measure.TradeRun;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import org.knowm.xchart.AnnotationText;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** The charts of a trade. */
+public final class TradeCharts {
+    private static final float LINE = 2.2f;
+    private static final double PERCENT = 100;
+
+    private TradeCharts() {}
+
+    /** Why this machine cannot draw charts, if it cannot: some small containers have no letters. */
+    public static Optional<String> whyNot() {
+        try {
+            BufferedImage canvas = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+            Graphics2D g = canvas.createGraphics();
+            g.getFontMetrics(new Font(Font.SANS_SERIF, Font.PLAIN, 1)).stringWidth("0");
+            g.dispose();
+            return Optional.empty();
+        } catch (RuntimeException | LinkageError | InternalError e) {
+            // Which of them AWT throws where there are no fonts depends on its version.
+            return Optional.of("this Java finds no fonts (" + e + ")");
+        }
+    }
+
+    /** All charts that the result has points for. */
+    public static List<Chart> of(TradeResult result) {
+        List<Chart> charts = new ArrayList<>();
+        String threads = result.settings().base().threads() == 1
+                ? "1 thread"
+                : result.settings().base().threads() + " threads";
+        errors(
+                        result,
+                        "error-over-time",
+                        "Error against time: further down and further left is better",
+                        "time for the picture in seconds by the clock, " + threads,
+                        TradeRun::wallSeconds,
+                        p -> p.wall().median(),
+                        Curve::overTime)
+                .ifPresent(charts::add);
+        errors(
+                        result,
+                        "error-over-samples",
+                        "Error against samples: what each sample is worth",
+                        "camera rays per pixel",
+                        TradeRun::samplesPerPixel,
+                        Curve.Point::samplesPerPixel,
+                        Curve::overSamples)
+                .ifPresent(charts::add);
+        errors(
+                        result,
+                        "error-over-processor-time",
+                        "Error against processor time: neighbours on the machine count less",
+                        "time of all processors together in seconds",
+                        TradeRun::cpuSeconds,
+                        p -> p.cpu().median(),
+                        c -> Optional.empty())
+                .ifPresent(charts::add);
+        for (SweepResult sweep : result.sweeps()) {
+            SweepChart.of(sweep, result.settings().base().threads()).ifPresent(charts::add);
+        }
+        return charts;
+    }
+
+    private static Optional<Chart> errors(
+            TradeResult result,
+            String name,
+            String title,
+            String xTitle,
+            ToDoubleFunction<TradeRun> xOfRun,
+            ToDoubleFunction<Curve.Point> xOfPoint,
+            Function<Curve, Optional<PowerLaw>> fit) {
+        double variance = result.reference().variance();
+        XYChart chart = Look.chart(title, xTitle, "error (RMSE, 1 = black against white)");
+        List<Double> allX = new ArrayList<>();
+        List<Double> allY = new ArrayList<>();
+        for (int i = 0; i < result.curves().size(); i++) {
+            Curve curve = result.curves().get(i);
+            List<Curve.Point> points = curve.judgedPoints().stream()
+                    .filter(p -> xOfPoint.applyAsDouble(p) > 0)
+                    .toList();
+            if (points.isEmpty()) {
+                continue;
+            }
+            double[] x = points.stream().mapToDouble(xOfPoint).toArray();
+            double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
+            line(chart, legend(curve.method(), fit.apply(curve)), x, y, i);
+            List<TradeRun> runs = result.runs().stream()
+                    .filter(r -> r.kind().equals(TradeRun.LADDER)
+                            && r.method().equals(curve.method())
+                            && r.isJudged(variance)
+                            && xOfRun.applyAsDouble(r) > 0)
+                    .toList();
+            double[] runX = runs.stream().mapToDouble(xOfRun).toArray();
+            double[] runY = runs.stream().mapToDouble(r -> r.error(variance)).toArray();
+            dots(chart, curve.method() + ", each run", runX, runY, i);
+            for (int k = 0; k < runX.length; k++) {
+                allX.add(runX[k]);
+                allY.add(runY[k]);
+            }
+        }
+        if (allX.isEmpty()) {
+            return Optional.empty();
+        }
+        double[] x = allX.stream().mapToDouble(Double::doubleValue).toArray();
+        double[] y = allY.stream().mapToDouble(Double::doubleValue).toArray();
+        Look.logarithmic(chart, x, y);
+        targets(chart, x, y);
+        return Optional.of(new Chart(name, title + ". The numbers are in the tables below.", chart));
+    }
+
+    private static String legend(String method, Optional<PowerLaw> fit) {
+        if (fit.isEmpty()) {
+            return method;
+        }
+        PowerLaw law = fit.get();
+        String slope = String.format(Locale.ROOT, "%s: slope %.2f", method, law.slope());
+        double half = (law.slopeHigh() - law.slopeLow()) / 2;
+        return Double.isFinite(half) ? slope + String.format(Locale.ROOT, " ± %.2f", half) : slope;
+    }
+
+    private static void line(XYChart chart, String name, double[] x, double[] y, int i) {
+        XYSeries series = chart.addSeries(name, x, y);
+        series.setMarker(Look.marker(i)).setMarkerColor(Look.color(i));
+        series.setLineColor(Look.color(i)).setLineWidth(LINE);
+    }
+
+    /** Every run on its own: how far they lie apart is what chance and neighbours do. */
+    private static void dots(XYChart chart, String name, double[] x, double[] y, int i) {
+        XYSeries series = chart.addSeries(name, x, y);
+        series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
+        series.setMarker(i == 0 ? SeriesMarkers.PLUS : SeriesMarkers.CROSS).setMarkerColor(Look.color(i));
+        series.setShowInLegend(false);
+    }
+
+    /** A line across for each error that is asked about, where it lies within the chart. */
+    private static void targets(XYChart chart, double[] x, double[] y) {
+        double left = chart.getStyler().getXAxisMin();
+        double right = chart.getStyler().getXAxisMax();
+        for (double target : TradeResult.TARGETS) {
+            if (target > chart.getStyler().getYAxisMin()
+                    && target < chart.getStyler().getYAxisMax()) {
+                String name = Digits.samples(PERCENT * target) + " %";
+                XYSeries series = chart.addSeries(name, new double[] {left, right}, new double[] {target, target});
+                series.setMarker(SeriesMarkers.NONE).setLineColor(Look.QUIET).setLineStyle(Look.dashes());
+                series.setShowInLegend(false);
+                // In the logarithm a little above the line, at the left end.
+                double place = left * Math.pow(right / left, 0.04);
+                double bottom = chart.getStyler().getYAxisMin();
+                double lift = Math.pow(chart.getStyler().getYAxisMax() / bottom, 0.028);
+                chart.addAnnotation(new AnnotationText(name, place, target * lift, false));
+            }
+        }
+        chart.getStyler().setLegendPosition(Styler.LegendPosition.InsideNE);
+    }
+}

@@ -127,7 +127,7 @@ class MergeCommandTest {
         assertSays(CliRun.of("render", scene, "-o", film, "--part", "3/2"), 2, "--part must be I/N");
         assertSays(CliRun.of("render", scene, "-o", picture, "--part", "1/2"), 2, "ends in .film");
         assertSays(CliRun.of("render", scene, "-o", film, "--part", "1/2", "--time", "3"), 2, "give --samples");
-        assertSays(CliRun.of("render", scene, "-o", film, "--part", "1/2", "--stats"), 2, "belong to 'merge'");
+        assertSays(CliRun.of("render", scene, "-o", film, "--part", "1/2", "--stats"), 2, "no picture yet");
         assertSays(CliRun.of("merge", folder.resolve("none.film"), "-o", merged), 1, "none.film");
         assertSays(CliRun.of("merge", film, "-o", film), 2, "ends in .png or .pfm");
     }

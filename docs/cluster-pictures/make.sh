@@ -12,3 +12,14 @@ run keyhole keyhole-raytrace --method raytrace --antialias 2 --shadow-samples 10
 run keyhole keyhole-cluster --method cluster --samples 3.2
 # Concentrating on important areas: where the samples went.
 run fire-and-ice where --method cluster --samples 8 --aov samples,error
+# The pair of the README: the right half of both keyhole pictures, four times as bright. Needs Python with Pillow.
+python3 - "$out" <<'P'
+import sys
+from PIL import Image
+folder = sys.argv[1] + "/"
+pair = Image.new("RGB", (670, 310), (255, 255, 255))
+for i, name in enumerate(("keyhole-raytrace.png", "keyhole-cluster.png")):
+    part = Image.open(folder + name).convert("RGB").crop((430, 20, 760, 330))
+    pair.paste(part.point(lambda v: min(255, 4 * v)), (340 * i, 0))
+pair.save(folder + "keyhole-pair.png")
+P

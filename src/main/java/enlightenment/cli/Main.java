@@ -2,16 +2,20 @@ package enlightenment.cli;
 
 import java.io.PrintStream;
 import java.util.Arrays;
+import java.util.List;
 import picocli.CommandLine;
 
 /** The entry point of the command line. */
 public final class Main {
+    /** The commands that end well when they are interrupted. */
+    private static final List<String> STOPPABLE = List.of("render", "trade", "bench");
+
     private Main() {}
 
     /** Does what the arguments say and ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used. */
     public static void main(String[] args) {
         Stop stop = new Stop();
-        if (args.length > 0 && (args[0].equals("render") || args[0].equals("trade"))) {
+        if (args.length > 0 && STOPPABLE.contains(args[0])) {
             stop.listen();
         }
         int code;

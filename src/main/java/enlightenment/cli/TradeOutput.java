@@ -80,12 +80,12 @@ final class TradeOutput {
     }
 
     private String compareCommand() {
-        return "enlightenment compare " + word(stem() + ".png") + " "
+        return PROGRAM + " compare " + word(stem() + ".png") + " "
                 + word(folder.resolve("reference.pfm").toString());
     }
 
     private String tradeCommand() {
-        return "enlightenment trade " + word(sceneFile.toString()) + " -o " + word(folder.toString()) + options();
+        return PROGRAM + " trade " + word(sceneFile.toString()) + " -o " + word(folder.toString()) + options();
     }
 
     private String options() {

@@ -1,6 +1,7 @@
 package enlightenment.measure;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -81,14 +82,13 @@ public record Curve(
             TradeRun run = judged.get(i);
             inside += run.estimatedLow() <= error[i] && error[i] <= run.estimatedHigh() ? 1 : 0;
         }
-        boolean enough = points.stream().filter(Point::judged).count() >= 2;
         return new Curve(
-                method,
-                points,
-                enough ? Optional.of(PowerLaw.fit(samples, error)) : Optional.empty(),
-                overTime(judged, points, referenceVariance),
-                inside,
-                error.length);
+                method, points, fit(samples, error), overTime(judged, points, referenceVariance), inside, error.length);
+    }
+
+    /** A line needs two places; small budgets of a method with a survey may all come to the same number of samples. */
+    private static Optional<PowerLaw> fit(double[] x, double[] y) {
+        return Arrays.stream(x).distinct().count() < 2 ? Optional.empty() : Optional.of(PowerLaw.fit(x, y));
     }
 
     private static Optional<PowerLaw> overTime(List<TradeRun> judged, List<Point> points, double variance) {
@@ -97,15 +97,15 @@ public record Curve(
         List<Point> slow = points.stream()
                 .filter(p -> p.judged && p.wall.median() >= START * shortest)
                 .toList();
-        if (slow.size() < 2) {
-            return Optional.empty();
-        }
         List<TradeRun> runs = judged.stream()
                 .filter(r -> slow.stream().anyMatch(p -> p.samples == r.samples()))
                 .toList();
-        return Optional.of(PowerLaw.fit(
+        if (slow.size() < 2) {
+            return Optional.empty();
+        }
+        return fit(
                 runs.stream().mapToDouble(TradeRun::wallSeconds).toArray(),
-                runs.stream().mapToDouble(r -> r.error(variance)).toArray()));
+                runs.stream().mapToDouble(r -> r.error(variance)).toArray());
     }
 
     private static Point point(List<TradeRun> rung, double referenceVariance) {

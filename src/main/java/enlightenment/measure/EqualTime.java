@@ -13,12 +13,15 @@ import java.util.List;
  *
  * @param run how it was made and what it is worth
  * @param image the picture
- * @param errorMap where it differs from the reference, with a scale
+ * @param difference by how much each number of it differs from the reference, times {@code gain}
+ * @param gain what makes the differences visible; the same for all methods
  */
-public record EqualTime(TradeRun run, Image image, Image errorMap) {
+public record EqualTime(TradeRun run, Image image, Image difference, int gain) {
     /** An error that can be seen. */
     private static final double VISIBLE = 0.02;
 
+    private static final double CLEAR = 0.2;
+    private static final int MOST_GAIN = 256;
     private static final double STARTS = 1.5;
 
     /** One picture for each method, written into the folder as well. */
@@ -37,6 +40,10 @@ public record EqualTime(TradeRun run, Image image, Image errorMap) {
                     curve.method(), samples, session.settings.base().seed()));
         }
         List<TradeRun> runs = session.record(TradeRun.EQUAL_TIME, renders);
+        int gain = gain(runs.stream()
+                .mapToDouble(r -> r.error(session.reference().variance()))
+                .max()
+                .orElse(1));
         List<EqualTime> pictures = new ArrayList<>();
         for (int i = 0; i < runs.size(); i++) {
             Image image = renders.get(i).image();
@@ -44,10 +51,30 @@ public record EqualTime(TradeRun run, Image image, Image errorMap) {
                     HeatMap.withScale(Flip.between(image, session.reference().image()));
             String method = runs.get(i).method();
             ImageFiles.writePng(image, session.folder.file("equal-time-" + method + ".png"));
-            ImageFiles.writePng(map, session.folder.file("equal-time-" + method + "-error.png"));
-            pictures.add(new EqualTime(runs.get(i), image, map));
+            ImageFiles.writePng(map, session.folder.file("equal-time-" + method + "-flip.png"));
+            Image difference = difference(image, session.reference().image(), gain);
+            ImageFiles.writePng(difference, session.folder.file("equal-time-" + method + "-error.png"));
+            pictures.add(new EqualTime(runs.get(i), image, difference, gain));
         }
         return pictures;
+    }
+
+    /** A power of two that lifts an error of this size to about a fifth of white. */
+    private static int gain(double error) {
+        int gain = 1;
+        while (2 * gain * error <= CLEAR && gain < MOST_GAIN) {
+            gain *= 2;
+        }
+        return gain;
+    }
+
+    private static Image difference(Image a, Image b, int gain) {
+        float[] rgb = a.toArray();
+        float[] other = b.toArray();
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = Math.min(gain * Math.abs(rgb[i] - other[i]), 1);
+        }
+        return new Image(a.width(), a.height(), rgb);
     }
 
     /** The time in which the quickest method comes down to a visible error, but enough for each to do more than begin. */

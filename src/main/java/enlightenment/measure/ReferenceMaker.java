@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Makes what is taken for the truth: the mean of one long render by each method, with seeds that no run uses. Each part is
@@ -20,6 +21,7 @@ final class ReferenceMaker {
     private static final double SHARE_WITH_SWEEPS = 0.3;
 
     private static final double LEAST_SAMPLES = 16;
+    private static final int PILOTS = 3;
     private static final double MOST_SAMPLES = 1 << 16;
 
     /** For the two renders that tell the error of a given reference. */
@@ -37,8 +39,7 @@ final class ReferenceMaker {
                 : made();
         ImageFiles.writePfm(reference.image(), session.folder.file("reference.pfm"));
         // Finer than eight bits: errors of a thousandth are to be told from those of the file.
-        ImageFiles.writePng(
-                reference.image(), session.folder.file("reference.png"), new PngOptions(16, java.util.Map.of()));
+        ImageFiles.writePng(reference.image(), session.folder.file("reference.png"), new PngOptions(16, Map.of()));
         return reference;
     }
 
@@ -95,8 +96,8 @@ final class ReferenceMaker {
     /** The largest power of two that fits into so many seconds: that many samples are the best distributed. */
     private double samples(String method, double seconds) {
         long seed = session.settings.base().seed();
-        if (session.expected(method, LEAST_SAMPLES) < seconds / 2) {
-            // The rate of few samples has the start in it.
+        for (int k = 0; k < PILOTS && session.expected(method, LEAST_SAMPLES) < seconds / 4; k++) {
+            // The rate of few samples has the start in it, and the first render of more is not yet compiled.
             session.timed(method, LEAST_SAMPLES, seed);
         }
         double samples = LEAST_SAMPLES;

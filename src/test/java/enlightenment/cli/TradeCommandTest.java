@@ -31,8 +31,11 @@ class TradeCommandTest {
     }
 
     private CliRun trade(Object... more) {
-        List<Object> args = new ArrayList<>(List.of("trade", scene, "-o", out, "--progress", "none"));
+        List<Object> args = new ArrayList<>(List.of("trade", scene, "-o", out));
         args.addAll(List.of(more));
+        if (!args.contains("--progress")) {
+            args.addAll(List.of("--progress", "none"));
+        }
         return CliRun.of(args.toArray());
     }
 
@@ -124,7 +127,7 @@ class TradeCommandTest {
                 "--sweep antialias=1..1000 | --sweep antialias must lie in",
                 "--samples 4 | --samples must not be given here",
                 "--method cluster | --method must not be given here",
-                "--reference missing.pfm | --reference: missing.pfm: there is no such file",
+                "--reference missing.pfm | --reference: cannot read missing.pfm: there is no such file",
                 "--progress loud | --progress must be one of"
             })
     void wrongOptionsGetOneMessageAndNoFolder(String options, String message) {

@@ -65,7 +65,7 @@ class CurveTest {
                         "cluster", r.samples(), r.seed(), r.meanSquaredDifference() + 1e-3, r.wallSeconds()))
                 .toList();
         Curve curve = Curve.of("cluster", runs, 1e-3);
-        assertEquals(2, curve.judgedPoints().size());
+        assertEquals(3, curve.judgedPoints().size());
         assertEquals(-0.5, curve.overSamples().orElseThrow().slope(), 1e-9);
     }
 
@@ -73,6 +73,14 @@ class CurveTest {
     void itCountsHowOftenTheTruthLayInsideTheRendersOwnInterval() {
         assertEquals(12, CURVE.judged());
         assertEquals(12, CURVE.insideOwnInterval());
+    }
+
+    @Test
+    void budgetsThatComeToTheSameNumberOfSamplesGiveNoLine() {
+        List<TradeRun> runs =
+                List.of(SyntheticRuns.run("cluster", 2, 1, 0.01, 1), SyntheticRuns.run("cluster", 2, 2, 0.011, 1.1));
+        assertTrue(Curve.of("cluster", runs, 0).overSamples().isEmpty());
+        assertTrue(Curve.of("cluster", runs, 0).overTime().isEmpty());
     }
 
     @Test

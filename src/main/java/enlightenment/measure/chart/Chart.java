@@ -62,7 +62,7 @@ public final class Chart {
         return new Image(width, height, rgb);
     }
 
-    /** As SVG. Letters stay letters: a tenth of the size of their shapes, and they can be searched and read aloud. */
+    /** As SVG. XChart draws letters as shapes: it looks the same wherever it is seen, whatever fonts there are. */
     public String svg() throws IOException {
         Document document;
         try {

@@ -25,7 +25,7 @@ final class Look {
             List.of(SeriesMarkers.CIRCLE, SeriesMarkers.DIAMOND, SeriesMarkers.SQUARE, SeriesMarkers.TRIANGLE_UP);
 
     private static final Color INK = new Color(0x222222);
-    private static final Color GRID = new Color(0xDDDDDD);
+    private static final Color GRID = new Color(0xE4E4E4);
     static final Color QUIET = new Color(0x666666);
     private static final String FAMILY = Font.SANS_SERIF;
     private static final int SMALL = 15;
@@ -76,7 +76,8 @@ final class Look {
         s.setAnnotationTextFont(new Font(FAMILY, Font.PLAIN, SMALL)).setAnnotationTextFontColor(QUIET);
         s.setAxisTitleFont(new Font(FAMILY, Font.PLAIN, MEDIUM));
         s.setAxisTickLabelsFont(new Font(FAMILY, Font.PLAIN, SMALL));
-        s.setAxisTickLabelsColor(INK).setPlotGridLinesColor(GRID);
+        // Dashes would become thousands of little shapes in an SVG file.
+        s.setPlotGridLinesStroke(new BasicStroke(1)).setPlotGridLinesColor(GRID).setAxisTickLabelsColor(INK);
         s.setXAxisTickMarkSpacingHint(TICK_SPACING).setPlotMargin(0);
         return chart;
     }

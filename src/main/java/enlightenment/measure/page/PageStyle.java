@@ -13,7 +13,7 @@ final class PageStyle {
             .warning { background: #fff4ce; padding: .5rem 1rem; border-left: 4px solid #b07d00; }
             .verdict { background: #eef5fb; border-left: 6px solid #0072b2; padding: .5rem 1.2rem; margin: 1.5rem 0; }
             .big { font-size: 1.35rem; font-weight: 600; margin: .5rem 0; }
-            pre { background: #222; color: #fff; padding: .7rem 1rem; overflow-x: auto; font-size: .95rem; }
+            pre { background: #222; color: #fff; padding: .7rem 1rem; font-size: .95rem; white-space: pre-wrap; }
             figure { margin: 1rem 0; }
             img { max-width: 100%; height: auto; display: block; }
             .side { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); gap: 1rem; }

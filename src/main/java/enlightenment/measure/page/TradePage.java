@@ -97,7 +97,15 @@ public final class TradePage {
                                         3)
                                 + ". The time is by the clock on this machine once Java has warmed up; as the first "
                                 + "render of a process it took "
-                                + Digits.of(Math.max(result.coldSeconds(), 0.01), 2) + " s longer.");
+                                + Digits.of(Math.max(result.coldSeconds(), 0.01), 2) + " s longer. To check it:");
+                html.element("pre", context.compareCommand());
+                html.element(
+                        "p",
+                        "will say RMSE "
+                                + Digits.of(
+                                        Math.hypot(
+                                                best.error(), result.reference().error()),
+                                        3) + " but for the rounding of the file.");
             }
         });
         html.raw("</section>\n");
@@ -171,9 +179,9 @@ public final class TradePage {
                     + Digits.of(e.run().flip(), 3);
             html.picture(e.image(), context.title() + " by " + e.run().method(), what);
             html.picture(
-                    e.errorMap(),
+                    e.difference(),
                     "where it differs from the reference",
-                    "where an eye sees a difference (FLIP): black none, yellow a lot");
+                    "where it differs from the reference: black not at all; all differences times " + e.gain());
             html.raw("</div>\n");
         }
         html.raw("</div>\n");

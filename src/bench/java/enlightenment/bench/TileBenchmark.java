@@ -1,0 +1,71 @@
+package enlightenment.bench;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.film.FilmTile;
+import enlightenment.method.TileMethod;
+import enlightenment.method.cluster.ClusterCost;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** A tile of 64 × 64 pixels in the middle of the picture, with 16 samples per pixel in the mean, by each method. */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MILLISECONDS)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(1)
+public class TileBenchmark {
+    private static final int SIDE = 64;
+    private static final double SAMPLES = 16;
+    private static final int COST_BLOCKS = 512;
+
+    @Param({"raytrace", "cluster"})
+    public String method;
+
+    @Param({"fire-and-ice", "keyhole"})
+    public String scene;
+
+    private TileMethod tileMethod;
+
+    @Setup
+    public void setUp() {
+        Scene read = SceneReader.read(Path.of("scenes", scene + ".json"));
+        RenderSettings settings = RenderSettings.of(read).withMethod(method).withThreads(1);
+        CompiledScene compiled = SceneCompiler.compile(read, settings);
+        double level = method.equals("cluster")
+                ? ClusterCost.of(compiled, settings, COST_BLOCKS).effort(SAMPLES)
+                : SAMPLES;
+        tileMethod = new RenderPlan(level, SAMPLES, "samples")
+                .method(compiled, settings, new RayCounters(compiled.kindNames.size()));
+    }
+
+    @Benchmark
+    public FilmTile tile() {
+        FilmTile all = null;
+        // In the tiles that a render is cut into.
+        for (int y = 0; y < SIDE; y += 8) {
+            for (int x = 0; x < SIDE; x += 8) {
+                FilmTile tile = new FilmTile(368 + x, 168 + y, 8, 8);
+                tileMethod.render(tile);
+                all = tile;
+            }
+        }
+        return all;
+    }
+}

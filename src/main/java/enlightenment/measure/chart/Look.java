@@ -40,6 +40,7 @@ final class Look {
     /** From here on there is no room for more than one label for each power of ten. */
     private static final double MANY_DECADES = 5000;
 
+    private static final double LEAST_RANGE = 4;
     private static final double DECADE = 10;
     private static final double NEARLY = 1e-6;
 
@@ -86,13 +87,20 @@ final class Look {
     static void logarithmic(XYChart chart, double[] x, double[] y) {
         XYStyler s = chart.getStyler();
         s.setXAxisLogarithmic(true).setYAxisLogarithmic(true);
-        s.setXAxisMin(lowest(x) / ROOM).setXAxisMax(highest(x) * ROOM);
-        s.setYAxisMin(lowest(y) / ROOM).setYAxisMax(highest(y) * ROOM);
+        double xRoom = room(x);
+        double yRoom = room(y);
+        s.setXAxisMin(lowest(x) / xRoom).setXAxisMax(highest(x) * xRoom);
+        s.setYAxisMin(lowest(y) / yRoom).setYAxisMax(highest(y) * yRoom);
         s.setXAxisLogarithmicDecadeOnly(false).setYAxisLogarithmicDecadeOnly(false);
         double wide = s.getXAxisMax() / s.getXAxisMin();
         double high = s.getYAxisMax() / s.getYAxisMin();
         s.setXAxisTickLabelsFormattingFunction(v -> decade(v, wide));
         s.setYAxisTickLabelsFormattingFunction(v -> decade(v, high));
+    }
+
+    /** On either side, as a factor: values that are nearly the same are shown as such, not blown up. */
+    private static double room(double[] values) {
+        return Math.max(ROOM, Math.sqrt(LEAST_RANGE * lowest(values) / highest(values)));
     }
 
     /** Every tick gets a label on a short axis, one that begins with 1, 2 or 5 on a longer one, with 1 on a very long one. */

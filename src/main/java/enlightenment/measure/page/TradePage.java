@@ -89,13 +89,7 @@ public final class TradePage {
                         "p",
                         "This was tried: the picture that this command makes has an error of "
                                 + Digits.of(best.error(), 3)
-                                + ". It makes the same picture for you, to the last bit, and "
-                                + context.compareCommand() + " will say RMSE "
-                                + Digits.of(
-                                        Math.hypot(
-                                                best.error(), result.reference().error()),
-                                        3)
-                                + ". The time is by the clock on this machine once Java has warmed up; as the first "
+                                + ". It makes the same picture for you, to the last bit. The time is by the clock on this machine once Java has warmed up; as the first "
                                 + "render of a process it took "
                                 + Digits.of(Math.max(result.coldSeconds(), 0.01), 2) + " s longer. To check it:");
                 html.element("pre", context.compareCommand());

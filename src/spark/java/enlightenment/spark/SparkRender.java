@@ -6,6 +6,7 @@ import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -43,6 +44,9 @@ public final class SparkRender {
     private double seconds;
 
     private long timed;
+
+    /** How long all tiles that arrived took. */
+    private long busyNanos;
 
     private SparkRender(
             JavaSparkContext spark,
@@ -112,6 +116,7 @@ public final class SparkRender {
     private void work(List<int[]> units, UnitTask task) throws IOException {
         BlockingQueue<byte[]> results = new LinkedBlockingQueue<>();
         long start = System.nanoTime();
+        long before = busyNanos;
         SimpleFutureAction<Boolean> action = submit(units, task, results);
         while (!action.isCompleted()) {
             keep(results, TICK_MILLIS);
@@ -123,7 +128,13 @@ public final class SparkRender {
         keep(results, 0);
         if (!cancelled.getAsBoolean()) {
             outcome(action);
-            log.accept(units.size() + " tasks in " + TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start) + " ms");
+            log.accept(String.format(
+                    Locale.ROOT,
+                    "%d tasks in %.1f s; their tiles took %.1f s of the %d cores",
+                    units.size(),
+                    (System.nanoTime() - start) / 1e9,
+                    (busyNanos - before) / 1e9,
+                    spark.defaultParallelism()));
         }
     }
 
@@ -171,6 +182,7 @@ public final class SparkRender {
     }
 
     private void measure(List<UnitResult.Tile> tiles) {
+        busyNanos += tiles.stream().mapToLong(UnitResult.Tile::nanos).sum();
         tiles.stream().skip(tiles.size() / 2).forEach(tile -> {
             seconds += tile.nanos() / 1e9;
             timed++;

@@ -123,6 +123,8 @@ class SparkClusterIT {
         command.addAll(List.of(more));
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
         builder.environment().put("SPARK_HOME", HOME.toString());
+        // What bin/load-spark-env.sh would do.
+        builder.environment().put("SPARK_SCALA_VERSION", "2.13");
         builder.environment().put("SPARK_LOCAL_IP", "127.0.0.1");
         Files.deleteIfExists(log);
         Process process =

@@ -1,0 +1,143 @@
+package enlightenment.net;
+
+import enlightenment.render.FilmAssembly;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.TiledRender;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+
+/**
+ * A render whose tiles some other engine has made on its machines: what to send there, what is missing, the checkpoint and
+ * the picture. The engine decides who makes which tile, and when again. For use by several threads at once.
+ */
+public final class EngineJob implements Closeable {
+    private final ServerJob job;
+    private final ContentHash canary;
+
+    private EngineJob(ServerJob job) {
+        this.job = job;
+        canary = Canary.hash();
+    }
+
+    /**
+     * Compiles the scene and plans the render.
+     *
+     * @param checkpoint where to keep what is done, and to go on from; null for nowhere
+     * @param log hears of what a person may want to know
+     * @param cancelled asked now and then; once true, a plan is made in haste
+     * @throws IOException if the checkpoint cannot be used, is in use or is one of another job
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     * @throws IllegalArgumentException if there is a checkpoint for a render that is planned anew each time, or scene and
+     *     textures are too large
+     */
+    public static EngineJob start(
+            Scene scene, RenderSettings settings, Path checkpoint, Consumer<String> log, BooleanSupplier cancelled)
+            throws IOException {
+        if (checkpoint != null && settings.budget().seconds().isPresent()) {
+            throw new IllegalArgumentException("a render with a checkpoint must not depend on the time that it takes");
+        }
+        TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        ServerJob job = new ServerJob(render, JobContent.of(scene, settings, render.plan(), Build.number()), log);
+        if (checkpoint != null) {
+            job.open(checkpoint);
+        }
+        return new EngineJob(job);
+    }
+
+    /** What {@link #render} needs, wherever that is: first the job's hash and the canary's, then contents. */
+    public List<byte[]> contents() {
+        List<byte[]> all = new ArrayList<>(List.of(job.hash().toBytes(), canary.toBytes()));
+        job.content().hashes().forEach(hash -> all.add(job.content().content(hash)));
+        return all;
+    }
+
+    /**
+     * The same render, to make tiles of, from what {@link #contents} gave on some other machine. Nothing is read from
+     * disks.
+     *
+     * @throws IOException if the contents are not those that were sent, are of another version, or this machine computes
+     *     other bits than the one that sent them
+     */
+    public static TiledRender render(List<byte[]> contents) throws IOException {
+        Map<ContentHash, byte[]> byHash = new LinkedHashMap<>();
+        contents.subList(2, contents.size()).forEach(bytes -> byHash.put(ContentHash.of(bytes), bytes));
+        byte[] document = byHash.get(ContentHash.fromBytes(contents.get(0)));
+        if (document == null) {
+            throw new IOException("the job has changed on its way");
+        }
+        if (!Arrays.equals(Canary.hash().toBytes(), contents.get(1))) {
+            throw new IOException("this machine computes other bits than the one that the job comes from");
+        }
+        Map<String, byte[]> byName = new LinkedHashMap<>();
+        byHash.forEach((hash, bytes) -> byName.put(hash.toString(), bytes));
+        JobContent.Document read = JobContent.read(document, byHash.keySet(), Build.number(), 1);
+        try {
+            return TiledRender.planned(
+                    read.scene(), read.settings(), read.plan(), (Path file) -> byName.get(file.toString()));
+        } catch (IllegalArgumentException | SceneException e) {
+            throw new IOException("the job cannot be used: " + e.getMessage(), e);
+        }
+    }
+
+    /** The tiles that are not there yet, in ascending order. */
+    public int[] missing() {
+        return IntStream.range(0, job.tiles())
+                .filter(tile -> !job.film().has(tile))
+                .toArray();
+    }
+
+    /** Number of bytes of a tile. */
+    public int length(int tile) {
+        return job.film().length(tile);
+    }
+
+    /**
+     * Puts a tile into picture and checkpoint; nothing if it is there already.
+     *
+     * @throws IllegalArgumentException if these bytes cannot be that tile
+     */
+    public synchronized void put(int tile, byte[] bytes, String machine) {
+        FilmAssembly film = job.film();
+        film.problem(tile, bytes).ifPresent(reason -> {
+            throw new IllegalArgumentException("tile " + tile + " of " + machine + ": " + reason);
+        });
+        if (!film.has(tile)) {
+            job.keep(new Action.Keep(tile, machine, TileData.of(bytes)));
+        }
+    }
+
+    /** Lets the checkpoint reach the disk; to be called a few times a second while the engine works. */
+    public synchronized void tick() {
+        job.tick();
+    }
+
+    /** Tells how far it is. */
+    public void show(RenderProgress progress) {
+        FilmAssembly film = job.film();
+        progress.progress(film.pixelsDone(), film.pixels(), film::image);
+    }
+
+    /** The picture so far, with its report. */
+    public RenderResult result() {
+        return job.film().result();
+    }
+
+    @Override
+    public synchronized void close() throws IOException {
+        job.close();
+    }
+}

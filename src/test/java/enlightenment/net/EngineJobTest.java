@@ -1,0 +1,115 @@
+package enlightenment.net;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.render.TileMaker;
+import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class EngineJobTest {
+    private static final Path SCENE = Path.of(System.getProperty("project.directory"), "scenes", "fire-and-ice.json");
+
+    @TempDir
+    Path folder;
+
+    private final Scene scene = SceneReader.read(SCENE);
+    private final RenderSettings settings =
+            RenderSettings.of(scene).withSize(64, 40).withAntialias(1).withThreads(1);
+
+    @Test
+    void tilesMadeFromTheContentsAloneMakeThePictureOfOneProcess() throws IOException {
+        try (EngineJob job = start(null)) {
+            TileMaker maker = EngineJob.render(job.contents()).maker();
+            int[] missing = job.missing();
+            for (int i = missing.length - 1; i >= 0; i--) {
+                byte[] bytes = maker.make(missing[i]);
+                assertEquals(job.length(missing[i]), bytes.length);
+                job.put(missing[i], bytes, "a");
+                job.put(missing[i], bytes, "b");
+            }
+            assertEquals(0, job.missing().length);
+            assertSamePicture(job.result());
+        }
+    }
+
+    @Test
+    void aJobGoesOnFromItsCheckpoint() throws IOException {
+        Path checkpoint = folder.resolve("job.ck");
+        int all;
+        try (EngineJob job = start(checkpoint)) {
+            all = job.missing().length;
+            TileMaker maker = EngineJob.render(job.contents()).maker();
+            for (int tile = 0; tile < all; tile += 2) {
+                job.put(tile, maker.make(tile), "a");
+            }
+        }
+        try (EngineJob job = start(checkpoint)) {
+            int[] missing = job.missing();
+            assertEquals(all / 2, missing.length);
+            TileMaker maker = EngineJob.render(job.contents()).maker();
+            for (int tile : missing) {
+                assertEquals(1, tile % 2);
+                job.put(tile, maker.make(tile), "a");
+            }
+            assertSamePicture(job.result());
+        }
+    }
+
+    @Test
+    void contentsThatChangedOnTheirWayAreRefused() throws IOException {
+        try (EngineJob job = start(null)) {
+            for (int i = 0; i < 3; i++) {
+                List<byte[]> contents = new ArrayList<>(job.contents());
+                byte[] changed = contents.get(i).clone();
+                changed[changed.length - 1] ^= 1;
+                contents.set(i, changed);
+                assertThrows(IOException.class, () -> EngineJob.render(contents));
+            }
+        }
+    }
+
+    @Test
+    void aTileThatMakesNoSenseIsRefusedAndStaysMissing() throws IOException {
+        try (EngineJob job = start(null)) {
+            int before = job.missing().length;
+            byte[] bytes = new byte[job.length(3)];
+            IllegalArgumentException e =
+                    assertThrows(IllegalArgumentException.class, () -> job.put(3, bytes, "host-7"));
+            assertTrue(e.getMessage().startsWith("tile 3 of host-7: "), e.getMessage());
+            assertEquals(before, job.missing().length);
+        }
+    }
+
+    @Test
+    void aCheckpointOfWhatIsPlannedByTheClockIsRefused() {
+        RenderSettings byTime = settings.withBudget(Budget.NONE.withSeconds(1));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> EngineJob.start(scene, byTime, folder.resolve("t.ck"), s -> {}, () -> false));
+    }
+
+    private EngineJob start(Path checkpoint) throws IOException {
+        return EngineJob.start(scene, settings, checkpoint, s -> {}, () -> false);
+    }
+
+    private void assertSamePicture(RenderResult result) {
+        RenderResult one = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
+        assertTrue(result.complete());
+        assertEquals(one.report().lightSamples(), result.report().lightSamples());
+        assertArrayEquals(one.image().toArray(), result.image().toArray());
+    }
+}

@@ -5,9 +5,11 @@ import java.util.List;
 /**
  * How far a picture is from the truth, told by its own samples, in display units (0..1).
  *
- * <p>The halves of a pixel give V(n/2) − V(n), its quarters V(n/4) − V(n/2) ({@link SampleSpread}). Pooled over all pixels of
- * as many samples, their ratio ρ says how fast the variance falls where samples double; with V(n/2) = ρ V(n) the halves give
- * V(n) = halves/(ρ − 1). Independent samples have ρ = 2, well-distributed ones about 3 at edges and 4 in between. Pixels with
+ * <p>The halves of a pixel give V(n/2) − V(n), its quarters V(n/4) − V(n/2) ({@link SampleSpread}). If V(n/2) = a V(n) and
+ * V(n/4) = a b V(n), the halves are (a − 1) V(n) and the ratio of quarters to halves is R = a (b − 1)/(a − 1). Points in the
+ * plane are better distributed if their number is a power of four: a and b differ, and change places from one power of two to
+ * the next, where the ratio is R' = b (a − 1)/(b − 1). So R R' = a b, and a = (R R' + R)/(1 + R); R and R' are taken from sums
+ * over all pixels with such numbers of samples. Independent samples have a = b = 2, well-distributed ones about 3. Pixels with
  * one sample are compared with their neighbours, and those with numbers of samples that are no power of two are taken as if
  * their samples were independent: both err on the side of caution.
  */
@@ -46,6 +48,7 @@ public final class ErrorEstimate {
 
     static ErrorEstimate of(float[] halves, float[] quarters, int[] counts) {
         Ratio[] ratios = ratios(halves, quarters, counts);
+        Ratio[] others = {pooled(halves, quarters, counts, 1), pooled(halves, quarters, counts, 0)};
         double[] sums = new double[LEVELS];
         float[] variances = new float[halves.length];
         double sum = 0;
@@ -58,7 +61,7 @@ public final class ErrorEstimate {
             int level = level(counts[i]);
             double v = halves[i];
             if (level > 0) {
-                v *= ratios[level].factor();
+                v *= ratios[level].factor(others[level % 2]);
                 sums[level] += v;
             }
             variances[i] = (float) v;
@@ -121,6 +124,18 @@ public final class ErrorEstimate {
         return ratios;
     }
 
+    /** The ratio over all pixels with an even or an odd power of two of samples, or null if they are few. */
+    private static Ratio pooled(float[] halves, float[] quarters, int[] counts, int parity) {
+        Ratio pool = new Ratio();
+        for (int i = 0; i < halves.length; i++) {
+            int level = level(counts[i]);
+            if (level >= 2 && level % 2 == parity) {
+                pool.add(halves[i], quarters[i]);
+            }
+        }
+        return pool.pixels >= ENOUGH && pool.halves > 0 ? pool : null;
+    }
+
     /** The sum of quarters over that of halves, and what is known about its own error. */
     private static final class Ratio {
         private double halves;
@@ -142,9 +157,11 @@ public final class ErrorEstimate {
             return Math.min(Math.max(ratio, INDEPENDENT), FASTEST);
         }
 
-        /** What the halves are to be multiplied by to be the variance. */
-        double factor() {
-            return 1 / (value() - 1);
+        /** What the halves are to be multiplied by to be the variance, given the ratio one power of two away, or null. */
+        double factor(Ratio other) {
+            double r = value();
+            double fall = other == null ? r : (r * other.value() + r) / (1 + r);
+            return 1 / (Math.min(Math.max(fall, INDEPENDENT), FASTEST) - 1);
         }
 
         /**

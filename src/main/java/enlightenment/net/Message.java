@@ -14,7 +14,7 @@ sealed interface Message {
     String MAGIC = "enlightenment";
 
     /** The protocol that this build speaks. */
-    int PROTOCOL = 1;
+    int PROTOCOL = 2;
 
     /** The kinds of message; the place in this list, from 1 on, is the number on the wire. New kinds go to the end. */
     List<Class<? extends Message>> KINDS = List.of(

@@ -43,6 +43,7 @@ final class SettingsBytes {
         write(out, s.budget().seconds());
         text(out, s.proposal());
         out.writeInt(s.tileSize());
+        text(out, plan.method());
         out.writeDouble(plan.level());
         out.writeDouble(plan.samples());
         text(out, plan.decidedBy());
@@ -84,7 +85,7 @@ final class SettingsBytes {
                 text(in),
                 threads,
                 in.readInt());
-        return new Decided(settings, new TilePlan(in.readDouble(), in.readDouble(), text(in)));
+        return new Decided(settings, new TilePlan(text(in), in.readDouble(), in.readDouble(), text(in)));
     }
 
     private static OptionalDouble readOptional(DataInputStream in) throws IOException {

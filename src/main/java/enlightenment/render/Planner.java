@@ -25,6 +25,16 @@ final class Planner {
 
     private static final int SIDE = 8;
 
+    /**
+     * With fewer samples per pixel than this, method {@code cluster} is exactly {@code raytrace}: its survey takes 1.27, one in each
+     * pixel is the least, and what is left does not buy more than evenly spaced rays do. Measured: from 2.3 on fire and ice to 2.6
+     * on the keyhole, docs/cluster-sampler.md.
+     */
+    private static final double FEWEST_OF_CLUSTER = 2.45;
+
+    /** The most, in three digits, that are still fewer. */
+    private static final double MOST_OF_OTHERS = 2.44;
+
     /** Blocks that are surveyed to learn what an effort costs. */
     private static final int COST_BLOCKS = 512;
 
@@ -103,7 +113,9 @@ final class Planner {
         Budget budget = settings.budget();
         double antialias = (double) settings.antialias() * settings.antialias();
         if (budget.isNone()) {
-            return cluster ? withSamples(antialias, "antialias") : new RenderPlan(0, antialias, "antialias");
+            return cluster
+                    ? withSamples(antialias, "antialias")
+                    : new RenderPlan(RenderPlan.RAYTRACE, 0, antialias, "antialias");
         }
         double samples = Budget.MAX_SAMPLES;
         String by = "samples";
@@ -111,10 +123,7 @@ final class Planner {
             samples = budget.samples().getAsDouble();
         }
         if (budget.error().isPresent()) {
-            double n = samplesForError(
-                    (cluster ? CLUSTER_AIM : RAYTRACE_AIM) * budget.error().getAsDouble(),
-                    samples,
-                    until(budget, start));
+            double n = samplesForError(budget.error().getAsDouble(), samples, until(budget, start));
             by = n < samples ? "error" : by;
             samples = Math.min(samples, n);
         }
@@ -128,19 +137,17 @@ final class Planner {
 
     /** A plan for so few samples per pixel, or null if the method cannot do with so few. */
     RenderPlan planFor(double samples) {
-        double least = cluster ? cost().samples(1) : 1;
-        return samples < least ? null : withSamples(samples, "preview");
+        return samples < (cluster ? FEWEST_OF_CLUSTER : 1) ? null : withSamples(samples, "preview");
     }
 
     private RenderPlan withSamples(double samples, String by) {
-        return new RenderPlan(level(samples), samples, by);
+        return isClustered(samples)
+                ? new RenderPlan(RenderPlan.CLUSTER, cost().effort(samples), samples, by)
+                : new RenderPlan(RenderPlan.RAYTRACE, Math.max(samples, 1), samples, by);
     }
 
-    private double level(double samples) {
-        if (!cluster) {
-            return Math.max(samples, 1);
-        }
-        return cost().effort(samples);
+    private boolean isClustered(double samples) {
+        return cluster && samples >= FEWEST_OF_CLUSTER;
     }
 
     private ClusterCost cost() {
@@ -161,7 +168,7 @@ final class Planner {
 
     /** The number of samples for which the error is this, but not more than the most, or that if it is stopped. */
     private double samplesForError(double error, double most, BooleanSupplier stop) {
-        double least = Math.min(cluster ? cost().samples(0) : 1, most);
+        double least = Math.min(1, most);
         ErrorSearch search = new ErrorSearch(error, least, most);
         double n = Math.min(Math.max(FIRST_SAMPLES, least), most);
         for (int k = 0; k < MOST_TRIALS; k++) {
@@ -169,7 +176,7 @@ final class Planner {
             if (stop.getAsBoolean()) {
                 return most;
             }
-            search.found(n, e);
+            search.found(n, e / (isClustered(n) ? CLUSTER_AIM : RAYTRACE_AIM));
             if (search.isOver()) {
                 break;
             }
@@ -190,7 +197,7 @@ final class Planner {
         List<FilmTile> blocks = blocksOf(region, LEAST_BLOCKS_OF_TIME);
         double trialPixels = blocks.stream().mapToInt(b -> b.width * b.height).sum();
         // What is worked out only once must not count as part of a trial.
-        level(1);
+        withSamples(FEWEST_OF_CLUSTER, "trial");
         double n = 1;
         double fastest = 0;
         double previous = 0;
@@ -198,7 +205,15 @@ final class Planner {
         double elapsed;
         int calm = 0;
         int trials = 0;
+        boolean clustered = false;
         do {
+            if (isClustered(n) != clustered) {
+                // Other rays, other speed.
+                clustered = !clustered;
+                previous = 0;
+                fastest = 0;
+                calm = 0;
+            }
             long before = System.nanoTime();
             trial(n, emptied(blocks), cancelled);
             long now = System.nanoTime();
@@ -211,9 +226,13 @@ final class Planner {
             elapsed = (now - start) * NANO;
             planned = PLANNED_TIME * (seconds - elapsed) * speed * warming(elapsed, seconds, calm) / (pixels * passes);
             double affordable = ONE_TRIAL_TIME * seconds * speed / trialPixels;
-            n = Math.min(Math.max(Math.min(planned, affordable), 1), Budget.MAX_SAMPLES);
+            double least = isClustered(planned) ? FEWEST_OF_CLUSTER : 1;
+            n = Math.min(Math.max(Math.min(planned, affordable), least), Budget.MAX_SAMPLES);
             trials++;
         } while (!cancelled.getAsBoolean() && isWorthTrying(elapsed, seconds, trials, calm));
+        if (isClustered(planned) && !clustered) {
+            planned = MOST_OF_OTHERS;
+        }
         return Math.min(Math.max(tidy(planned), 1), Budget.MAX_SAMPLES);
     }
 
@@ -284,7 +303,7 @@ final class Planner {
     /** Renders these blocks with so many samples, and random numbers that are not the picture's. */
     private void trial(double samples, List<FilmTile> blocks, BooleanSupplier stop) {
         RenderSettings apart = settings.withSeed(Hash.of(settings.seed(), PURPOSE));
-        RenderPlan plan = new RenderPlan(level(samples), samples, "trial");
+        RenderPlan plan = withSamples(samples, "trial");
         Workers.run(settings.threads(), blocks.size(), stop, () -> {
             TileMethod method = plan.method(scene, apart, new RayCounters(scene.kindNames.size()));
             return (IntConsumer) i -> method.render(blocks.get(i));

@@ -54,7 +54,7 @@ final class Preview {
         // Where the method cannot do with so few: evenly spaced rays, one light point each, if need be not in all
         // pixels.
         RenderSettings how = own ? settings : plain();
-        RenderPlan plan = own ? few : new RenderPlan(Math.max(samples, 1), samples, "preview");
+        RenderPlan plan = own ? few : new RenderPlan(RenderPlan.RAYTRACE, Math.max(samples, 1), samples, "preview");
         int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
         long total = (long) region.width() * region.height();
         Workers.run(settings.threads(), grid.count, cancelled, () -> {

@@ -15,13 +15,18 @@ import java.util.function.Consumer;
  * What is decided about a render before its first tile: with it, a tile is a pure function of scene, settings and place. It is
  * a pure function of scene and settings itself, except that a time budget looks at the clock.
  *
+ * @param method what makes the samples: that of the settings, or {@code raytrace} where {@code cluster} has too few of them to
+ *     survey the picture first
  * @param level how much is spent. For {@code raytrace} the mean number of samples per pixel, or 0 for antialias²; for
  *     {@code cluster} the effort, the inverse of the variance that is worth one more sample
  * @param samples the mean number of camera rays per pixel that this is expected to take; as a budget of so many samples it
  *     leads to the same plan
  * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
  */
-public record RenderPlan(double level, double samples, String decidedBy) {
+public record RenderPlan(String method, double level, double samples, String decidedBy) {
+    static final String CLUSTER = "cluster";
+    static final String RAYTRACE = "raytrace";
+
     /** The method, for one thread. */
     TileMethod method(CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return method(scene, settings, counters, null);
@@ -37,7 +42,7 @@ public record RenderPlan(double level, double samples, String decidedBy) {
             RenderSettings settings,
             RayCounters counters,
             Consumer<List<ClusterRecord>> clusters) {
-        if (settings.method().equals("cluster")) {
+        if (method.equals(CLUSTER)) {
             return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), level, clusters);
         }
         return level == 0

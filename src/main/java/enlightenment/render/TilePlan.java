@@ -5,20 +5,22 @@ import enlightenment.math.Check;
 /**
  * What is decided about a render before its first tile: with it, a tile is a pure function of scene, settings and place.
  *
+ * @param method what makes the samples: {@code raytrace} or {@code cluster}
  * @param level how much is spent, in the measure of the method
  * @param samples the mean number of camera rays per pixel that this is expected to take
  * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
  */
-public record TilePlan(double level, double samples, String decidedBy) {
+public record TilePlan(String method, double level, double samples, String decidedBy) {
     public TilePlan {
+        Renderer.checkMethod(method);
         Check.that(level >= 0 && level < Double.POSITIVE_INFINITY, "plan", "must not be negative, but is " + level);
     }
 
     static TilePlan of(RenderPlan plan) {
-        return new TilePlan(plan.level(), plan.samples(), plan.decidedBy());
+        return new TilePlan(plan.method(), plan.level(), plan.samples(), plan.decidedBy());
     }
 
     RenderPlan plan() {
-        return new RenderPlan(level, samples, decidedBy);
+        return new RenderPlan(method, level, samples, decidedBy);
     }
 }

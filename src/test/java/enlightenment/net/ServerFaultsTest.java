@@ -165,8 +165,11 @@ class ServerFaultsTest {
         assertTrue(outcome.reason().contains("the worker 0.0.7: install the same version"), outcome.reason());
         try (RawPeer peer = peer()) {
             Message.Hello h = RawPeer.hello("future");
-            peer.send(new Message.Hello(h.magic(), 2, 9, h.build(), "x", "x", "x", 1, h.arithmetic(), h.nonce()));
-            assertTrue(peer.receive(Message.Refuse.class).reason().contains("protocol 1, the worker 2..9"));
+            peer.send(new Message.Hello(
+                    h.magic(), Message.PROTOCOL + 1, 99, h.build(), "x", "x", "x", 1, h.arithmetic(), h.nonce()));
+            assertTrue(peer.receive(Message.Refuse.class)
+                    .reason()
+                    .contains("protocol " + Message.PROTOCOL + ", the worker " + (Message.PROTOCOL + 1) + "..99"));
         }
     }
 

@@ -5,7 +5,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.method.SpreadPlaces;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.RenderSettings;
-import java.util.Arrays;
+import java.util.List;
 
 /** How many camera rays an effort costs, judged by the survey of some blocks spread over the picture. */
 public final class ClusterCost {
@@ -14,27 +14,32 @@ public final class ClusterCost {
     /** Binary logarithm of the greatest effort: variances below the rounding of pixels are worth nothing. */
     private static final int MOST_EFFORT = 64;
 
-    /** Halvings of the interval of logarithms: enough for every digit of the effort that matters. */
-    private static final int HALVINGS = 40;
+    /** Halvings of the interval of logarithms: the number of samples is then met within about 0.1 %, which no sampler spends more exactly. */
+    private static final int HALVINGS = 14;
 
-    private double[] film = new double[0];
-    private double[] edge = new double[0];
-    private double[] light = new double[0];
+    private final double[] film;
+    private final double[] edge;
+    private final double[] light;
     private int pixels;
     private long surveyRays;
 
-    /** The cost of nothing. */
-    private ClusterCost() {}
+    /** The cost of nothing yet, with room for so many blocks. */
+    private ClusterCost(int blocks) {
+        film = new double[blocks * Block.SIDE * Block.SIDE];
+        edge = new double[film.length];
+        light = new double[film.length];
+    }
 
     /** Surveys so many blocks, or all if there are not more. */
     public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks) {
-        ClusterCost cost = new ClusterCost();
         RayCounters counters = new RayCounters(scene.kindNames.size());
         ClusterMethod method =
                 new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), LEAST_EFFORT);
         int across = (settings.width() + Block.SIDE - 1) / Block.SIDE;
         int down = (settings.height() + Block.SIDE - 1) / Block.SIDE;
-        for (int[] place : SpreadPlaces.of(across, down, blocks)) {
+        List<int[]> places = SpreadPlaces.of(across, down, blocks);
+        ClusterCost cost = new ClusterCost(places.size());
+        for (int[] place : places) {
             Block block =
                     Block.around(place[0] * Block.SIDE, place[1] * Block.SIDE, settings.width(), settings.height());
             method.prepare(block);
@@ -45,10 +50,6 @@ public final class ClusterCost {
     }
 
     private void add(Needs needs, Block block) {
-        int n = block.width() * block.height();
-        film = Arrays.copyOf(film, Math.max(film.length, pixels + n));
-        edge = Arrays.copyOf(edge, film.length);
-        light = Arrays.copyOf(light, film.length);
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 film[pixels] = needs.film[Block.SIDE * j + i];

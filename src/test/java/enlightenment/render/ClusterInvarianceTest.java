@@ -4,7 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.film.FilmTile;
+import enlightenment.method.cluster.ClusterCost;
+import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.render.ManySeeds.Picture;
+import enlightenment.sampling.Distribution;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
@@ -14,6 +21,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** How the work is done changes no bit of what the cluster method makes, with or without a budget. */
 class ClusterInvarianceTest {
@@ -86,5 +94,42 @@ class ClusterInvarianceTest {
                 ManySeeds.render(scene, settings.withTileSize(64)).sampling().estimatedError();
         // Single samples are compared with neighbours in the same tile, of which larger tiles have a few more.
         assertEquals(standard, large, 0.02 * standard);
+    }
+
+    /** Blocks at the border have fewer pixels than others: nothing of the block before may count as theirs. */
+    @ParameterizedTest
+    @ValueSource(strings = {"glass", "keyhole", "primitives"})
+    void aBlockDoesNotDependOnWhatWasRenderedBefore(String name) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings settings = settings(scene, Budget.NONE);
+        CompiledScene compiled = SceneCompiler.compile(scene, settings);
+        for (double samples : new double[] {2.6, 10.6}) {
+            double effort = ClusterCost.of(compiled, settings, 32).effort(samples);
+            ClusterMethod used = method(compiled, settings, effort);
+            for (int y = 0; y < HEIGHT; y += 8) {
+                for (int x = 0; x < WIDTH; x += 8) {
+                    FilmTile again = new FilmTile(x, y, Math.min(8, WIDTH - x), Math.min(8, HEIGHT - y));
+                    FilmTile first = new FilmTile(x, y, again.width, again.height);
+                    used.render(again);
+                    method(compiled, settings, effort).render(first);
+                    assertSame(first, again);
+                }
+            }
+        }
+    }
+
+    private static ClusterMethod method(CompiledScene scene, RenderSettings settings, double effort) {
+        RayCounters counters = new RayCounters(scene.kindNames.size());
+        return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort);
+    }
+
+    private static void assertSame(FilmTile first, FilmTile again) {
+        for (int y = first.y; y < first.y + first.height; y++) {
+            for (int x = first.x; x < first.x + first.width; x++) {
+                for (int c = 0; c < 3; c++) {
+                    assertEquals(first.mean(x, y, c), again.mean(x, y, c), "column " + x + ", row " + y);
+                }
+            }
+        }
     }
 }

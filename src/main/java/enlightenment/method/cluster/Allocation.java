@@ -15,7 +15,7 @@ final class Allocation {
     private static final double LIGHT_POINTS_PER_RAY = 8;
 
     /** More light points per camera ray than this make no sense: the ray's own place matters then. */
-    private static final int MOST_POINTS = 6;
+    private static final int MOST_POINTS = 5;
 
     private static final int MOST_SAMPLES = 24;
 

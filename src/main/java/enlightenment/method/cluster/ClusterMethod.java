@@ -25,7 +25,7 @@ public final class ClusterMethod implements TileMethod {
     private static final double PATIENCE = 1;
 
     /** Points of the rarer kind that make a good fit, and how often to look for them. */
-    private static final int ENOUGH_TO_LEARN = 64;
+    private static final int ENOUGH_TO_LEARN = 96;
 
     private static final int MOST_LOOKS = 4;
 
@@ -125,7 +125,7 @@ public final class ClusterMethod implements TileMethod {
         survey.take(block);
         needs.of(survey, block);
         guided = false;
-        if (isWorthLearning()) {
+        if (isWorthLearning(block)) {
             guide.reset();
             for (int round = 1; round <= MOST_LOOKS && guide.rarePoints() < ENOUGH_TO_LEARN; round++) {
                 survey.takeMore(guide, round);
@@ -148,14 +148,16 @@ public final class ClusterMethod implements TileMethod {
     }
 
     /** Whether the block is going to ask so often about lights of which so little is seen or hidden. */
-    private boolean isWorthLearning() {
+    private boolean isWorthLearning(Block block) {
         double rare = survey.rareShare();
         if (rare == 0 || rare > RARE) {
             return false;
         }
         long points = 0;
-        for (double light : needs.light) {
-            points += 1L << allocation.lightPoints(light);
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                points += 1L << allocation.lightPoints(needs.light[Block.SIDE * j + i]);
+            }
         }
         return points >= PATIENCE * survey.pointsOfMore();
     }

@@ -77,8 +77,6 @@ final class Survey {
 
     /** Looks again, at more points of the lights, through the corners where something may hide a light; round 1, 2, … */
     void takeMore(ClusterGuide observer, int round) {
-        askedInAll = 0;
-        blockedInAll = 0;
         shader.lightPoints(MANY);
         shader.guide(observer);
         for (int j = 0; j <= block.height(); j++) {
@@ -103,16 +101,30 @@ final class Survey {
         }
         shader.shade(ray, address, color);
         int k = node(i, j);
-        System.arraycopy(color, 0, rgb, 3 * k, 3);
+        int points = shader.askedPoints();
+        if (round == 0) {
+            System.arraycopy(color, 0, rgb, 3 * k, 3);
+            asked[k] = 0;
+            blocked[k] = 0;
+        } else {
+            join(k, (double) points / Math.max(asked[k] + points, 1));
+        }
         keys[k] = shader.pathKey();
-        asked[k] = shader.askedPoints();
-        blocked[k] = shader.blockedPoints();
+        asked[k] += points;
+        blocked[k] += shader.blockedPoints();
         energy[k] = shader.lightEnergy();
         spread[k] = shader.lightSpread();
         spreads |= spread[k] > 0;
-        askedInAll += asked[k];
-        blockedInAll += blocked[k];
+        askedInAll += points;
+        blockedInAll += shader.blockedPoints();
         rays++;
+    }
+
+    /** Lets another look count for a share of the corner's colour. */
+    private void join(int node, double share) {
+        for (int c = 0; c < 3; c++) {
+            rgb[3 * node + c] += share * (color[c] - rgb[3 * node + c]);
+        }
     }
 
     static int node(int i, int j) {
@@ -124,7 +136,7 @@ final class Survey {
         return askedInAll == 0 ? 0 : (double) Math.min(blockedInAll, askedInAll - blockedInAll) / askedInAll;
     }
 
-    /** How many light points {@link #takeMore} would look at. */
+    /** How many light points {@link #takeMore} would look at, if it has not yet. */
     long pointsOfMore() {
         return (long) askedInAll * MANY / FEW;
     }

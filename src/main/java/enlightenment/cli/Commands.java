@@ -30,6 +30,15 @@ final class Commands {
         };
     }
 
+    /** The command for picocli. */
+    static CommandLine line(Subcommand command) {
+        CommandLine line = new CommandLine(command);
+        if (command instanceof TradeCommand) {
+            RenderOptions.hideBudgets(line.getCommandSpec());
+        }
+        return line;
+    }
+
     /** The same habits for every command. */
     static CommandLine configure(CommandLine line, Terminal terminal) {
         // A scene's name may begin with @.
@@ -43,7 +52,7 @@ final class Commands {
     static int executeTree(String[] args, Terminal terminal) {
         CommandLine tree = new CommandLine(new RootCommand());
         for (String name : NAMES) {
-            tree.addSubcommand(name, new CommandLine(create(name, terminal)));
+            tree.addSubcommand(name, line(create(name, terminal)));
         }
         tree.addSubcommand("completion", new AutoComplete.GenerateCompletion());
         tree.addSubcommand("help", new CommandLine.HelpCommand());

@@ -58,7 +58,7 @@ public final class Main {
         if (command == null) {
             return Commands.executeTree(args, terminal);
         }
-        CommandLine line = Commands.configure(new CommandLine(command), terminal);
+        CommandLine line = Commands.configure(Commands.line(command), terminal);
         line.setCommandName("enlightenment " + args[0]);
         line.parseArgs(Arrays.copyOfRange(args, 1, args.length));
         if (command.wantsHelp()) {

@@ -114,6 +114,9 @@ final class RenderCommand extends Subcommand {
         if (clusters != null) {
             boolean csv = Target.extension(clusters).equals(".csv");
             Target.write(clusters, csv ? ClusterDump.csv(result.clusters()) : ClusterDump.json(result.clusters()));
+            if (!result.report().sampling().method().equals("cluster")) {
+                terminal.say(clusters + " is empty: so few samples per pixel were evenly spaced and made no clusters");
+            }
         }
         if (stats) {
             terminal.out().print(StatsTable.of(result.report()));

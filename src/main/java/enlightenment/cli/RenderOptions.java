@@ -11,6 +11,8 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 
 /** The options that change what a scene says about how it is rendered. */
@@ -187,6 +189,15 @@ final class RenderOptions {
         add(refused, "--time", time);
         if (!refused.isEmpty()) {
             throw CliException.wrongUsage(refused.get(0) + " must not be given here: " + instead);
+        }
+    }
+
+    /** Leaves the options that {@link #refuseBudgets} refuses out of the help; they are still known, to say what to use instead. */
+    static void hideBudgets(CommandSpec command) {
+        for (String name : List.of("--method", "--samples", "--error", "--time")) {
+            OptionSpec option = command.findOption(name);
+            command.remove(option);
+            command.addOption(OptionSpec.builder(option).hidden(true).build());
         }
     }
 

@@ -78,6 +78,7 @@ final class ReportJson {
     private static void sampling(JsonText json, RenderReport report) {
         RenderReport.Sampling s = report.sampling();
         json.beginObject();
+        json.key("method").value(s.method());
         json.key("decidedBy").value(s.decidedBy());
         json.key("plannedSamples").value(s.plannedSamples());
         json.key("samplesPerPixel").value(s.samplesPerPixel());

@@ -37,7 +37,9 @@ final class StatsTable {
 
     private void sampling(RenderReport report) {
         RenderReport.Sampling s = report.sampling();
-        line("samples per pixel", "%,18.2f   decided by %s", s.samplesPerPixel(), s.decidedBy());
+        boolean own = s.method().equals(report.settings().method());
+        String plain = own ? "" : ", too few for a survey: evenly spaced, as with raytrace";
+        line("samples per pixel", "%,18.2f   decided by %s%s", s.samplesPerPixel(), s.decidedBy(), plain);
         line(
                 "estimated error",
                 "%18.5f   95 %% interval %.5f .. %.5f",

@@ -12,7 +12,10 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
@@ -102,7 +105,9 @@ final class TradeCommand extends Subcommand {
         Optional<Image> truth = reference.equals("auto") ? Optional.empty() : Optional.of(read(Path.of(reference)));
         TradeSettings settings;
         try {
-            settings = new TradeSettings(base, chosen, seconds, count, switches, truth, sceneKey());
+            settings = new TradeSettings(base, chosen, seconds, count, switches, truth, sceneKey(scene));
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--" + optionOf(e.key()) + " " + e.getMessage());
         }
@@ -184,12 +189,22 @@ final class TradeCommand extends Subcommand {
         }
     }
 
-    /** Tells this scene from all others, and this frame of it. */
-    private String sceneKey() throws IOException {
+    /** Tells this scene from all others, with what its image files hold, and this frame of it. */
+    private String sceneKey(Scene scene) {
+        String json = SceneWriter.toJson(scene.withoutAnimation(), image -> {
+            try {
+                return hash(Files.readAllBytes(image));
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        });
+        String frame = options.frame().map(f -> ", frame " + f).orElse("");
+        return sceneFile.getFileName() + ", SHA-256 " + hash(json.getBytes(StandardCharsets.UTF_8)) + frame;
+    }
+
+    private static String hash(byte[] bytes) {
         try {
-            byte[] hash = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(sceneFile));
-            String frame = options.frame().map(f -> ", frame " + f).orElse("");
-            return sceneFile.getFileName() + ", SHA-256 " + HexFormat.of().formatHex(hash) + frame;
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java has SHA-256", e);
         }

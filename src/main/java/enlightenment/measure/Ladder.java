@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Renders with 1, 2, 4, ... samples per pixel, several times each. The methods take turns, render by render: a machine with
+ * Renders with 1, 2, 4, ... samples per pixel (and 2.5), several times each. The methods take turns, render by render: a machine with
  * neighbours then disturbs all of them alike.
  */
 final class Ladder {
@@ -13,9 +13,10 @@ final class Ladder {
     private static final double SHARE_WITH_SWEEPS = 0.55;
 
     /** These are rendered once whatever they take: with fewer there is nothing to tell. */
-    private static final int LEAST_RUNGS = 3;
+    private static final int LEAST_RUNGS = 4;
 
-    private static final int MOST_RUNGS = 13;
+    /** Powers of two, which the samplers like best, and where the cluster method begins to have a survey: from there it is another. */
+    private static final double[] SAMPLES = {1, 2, 2.5, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096};
 
     /** A render with more than this share of the reference's samples has nothing better to be compared with. */
     private static final double OF_REFERENCE = 0.25;
@@ -32,8 +33,8 @@ final class Ladder {
     void climb() throws IOException {
         double share = session.settings.sweeps().isEmpty() ? SHARE : SHARE_WITH_SWEEPS;
         for (int rung = 0; rung < rungs(); rung++) {
-            double samples = 1 << rung;
-            session.say(samples == 1 ? "1 sample per pixel" : (long) samples + " samples per pixel");
+            double samples = SAMPLES[rung];
+            session.say(samples == 1 ? "1 sample per pixel" : Digits.samples(samples) + " samples per pixel");
             for (int k = 0; k < session.settings.seeds(); k++) {
                 boolean needed = rung < LEAST_RUNGS && k == 0;
                 if (!needed && !session.fits(expected(samples), share)) {
@@ -59,7 +60,7 @@ final class Ladder {
                 .min()
                 .orElse(Double.POSITIVE_INFINITY);
         int rungs = LEAST_RUNGS;
-        while (rungs < MOST_RUNGS && 1 << rungs <= OF_REFERENCE * most) {
+        while (rungs < SAMPLES.length && SAMPLES[rungs] <= OF_REFERENCE * most) {
             rungs++;
         }
         return rungs;

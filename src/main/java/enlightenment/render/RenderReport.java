@@ -39,6 +39,8 @@ public record RenderReport(
     /**
      * How the picture was sampled.
      *
+     * @param method what made the samples: the method of the settings, or {@code raytrace} where {@code cluster} was given too few
+     *     samples for its survey
      * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
      * @param plannedSamples camera rays per pixel that were planned; as {@code --samples} this makes the same picture
      * @param samplesPerPixel camera rays per pixel that were taken, those of surveys included
@@ -50,6 +52,7 @@ public record RenderReport(
      * @param accepted those of them that were of the kind sought
      */
     public record Sampling(
+            String method,
             String decidedBy,
             double plannedSamples,
             double samplesPerPixel,

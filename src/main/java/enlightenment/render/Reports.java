@@ -24,6 +24,7 @@ final class Reports {
         rays.put("refracted", all.refractedRays);
         rays.put("shadow", all.shadowRays);
         RenderReport.Sampling sampling = new RenderReport.Sampling(
+                outline.plan().method(),
                 outline.plan().decidedBy(),
                 outline.plan().samples(),
                 cameraSamples / (double) Math.max(pixels, 1),

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
@@ -94,6 +95,35 @@ class TradeCommandTest {
         assertEquals(before, after.subList(0, before.size()));
         assertTrue(after.size() > before.size());
         assertTrue(java.util.Arrays.equals(reference, Files.readAllBytes(out.resolve("reference.pfm"))));
+    }
+
+    @Test
+    void aTradeDoesNotGoOnWithAnotherPictureInATexture() throws IOException {
+        Path texture = folder.resolve("floor.png");
+        Files.copy(Path.of("textures/fire.png"), texture);
+        Files.writeString(
+                scene,
+                Files.readString(scene)
+                        .replaceFirst(
+                                "\"materials\"", "\"textures\": { \"t\": { \"file\": \"floor.png\" } }, \"materials\"")
+                        .replaceFirst("\"color\": \\[[^\\]]*\\]", "\"color\": { \"texture\": \"t\" }"));
+        CliRun first = trade("--budget", "1", "--seeds", "1");
+        assertEquals(0, first.code(), first.err());
+        assertEquals(0, trade("--budget", "1", "--seeds", "1", "--resume").code());
+        Files.copy(Path.of("textures/ice.png"), texture, StandardCopyOption.REPLACE_EXISTING);
+        CliRun other = trade("--budget", "1", "--resume");
+        assertEquals(2, other.code());
+        assertTrue(other.err().contains("holds a trade of something else: it was made with scene="), other.err());
+    }
+
+    @Test
+    void theHelpDoesNotOfferWhatWouldBeRefused() {
+        String help = CliRun.of("trade", "--help").out();
+        assertTrue(help.contains("--shadow-samples") && help.contains("--methods"), help);
+        for (String refused : List.of("--samples", "--error", "--time", "--method=")) {
+            assertFalse(help.contains(" " + refused), help);
+            assertFalse(help.contains("[" + refused), help);
+        }
     }
 
     @Test

@@ -131,6 +131,23 @@ class PlannerTest {
         }
     }
 
+    /** What a survey takes would be missing elsewhere: no method may lose to its own rays, evenly spaced. */
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice", "keyhole"})
+    void withTooFewSamplesForASurveyTheClusterMethodIsTheRayTracerToTheLastBit(String name) {
+        Scene scene = ManySeeds.shipped(name);
+        for (double samples : new double[] {1, 1.7, 2.44, 2.45, 4}) {
+            Budget budget = Budget.NONE.withSamples(samples);
+            Picture cluster =
+                    ManySeeds.render(scene, settings(scene, "cluster", 64, 32).withBudget(budget));
+            Picture raytrace =
+                    ManySeeds.render(scene, settings(scene, "raytrace", 64, 32).withBudget(budget));
+            assertEquals(
+                    samples < 2.45 ? "raytrace" : "cluster", cluster.sampling().method());
+            assertEquals(samples < 2.45, Arrays.equals(raytrace.rgb(), cluster.rgb()), samples + " samples");
+        }
+    }
+
     @Test
     void anErrorThatIsReachedAtOnceTakesTheFewestSamples() {
         Scene scene = ManySeeds.shipped("fire-and-ice");

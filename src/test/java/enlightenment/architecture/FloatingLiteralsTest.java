@@ -87,13 +87,13 @@ class FloatingLiteralsTest {
             new Explained("method/Dither.java", "1.32471795724474602596", "the root of g³ = g + 1"),
             new Explained("method/cluster/Allocation.java", "2.85", "exponent: how fast variances fall with samples"),
             new Explained("method/cluster/Allocation.java", "2.5", "exponent: how fast variances fall with samples"),
-            new Explained("method/cluster/Allocation.java", "8", "light points that are worth a ray"),
+            new Explained("method/cluster/Allocation.java", "3", "light points that are worth a ray"),
             new Explained("method/cluster/ClusterMethod.java", "0.2", "share of light points"),
             new Explained("method/cluster/Lobe.java", "1.25", "factor on a variance"),
             new Explained(
                     "method/cluster/Needs.java", "0.003", "ratio of variances of display-referred colours, measured"),
             new Explained(
-                    "method/cluster/Needs.java", "0.03", "ratio of variances of display-referred colours, measured"),
+                    "method/cluster/Needs.java", "0.3", "ratio of variances of display-referred colours, measured"),
             new Explained(
                     "method/cluster/Needs.java", "0.1", "ratio of variances of display-referred colours, measured"),
             new Explained("method/cluster/Needs.java", "6", "1 + 4 + 1: variance of a second difference"),

@@ -12,7 +12,7 @@ final class Allocation {
     private static final double ROUGH = 2.5;
 
     /** How much cheaper than a camera ray a light point is, and how much more often it misjudges a pixel's need: chosen there. */
-    private static final double LIGHT_POINTS_PER_RAY = 8;
+    private static final double LIGHT_POINTS_PER_RAY = 3;
 
     /** More light points per camera ray than this make no sense: the ray's own place matters then. */
     private static final int MOST_POINTS = 5;

@@ -11,8 +11,8 @@ package enlightenment.method.cluster;
  */
 final class Needs {
     private static final double OF_EDGE = 2;
-    private static final double OF_CURVATURE = 0.03;
-    private static final double OF_TWIST = 0.1;
+    private static final double OF_CURVATURE = 0.1;
+    private static final double OF_TWIST = 0.3;
 
     /** What every pixel gets of its block's curvature: what the corners miss here they may have seen there. */
     private static final double OF_BLOCK = 0.003;

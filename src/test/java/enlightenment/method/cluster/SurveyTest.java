@@ -122,9 +122,9 @@ class SurveyTest {
             survey.rgb[3 * k] = survey.rgb[3 * k + 1] = survey.rgb[3 * k + 2] = bend;
         }
         Needs needs = needs(survey, block);
-        // Second differences are 2/64 everywhere: 0.03 + 0.003 of their squares.
+        // Second differences are 2/64 everywhere: 0.1 + 0.003 of their squares.
         for (int k = 0; k < 64; k++) {
-            assertEquals(0.033 / 1024, needs.film[k], 1e-12);
+            assertEquals(0.103 / 1024, needs.film[k], 1e-12);
         }
     }
 

@@ -23,6 +23,8 @@ public final class FilmTile {
     /** Per pixel: {@link SampleSpread#halves} and {@link SampleSpread#quarters}. */
     private final float[] spreads;
 
+    private final Neighbours neighbours = new Neighbours(this);
+
     private long surveyRays;
 
     /**
@@ -74,6 +76,11 @@ public final class FilmTile {
         known[k + 2] = b;
     }
 
+    /** Whether the samples are differences from something known. */
+    public boolean hasKnown() {
+        return known != null;
+    }
+
     /** Keeps what the finished samples of a pixel tell about their error. */
     public void spread(int column, int row, SampleSpread spread) {
         int k = 2 * pixel(column, row);
@@ -106,37 +113,30 @@ public final class FilmTile {
         return counts[pixel(column, row)];
     }
 
-    /** See {@link SampleSpread#halves}. For a single sample: from the differences between neighbours. */
+    /** See {@link SampleSpread#halves}. For a single sample, {@link Neighbours#difference}. */
     public float halves(int column, int row) {
         int pixel = pixel(column, row);
-        return counts[pixel] == 1 ? (float) spreadOfNeighbours(column, row) : spreads[2 * pixel];
+        return counts[pixel] == 1 ? (float) neighbours.difference(column, row) : spreads[2 * pixel];
     }
 
-    /** See {@link SampleSpread#quarters}. */
+    /** See {@link SampleSpread#quarters}. For one or two samples, {@link Neighbours#steps}, which may be negative. */
     public float quarters(int column, int row) {
-        return spreads[2 * pixel(column, row) + 1];
+        int pixel = pixel(column, row);
+        return counts[pixel] == 1 || counts[pixel] == 2
+                ? (float) neighbours.steps(column, row)
+                : spreads[2 * pixel + 1];
     }
 
-    /** Half the mean squared difference between a single sample and those of the pixels beside it, in this tile. */
-    private double spreadOfNeighbours(int column, int row) {
-        double sum = 0;
-        int neighbours = 0;
-        for (int k = 0; k < 4; k++) {
-            int c = column + (k == 0 ? -1 : k == 1 ? 1 : 0);
-            int r = row + (k == 2 ? -1 : k == 3 ? 1 : 0);
-            if (contains(c, r) && counts[pixel(c, r)] == 1) {
-                sum += squaredDifference(pixel(column, row), pixel(c, r)) / 2;
-                neighbours++;
-            }
-        }
-        // A pixel on its own among others with more samples: the known part is all there is to compare with.
-        return neighbours > 0 ? sum / neighbours : squaredDifference(pixel(column, row), -1);
+    /** The mean of a component of a pixel with samples, without the known part. */
+    double difference(int column, int row, int component) {
+        return meanDifference(pixel(column, row), component);
     }
 
-    private double squaredDifference(int pixel, int other) {
+    /** The squared mean of a pixel without the known part, mean of the components. */
+    double squaredDifference(int column, int row) {
         double sum = 0;
         for (int c = 0; c < 3; c++) {
-            double d = meanDifference(pixel, c) - (other < 0 ? 0 : meanDifference(other, c));
+            double d = difference(column, row, c);
             sum += d * d;
         }
         return sum / 3;

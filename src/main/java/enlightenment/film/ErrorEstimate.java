@@ -23,14 +23,11 @@ public final class ErrorEstimate {
     /** 97.5 % of a normal distribution lie below this many deviations. */
     private static final double TWO_SIDED_95 = 1.96;
 
-    /** A squared normal number has twice its squared mean as variance, and a third of the mean of its square is that. */
-    private static final double OF_ONE_NORMAL = 2.0 / 3;
-
     /**
      * The relative deviation of the mean square that comes from the shares: another scene's samples fall otherwise than those
      * that they were fitted to.
      */
-    private static final double OF_SHARES = 0.12;
+    private static final double OF_SHARES = 0.15;
 
     private final float[] variances;
     private final double meanSquare;
@@ -66,7 +63,7 @@ public final class ErrorEstimate {
             sum += v;
             double influence = level.ofFirst * first[i] + level.ofSecond * second[i];
             // Once for the estimate, once for the picture itself, which is one of many.
-            squares += OF_ONE_NORMAL * (v * v + influence * influence);
+            squares += v * v + influence * influence;
             pixels++;
         }
         double n = Math.max(pixels, 1);
@@ -169,12 +166,18 @@ public final class ErrorEstimate {
 
     /** The lower end of an interval that holds the true error in 95 of 100 pictures. */
     public double low() {
-        return Math.sqrt(Math.max(meanSquare - TWO_SIDED_95 * deviationOfMeanSquare, 0));
+        return rmse() / spread();
     }
 
     /** The upper end of that interval. */
     public double high() {
-        return Math.sqrt(meanSquare + TWO_SIDED_95 * deviationOfMeanSquare);
+        return rmse() * spread();
+    }
+
+    /** The interval is one of the logarithm: a sum of squares of which few are great errs by factors. */
+    private double spread() {
+        double deviation = meanSquare > 0 ? deviationOfMeanSquare / meanSquare : 0;
+        return StrictMath.exp(TWO_SIDED_95 * deviation / 2);
     }
 
     /** The estimated variance of each pixel, row by row; of a single pixel it is a rough guess. */

@@ -6,6 +6,7 @@ package enlightenment.film;
  */
 public final class FilmTile {
     private static final int PER_PIXEL = 6;
+    private static final int PER_KNOWN = 4;
 
     public final int x;
     public final int y;
@@ -15,7 +16,7 @@ public final class FilmTile {
     /** Per pixel: sum and compensation of red, green, blue. */
     private final double[] sums;
 
-    /** Per pixel: the known part of red, green, blue, from which the samples are differences; null for none. */
+    /** Per pixel: the known part of red, green, blue, from which the samples are differences, and {@code ofLight}; null for none. */
     private double[] known;
 
     private final int[] counts;
@@ -65,15 +66,20 @@ public final class FilmTile {
         sums[k] = t;
     }
 
-    /** Says that the pixel's samples are differences from something whose mean over the pixel is known: this colour. */
-    public void known(int column, int row, double r, double g, double b) {
+    /**
+     * Says that the pixel's samples are differences from something whose mean over the pixel is known: this colour.
+     *
+     * @param ofLight the share of the variance of the differences that is expected to come from the choice of light points, 0..1
+     */
+    public void known(int column, int row, double r, double g, double b, double ofLight) {
         if (known == null) {
-            known = new double[3 * width * height];
+            known = new double[PER_KNOWN * width * height];
         }
-        int k = 3 * pixel(column, row);
+        int k = PER_KNOWN * pixel(column, row);
         known[k] = r;
         known[k + 1] = g;
         known[k + 2] = b;
+        known[k + 3] = ofLight;
     }
 
     /** Whether the samples are differences from something known. */
@@ -100,7 +106,7 @@ public final class FilmTile {
     }
 
     private double knownPart(int pixel, int component) {
-        return known == null ? 0 : known[3 * pixel + component];
+        return known == null ? 0 : known[PER_KNOWN * pixel + component];
     }
 
     private double meanDifference(int pixel, int component) {
@@ -113,18 +119,35 @@ public final class FilmTile {
         return counts[pixel(column, row)];
     }
 
-    /** See {@link SampleSpread#halves}. For a single sample, {@link Neighbours#difference}. */
+    /**
+     * The first figure that the pixel tells of its error: {@link SampleSpread#halves}, or for a single sample
+     * {@link Neighbours#difference}; of differences as {@link Remainder#ofDifferences} weighs them.
+     */
     public float halves(int column, int row) {
         int pixel = pixel(column, row);
-        return counts[pixel] == 1 ? (float) neighbours.difference(column, row) : spreads[2 * pixel];
+        double first = counts[pixel] == 1 ? neighbours.difference(column, row) : spreads[2 * pixel];
+        return (float) (known == null ? first : first * Remainder.ofDifferences(counts[pixel], ofLight(pixel)));
     }
 
-    /** See {@link SampleSpread#quarters}. For one or two samples, {@link Neighbours#steps}, which may be negative. */
+    /**
+     * The second figure: {@link SampleSpread#quarters}, or for one or two samples {@link Neighbours#steps}, which may be
+     * negative; of single differences as much of it as comes from light points.
+     */
     public float quarters(int column, int row) {
         int pixel = pixel(column, row);
-        return counts[pixel] == 1 || counts[pixel] == 2
-                ? (float) neighbours.steps(column, row)
-                : spreads[2 * pixel + 1];
+        if (counts[pixel] > 2 || counts[pixel] == 0) {
+            return spreads[2 * pixel + 1];
+        }
+        double steps = neighbours.steps(column, row);
+        if (known == null || counts[pixel] == 2) {
+            return (float) steps;
+        }
+        double rest = Remainder.ofDifferences(1, 0) * (1 - ofLight(pixel));
+        return (float) (ofLight(pixel) * steps + rest * neighbours.difference(column, row));
+    }
+
+    private double ofLight(int pixel) {
+        return known[PER_KNOWN * pixel + 3];
     }
 
     /** The mean of a component of a pixel with samples, without the known part. */

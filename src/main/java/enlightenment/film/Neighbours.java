@@ -51,8 +51,8 @@ final class Neighbours {
             int c = column + right * inward(column, row, right, k);
             int r = row + k * inward(column, row, right, k);
             if (isInCell(c - right, r - k, column, row)
-                    && isInCell(c + right, r + k, column, row)
-                    && tile.count(c, r) == tile.count(column, row)) {
+                    && isInCell(c, r, column, row)
+                    && isInCell(c + right, r + k, column, row)) {
                 sum -= product(c, r, c - right, r - k, c + right, r + k, c, r);
                 directions++;
             }

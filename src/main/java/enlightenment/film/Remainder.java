@@ -16,16 +16,18 @@ final class Remainder {
     private static final double SINGLE_LINEAR = 0.2;
     private static final double LEAST_SINGLE_RATIO = -0.25;
 
-    /** Of two samples, where the means of neighbours differ by more than noise: 1/(2.6 + 1). */
+    /** Of two samples, where the means of neighbours differ by more than noise: between 1/2.4 for straight edges and 1/3 for other shapes. */
     private static final double PAIR_EDGE = 0.38;
 
+    private static final double PAIR_RATIO = 0.3;
+
     /** How fast the fall of the variance grows with the ratio where there is noise, and where there are edges. */
-    private static final double STEEP = 1.5;
+    private static final double STEEP = 1.25;
 
     private static final double FLAT = 0.25;
 
     /** The fall at edges from 2 to 4, from 4 to 8 and from 8 to 16 samples or further, and the ratio to which it belongs. */
-    private static final double[] EDGE = {3.25, 3.15, 3.0};
+    private static final double[] EDGE = {3.1, 3.05, 2.95};
 
     private static final double EDGE_RATIO = 2.8;
 
@@ -35,11 +37,13 @@ final class Remainder {
     /** Slower than independent samples, or faster than this, the variance falls only by chance. */
     private static final double FASTEST = 8;
 
-    /**
-     * The same for one, two and four samples that are differences from a known part. That leaves isolated remainders, of which
-     * neighbours tell nothing, and the ratio of quarters to halves does not either.
-     */
-    private static final double[] OF_DIFFERENCES = {0.72, 0.57, 0.5};
+    /** What is left of the figure of one, two and four differences if nothing of it, and if all of it comes from light points. */
+    private static final double[] OF_REST = {0.6, 0.6, 0.45};
+
+    private static final double[] OF_LIGHT = {1, 0.4, 0.6};
+
+    /** Least share that is left of single differences. */
+    private static final double LEAST_OF_DIFFERENCES = 0.4;
 
     private Remainder() {}
 
@@ -51,18 +55,32 @@ final class Remainder {
      * @param differences whether the samples are differences from a known part
      */
     static double share(int level, double ratio, boolean differences) {
-        if (differences && level < OF_DIFFERENCES.length) {
-            return OF_DIFFERENCES[level];
+        if (differences && level < OF_REST.length) {
+            return level == 0 ? Math.min(Math.max(ratio, LEAST_OF_DIFFERENCES), 1) : 1;
         }
         if (level == 0) {
             double x = Math.min(Math.max(ratio, LEAST_SINGLE_RATIO), 1);
             return SINGLE_EDGE + x * (SINGLE_LINEAR + x * (1 - SINGLE_EDGE - SINGLE_LINEAR));
         }
         if (level == 1) {
-            double x = Math.min(Math.max(ratio, 0), 1);
-            return PAIR_EDGE + (1 - PAIR_EDGE) * x * x;
+            double x = Math.min(Math.max(ratio, PAIR_RATIO), 1);
+            return PAIR_EDGE + (1 - PAIR_EDGE) * (x - PAIR_RATIO) / (1 - PAIR_RATIO);
         }
         return 1 / (fall(level, Math.min(Math.max(ratio, 2), FASTEST)) - 1);
+    }
+
+    /**
+     * Differences from a known part leave isolated remainders, of which neither neighbours nor the ratio of quarters to halves
+     * tell much: what is left of the first figure of a pixel with few of them, for each pixel by itself. Only of what comes from
+     * light points do neighbours tell the variance of a single one.
+     *
+     * @param ofLight the share of the variance that comes from light points
+     */
+    static double ofDifferences(int count, double ofLight) {
+        int level = count == 1 ? 0 : count == 2 ? 1 : 2;
+        return count == 1 || count == 2 || count == 4
+                ? OF_REST[level] + ofLight * (OF_LIGHT[level] - OF_REST[level])
+                : 1;
     }
 
     private static double fall(int level, double ratio) {

@@ -103,11 +103,12 @@ public final class ErrorEstimate {
         Level[] levels = new Level[LEVELS];
         Arrays.setAll(levels, k -> new Level());
         Level pooled = new Level();
+        int least = Remainder.leastPooled(differences);
         for (int i = 0; i < first.length; i++) {
             if (counts[i] > 0) {
                 int k = level(counts[i]);
                 levels[k].add(first[i], second[i]);
-                if (k >= 2 && k != OTHERS) {
+                if (k >= least && k != OTHERS) {
                     pooled.add(first[i], second[i]);
                 }
             }

@@ -16,7 +16,7 @@ final class Remainder {
     private static final double SINGLE_LINEAR = 0.2;
     private static final double LEAST_SINGLE_RATIO = -0.25;
 
-    /** Of two samples, where the means of neighbours differ by more than noise: between 1/2.4 for straight edges and 1/3 for other shapes. */
+    /** Of two samples, where the means of neighbours differ by more than noise: between 1/2.4, straight edges, and 1/3. */
     private static final double PAIR_EDGE = 0.38;
 
     private static final double PAIR_RATIO = 0.3;
@@ -81,6 +81,11 @@ final class Remainder {
         return count == 1 || count == 2 || count == 4
                 ? OF_REST[level] + ofLight * (OF_LIGHT[level] - OF_REST[level])
                 : 1;
+    }
+
+    /** From this level on the ratios of halves and quarters of all levels are comparable. */
+    static int leastPooled(boolean differences) {
+        return differences ? OF_REST.length : 2;
     }
 
     private static double fall(int level, double ratio) {

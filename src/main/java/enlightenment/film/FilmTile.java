@@ -57,6 +57,7 @@ public final class FilmTile {
         accumulate(k + 2, g);
         accumulate(k + 4, b);
         counts[pixel]++;
+        neighbours.forget();
     }
 
     private void accumulate(int k, double v) {
@@ -109,7 +110,8 @@ public final class FilmTile {
         return known == null ? 0 : known[PER_KNOWN * pixel + component];
     }
 
-    private double meanDifference(int pixel, int component) {
+    /** The mean of a component of a pixel, by its index, without the known part; NaN without samples. */
+    double meanDifference(int pixel, int component) {
         int k = PER_PIXEL * pixel + 2 * component;
         return (sums[k] + sums[k + 1]) / counts[pixel];
     }
@@ -148,21 +150,6 @@ public final class FilmTile {
 
     private double ofLight(int pixel) {
         return known[PER_KNOWN * pixel + 3];
-    }
-
-    /** The mean of a component of a pixel with samples, without the known part. */
-    double difference(int column, int row, int component) {
-        return meanDifference(pixel(column, row), component);
-    }
-
-    /** The squared mean of a pixel without the known part, mean of the components. */
-    double squaredDifference(int column, int row) {
-        double sum = 0;
-        for (int c = 0; c < 3; c++) {
-            double d = difference(column, row, c);
-            sum += d * d;
-        }
-        return sum / 3;
     }
 
     /** See {@link #addSurveyRays}. */

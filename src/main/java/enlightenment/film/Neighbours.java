@@ -8,12 +8,28 @@ package enlightenment.film;
  * a trial, in a tile of any size and on a worker of a network.
  */
 final class Neighbours {
-    private static final int CELL = 8;
+    /** Binary logarithm of a cell's side. */
+    private static final int CELL = 3;
 
     private final FilmTile tile;
 
+    /** Per pixel: the means of red, green and blue without the known part; null until they are asked for. */
+    private double[] means;
+
     Neighbours(FilmTile tile) {
         this.tile = tile;
+    }
+
+    /** Forgets the means, because another sample came. */
+    void forget() {
+        means = null;
+    }
+
+    private void gather() {
+        means = new double[3 * tile.width * tile.height];
+        for (int k = 0; k < means.length; k++) {
+            means[k] = tile.meanDifference(k / 3, k % 3);
+        }
     }
 
     /**
@@ -21,20 +37,25 @@ final class Neighbours {
      * the same truth it is the variance of their means, of others more. Without such a neighbour, the squared mean itself.
      */
     double difference(int column, int row) {
+        if (means == null) {
+            gather();
+        }
         int count = tile.count(column, row);
+        int pixel = index(column, row);
         double sum = 0;
         int neighbours = 0;
         for (int k = 0; k < 4; k++) {
             int c = column + (k == 0 ? -1 : k == 1 ? 1 : 0);
             int r = row + (k == 2 ? -1 : k == 3 ? 1 : 0);
             if (isInCell(c, r, column, row) && tile.count(c, r) == count) {
-                sum += product(c, r, column, row, c, r, column, row) / 2;
+                int other = index(c, r);
+                sum += product(pixel, other, pixel, other);
                 neighbours++;
             }
         }
         // A pixel on its own among others: where there is a known part, the distance from it is all there is to compare
         // with.
-        return neighbours > 0 ? sum / neighbours : tile.squaredDifference(column, row);
+        return neighbours > 0 ? sum / (2 * neighbours) : squared(pixel);
     }
 
     /**
@@ -44,16 +65,22 @@ final class Neighbours {
      * pixels in a row, the same as {@link #difference}.
      */
     double steps(int column, int row) {
+        if (means == null) {
+            gather();
+        }
         double sum = 0;
         int directions = 0;
-        for (int k = 0; k < 2; k++) {
-            int right = 1 - k;
-            int c = column + right * inward(column, row, right, k);
-            int r = row + k * inward(column, row, right, k);
-            if (isInCell(c - right, r - k, column, row)
+        for (int down = 0; down < 2; down++) {
+            int right = 1 - down;
+            int inward = inward(column, row, right, down);
+            int c = column + right * inward;
+            int r = row + down * inward;
+            if (isInCell(c - right, r - down, column, row)
                     && isInCell(c, r, column, row)
-                    && isInCell(c + right, r + k, column, row)) {
-                sum -= product(c, r, c - right, r - k, c + right, r + k, c, r);
+                    && isInCell(c + right, r + down, column, row)) {
+                int middle = index(c, r);
+                int step = index(c + right, r + down) - middle;
+                sum -= product(middle, middle - step, middle + step, middle);
                 directions++;
             }
         }
@@ -69,20 +96,25 @@ final class Neighbours {
     }
 
     private boolean isInCell(int c, int r, int column, int row) {
-        return c >= 0
-                && r >= 0
-                && c / CELL == column / CELL
-                && r / CELL == row / CELL
-                && tile.contains(c, r)
-                && tile.count(c, r) > 0;
+        return ((c ^ column) >> CELL | (r ^ row) >> CELL) == 0 && tile.contains(c, r) && tile.count(c, r) > 0;
+    }
+
+    private int index(int column, int row) {
+        return 3 * ((row - tile.y) * tile.width + column - tile.x);
     }
 
     /** (a − b)(c − d) for the means of four pixels, mean of the components. */
-    private double product(int ax, int ay, int bx, int by, int cx, int cy, int dx, int dy) {
+    private double product(int a, int b, int c, int d) {
+        return ((means[a] - means[b]) * (means[c] - means[d])
+                        + (means[a + 1] - means[b + 1]) * (means[c + 1] - means[d + 1])
+                        + (means[a + 2] - means[b + 2]) * (means[c + 2] - means[d + 2]))
+                / 3;
+    }
+
+    private double squared(int pixel) {
         double sum = 0;
         for (int c = 0; c < 3; c++) {
-            sum += (tile.difference(ax, ay, c) - tile.difference(bx, by, c))
-                    * (tile.difference(cx, cy, c) - tile.difference(dx, dy, c));
+            sum += means[pixel + c] * means[pixel + c];
         }
         return sum / 3;
     }

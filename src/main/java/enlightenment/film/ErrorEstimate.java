@@ -1,38 +1,33 @@
 package enlightenment.film;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
  * How far a picture is from the truth, told by its own samples, in display units (0..1).
  *
- * <p>The halves of a pixel give V(n/2) − V(n), its quarters V(n/4) − V(n/2) ({@link SampleSpread}). If V(n/2) = a V(n) and
- * V(n/4) = a b V(n), the halves are (a − 1) V(n) and the ratio of quarters to halves is R = a (b − 1)/(a − 1). Points in the
- * plane are better distributed if their number is a power of four: a and b differ, and change places from one power of two to
- * the next, where the ratio is R' = b (a − 1)/(b − 1). So R R' = a b, and a = (R R' + R)/(1 + R); R and R' are taken from sums
- * over all pixels with such numbers of samples. Independent samples have a = b = 2, well-distributed ones about 3. Pixels with
- * one sample are compared with their neighbours, and those with numbers of samples that are no power of two are taken as if
- * their samples were independent: both err on the side of caution.
+ * <p>Pixels with the same number of samples, a power of two, are judged together: the sums A and B over their two figures
+ * ({@link FilmTile#halves}, {@link FilmTile#quarters}) give the sum of their variances, A times a share that depends on B/A
+ * ({@link Remainder}). Pixels with other numbers of samples are taken as if their samples were independent, which errs on the
+ * side of caution.
  */
 public final class ErrorEstimate {
-    /** Levels of 2^0 .. 2^30 samples. */
-    private static final int LEVELS = 31;
+    /** Levels of 2^0 .. 2^30 samples, and one for other numbers. */
+    private static final int LEVELS = 32;
 
-    private static final double INDEPENDENT = 2;
+    private static final int OTHERS = LEVELS - 1;
 
-    /** Faster than this the variance of a mean over a square cannot fall but by chance. */
-    private static final double FASTEST = 8;
-
-    /** With fewer pixels than this a ratio of their sums says little. */
+    /** With fewer pixels than this a ratio of their halves and quarters says little, and that of all pixels is taken. */
     private static final int ENOUGH = 200;
 
     /** 97.5 % of a normal distribution lie below this many deviations. */
     private static final double TWO_SIDED_95 = 1.96;
 
-    /** A squared normal number has twice its squared mean as variance, and a third of the mean of its square is that. */
-    private static final double OF_ONE_NORMAL = 2.0 / 3;
-
-    /** The same for the mean of two of them: variance 1, mean of the square 2. */
-    private static final double OF_TWO_NORMALS = 0.5;
+    /**
+     * The relative deviation of the mean square that comes from the shares: another scene's samples fall otherwise than those
+     * that they were fitted to.
+     */
+    private static final double OF_SHARES = 0.15;
 
     private final float[] variances;
     private final double meanSquare;
@@ -46,136 +41,122 @@ public final class ErrorEstimate {
         this.pixels = pixels;
     }
 
-    static ErrorEstimate of(float[] halves, float[] quarters, int[] counts) {
-        Ratio[] ratios = ratios(halves, quarters, counts);
-        Ratio[] others = {pooled(halves, quarters, counts, 1), pooled(halves, quarters, counts, 0)};
-        double[] sums = new double[LEVELS];
-        float[] variances = new float[halves.length];
+    /**
+     * @param first per pixel {@link FilmTile#halves}
+     * @param second per pixel {@link FilmTile#quarters}
+     * @param counts per pixel the number of samples, 0 for an unfinished pixel
+     * @param differences whether the samples are differences from a known part
+     */
+    static ErrorEstimate of(float[] first, float[] second, int[] counts, boolean differences) {
+        Level[] levels = levels(first, second, counts, differences);
+        float[] variances = new float[first.length];
         double sum = 0;
         double squares = 0;
         long pixels = 0;
-        for (int i = 0; i < halves.length; i++) {
+        for (int i = 0; i < first.length; i++) {
             if (counts[i] == 0) {
                 continue;
             }
-            int level = level(counts[i]);
-            double v = halves[i];
-            if (level > 0) {
-                v *= ratios[level].factor(others[level % 2]);
-                sums[level] += v;
-            }
+            Level level = levels[level(counts[i])];
+            double v = level.share * first[i];
             variances[i] = (float) v;
             sum += v;
-            squares += v * v;
+            double influence = level.ofFirst * first[i] + level.ofSecond * second[i];
+            // Once for the estimate, once for the picture itself, which is one of many.
+            squares += v * v + influence * influence;
             pixels++;
         }
-        // Once for the estimate, once for the picture itself, which is one of many.
-        double square = 2 * OF_ONE_NORMAL * squares;
-        for (int k = 1; k < LEVELS; k++) {
-            square += sums[k] * sums[k] * ratios[k].uncertainty();
-        }
         double n = Math.max(pixels, 1);
-        return new ErrorEstimate(variances, sum / n, Math.sqrt(square) / n, pixels);
+        double ofShares = OF_SHARES * sum;
+        return new ErrorEstimate(variances, sum / n, Math.sqrt(squares + ofShares * ofShares) / n, pixels);
     }
 
     /** The error of some tiles, as if they were all of the picture. */
     public static ErrorEstimate of(List<FilmTile> tiles) {
         int n = 0;
+        boolean differences = false;
         for (FilmTile tile : tiles) {
             n += tile.width * tile.height;
+            differences |= tile.hasKnown();
         }
-        float[] halves = new float[n];
-        float[] quarters = new float[n];
+        float[] first = new float[n];
+        float[] second = new float[n];
         int[] counts = new int[n];
         int k = 0;
         for (FilmTile tile : tiles) {
             for (int y = tile.y; y < tile.y + tile.height; y++) {
                 for (int x = tile.x; x < tile.x + tile.width; x++) {
-                    halves[k] = tile.halves(x, y);
-                    quarters[k] = tile.quarters(x, y);
+                    first[k] = tile.halves(x, y);
+                    second[k] = tile.quarters(x, y);
                     counts[k++] = tile.count(x, y);
                 }
             }
         }
-        return of(halves, quarters, counts);
+        return of(first, second, counts, differences);
     }
 
     private static int level(int count) {
-        return Integer.bitCount(count) == 1 ? Integer.numberOfTrailingZeros(count) : -1;
+        return Integer.bitCount(count) == 1 ? Integer.numberOfTrailingZeros(count) : OTHERS;
     }
 
-    /** How fast the variance falls, for each level: from its own pixels where they are many, from all elsewhere. */
-    private static Ratio[] ratios(float[] halves, float[] quarters, int[] counts) {
-        Ratio[] ratios = new Ratio[LEVELS];
-        Ratio pooled = new Ratio();
-        for (int k = 0; k < LEVELS; k++) {
-            ratios[k] = new Ratio();
-        }
-        for (int i = 0; i < halves.length; i++) {
-            int level = level(counts[i]);
-            if (counts[i] >= 4 && level >= 0) {
-                ratios[level].add(halves[i], quarters[i]);
-                pooled.add(halves[i], quarters[i]);
+    private static Level[] levels(float[] first, float[] second, int[] counts, boolean differences) {
+        Level[] levels = new Level[LEVELS];
+        Arrays.setAll(levels, k -> new Level());
+        Level pooled = new Level();
+        int least = Remainder.leastPooled(differences);
+        for (int i = 0; i < first.length; i++) {
+            if (counts[i] > 0) {
+                int k = level(counts[i]);
+                levels[k].add(first[i], second[i]);
+                if (k >= least && k != OTHERS) {
+                    pooled.add(first[i], second[i]);
+                }
             }
         }
-        for (int k = 0; k < LEVELS; k++) {
-            ratios[k] = ratios[k].pixels >= ENOUGH && ratios[k].halves > 0 ? ratios[k] : pooled;
+        for (int k = 0; k < OTHERS; k++) {
+            Level of = k < 2 || levels[k].pixels >= ENOUGH && levels[k].first > 0 ? levels[k] : pooled;
+            levels[k].judge(k, k < 2 ? of.cautiousRatio() : of.ratio(), differences);
         }
-        return ratios;
+        return levels;
     }
 
-    /** The ratio over all pixels with an even or an odd power of two of samples, or null if they are few. */
-    private static Ratio pooled(float[] halves, float[] quarters, int[] counts, int parity) {
-        Ratio pool = new Ratio();
-        for (int i = 0; i < halves.length; i++) {
-            int level = level(counts[i]);
-            if (level >= 2 && level % 2 == parity) {
-                pool.add(halves[i], quarters[i]);
-            }
-        }
-        return pool.pixels >= ENOUGH && pool.halves > 0 ? pool : null;
-    }
-
-    /** The sum of quarters over that of halves, and what is known about its own error. */
-    private static final class Ratio {
-        private double halves;
-        private double quarters;
-        private double halvesSquared;
-        private double quartersSquared;
+    /** The sums over all pixels with the same number of samples, and what follows from them. */
+    private static final class Level {
+        private double first;
+        private double second;
+        private double firstSquared;
         private long pixels;
 
-        void add(double h, double q) {
-            halves += h;
-            quarters += q;
-            halvesSquared += h * h;
-            quartersSquared += q * q;
+        /** What is left of the first figure, and the derivatives of the sum of variances by the two sums. */
+        private double share = 1;
+
+        private double ofFirst = 1;
+        private double ofSecond;
+
+        void add(double a, double b) {
+            first += a;
+            second += b;
+            firstSquared += a * a;
             pixels++;
         }
 
-        private double value() {
-            double ratio = halves > 0 ? quarters / halves : INDEPENDENT;
-            return Math.min(Math.max(ratio, INDEPENDENT), FASTEST);
+        double ratio() {
+            return first > 0 ? second / first : 0;
         }
 
-        /** What the halves are to be multiplied by to be the variance, given the ratio one power of two away, or null. */
-        double factor(Ratio other) {
-            double r = value();
-            double fall = other == null ? r : (r * other.value() + r) / (1 + r);
-            return 1 / (Math.min(Math.max(fall, INDEPENDENT), FASTEST) - 1);
+        /** The ratio with what chance may have taken from it, if so many pixels carry the sum. */
+        double cautiousRatio() {
+            return first > 0 ? ratio() + Math.sqrt(firstSquared) / first : 1;
         }
 
-        /**
-         * The squared relative error of a sum of halves times this factor, beyond that of the halves: with
-         * V = H/(Q/H − 1) and s = ρ/(ρ − 1) it is dV/V = (1 + s) dH/H − s dQ/Q.
-         */
-        double uncertainty() {
-            if (!(halves > 0 && quarters > 0)) {
-                return 0;
-            }
-            double s = value() / (value() - 1);
-            double ofHalves = OF_ONE_NORMAL * halvesSquared / (halves * halves);
-            double ofQuarters = OF_TWO_NORMALS * quartersSquared / (quarters * quarters);
-            return (s * s + 2 * s) * ofHalves + s * s * ofQuarters;
+        void judge(int level, double ratio, boolean differences) {
+            double step = 1.0 / (1 << 10);
+            share = Remainder.share(level, ratio, differences);
+            double slope = (Remainder.share(level, ratio + step, differences)
+                            - Remainder.share(level, ratio - step, differences))
+                    / (2 * step);
+            ofFirst = share - ratio * slope;
+            ofSecond = slope;
         }
     }
 
@@ -186,12 +167,18 @@ public final class ErrorEstimate {
 
     /** The lower end of an interval that holds the true error in 95 of 100 pictures. */
     public double low() {
-        return Math.sqrt(Math.max(meanSquare - TWO_SIDED_95 * deviationOfMeanSquare, 0));
+        return rmse() / spread();
     }
 
     /** The upper end of that interval. */
     public double high() {
-        return Math.sqrt(meanSquare + TWO_SIDED_95 * deviationOfMeanSquare);
+        return rmse() * spread();
+    }
+
+    /** The interval is one of the logarithm: a sum of squares of which few are great errs by factors. */
+    private double spread() {
+        double deviation = meanSquare > 0 ? deviationOfMeanSquare / meanSquare : 0;
+        return StrictMath.exp(TWO_SIDED_95 * deviation / 2);
     }
 
     /** The estimated variance of each pixel, row by row; of a single pixel it is a rough guess. */

@@ -13,12 +13,13 @@ public final class Film {
     public final int height;
     private final double[] rgb;
 
-    /** Per pixel; see {@link SampleSpread}. */
+    /** Per pixel; see {@link FilmTile#halves} and {@link FilmTile#quarters}. */
     private final float[] halves;
 
     private final float[] quarters;
     private final int[] counts;
     private long surveyRays;
+    private boolean differences;
 
     /** A film for a rectangle of the whole picture. */
     public Film(int x, int y, int width, int height) {
@@ -46,7 +47,7 @@ public final class Film {
                 counts[pixel] = tile.count(column, row);
             }
         }
-        addSurveyRays(tile.surveyRays());
+        add(tile.surveyRays(), tile.hasKnown());
     }
 
     /**
@@ -63,8 +64,14 @@ public final class Film {
         counts[pixel] = samples;
     }
 
-    private synchronized void addSurveyRays(long rays) {
+    private synchronized void add(long rays, boolean known) {
         surveyRays += rays;
+        differences |= known;
+    }
+
+    /** Says that the samples of pixels are differences from something known ({@link FilmTile#known}). */
+    public synchronized void samplesAreDifferences() {
+        differences = true;
     }
 
     private int pixel(int column, int row) {
@@ -83,7 +90,7 @@ public final class Film {
 
     /** How far the samples say that the pixels are from the truth. */
     public ErrorEstimate error() {
-        return ErrorEstimate.of(halves, quarters, counts);
+        return ErrorEstimate.of(halves, quarters, counts, differences);
     }
 
     /** Camera rays of all finished pixels: their samples, and those that only showed where samples are needed. */

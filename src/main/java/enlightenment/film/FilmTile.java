@@ -6,6 +6,7 @@ package enlightenment.film;
  */
 public final class FilmTile {
     private static final int PER_PIXEL = 6;
+    private static final int PER_KNOWN = 4;
 
     public final int x;
     public final int y;
@@ -15,13 +16,15 @@ public final class FilmTile {
     /** Per pixel: sum and compensation of red, green, blue. */
     private final double[] sums;
 
-    /** Per pixel: the known part of red, green, blue, from which the samples are differences; null for none. */
+    /** Per pixel: the known part of red, green, blue, from which the samples are differences, and {@code ofLight}; null for none. */
     private double[] known;
 
     private final int[] counts;
 
     /** Per pixel: {@link SampleSpread#halves} and {@link SampleSpread#quarters}. */
     private final float[] spreads;
+
+    private final Neighbours neighbours = new Neighbours(this);
 
     private long surveyRays;
 
@@ -54,6 +57,7 @@ public final class FilmTile {
         accumulate(k + 2, g);
         accumulate(k + 4, b);
         counts[pixel]++;
+        neighbours.forget();
     }
 
     private void accumulate(int k, double v) {
@@ -63,15 +67,25 @@ public final class FilmTile {
         sums[k] = t;
     }
 
-    /** Says that the pixel's samples are differences from something whose mean over the pixel is known: this colour. */
-    public void known(int column, int row, double r, double g, double b) {
+    /**
+     * Says that the pixel's samples are differences from something whose mean over the pixel is known: this colour.
+     *
+     * @param ofLight the share of the variance of the differences that is expected to come from the choice of light points, 0..1
+     */
+    public void known(int column, int row, double r, double g, double b, double ofLight) {
         if (known == null) {
-            known = new double[3 * width * height];
+            known = new double[PER_KNOWN * width * height];
         }
-        int k = 3 * pixel(column, row);
+        int k = PER_KNOWN * pixel(column, row);
         known[k] = r;
         known[k + 1] = g;
         known[k + 2] = b;
+        known[k + 3] = ofLight;
+    }
+
+    /** Whether the samples are differences from something known. */
+    public boolean hasKnown() {
+        return known != null;
     }
 
     /** Keeps what the finished samples of a pixel tell about their error. */
@@ -93,10 +107,11 @@ public final class FilmTile {
     }
 
     private double knownPart(int pixel, int component) {
-        return known == null ? 0 : known[3 * pixel + component];
+        return known == null ? 0 : known[PER_KNOWN * pixel + component];
     }
 
-    private double meanDifference(int pixel, int component) {
+    /** The mean of a component of a pixel, by its index, without the known part; NaN without samples. */
+    double meanDifference(int pixel, int component) {
         int k = PER_PIXEL * pixel + 2 * component;
         return (sums[k] + sums[k + 1]) / counts[pixel];
     }
@@ -106,40 +121,35 @@ public final class FilmTile {
         return counts[pixel(column, row)];
     }
 
-    /** See {@link SampleSpread#halves}. For a single sample: from the differences between neighbours. */
+    /**
+     * The first figure that the pixel tells of its error: {@link SampleSpread#halves}, or for a single sample
+     * {@link Neighbours#difference}; of differences as {@link Remainder#ofDifferences} weighs them.
+     */
     public float halves(int column, int row) {
         int pixel = pixel(column, row);
-        return counts[pixel] == 1 ? (float) spreadOfNeighbours(column, row) : spreads[2 * pixel];
+        double first = counts[pixel] == 1 ? neighbours.difference(column, row) : spreads[2 * pixel];
+        return (float) (known == null ? first : first * Remainder.ofDifferences(counts[pixel], ofLight(pixel)));
     }
 
-    /** See {@link SampleSpread#quarters}. */
+    /**
+     * The second figure: {@link SampleSpread#quarters}, or for one or two samples {@link Neighbours#steps}, which may be
+     * negative; of single differences as much of it as comes from light points.
+     */
     public float quarters(int column, int row) {
-        return spreads[2 * pixel(column, row) + 1];
+        int pixel = pixel(column, row);
+        if (counts[pixel] > 2 || counts[pixel] == 0) {
+            return spreads[2 * pixel + 1];
+        }
+        double steps = neighbours.steps(column, row);
+        if (known == null || counts[pixel] == 2) {
+            return (float) steps;
+        }
+        double rest = Remainder.ofDifferences(1, 0) * (1 - ofLight(pixel));
+        return (float) (ofLight(pixel) * steps + rest * neighbours.difference(column, row));
     }
 
-    /** Half the mean squared difference between a single sample and those of the pixels beside it, in this tile. */
-    private double spreadOfNeighbours(int column, int row) {
-        double sum = 0;
-        int neighbours = 0;
-        for (int k = 0; k < 4; k++) {
-            int c = column + (k == 0 ? -1 : k == 1 ? 1 : 0);
-            int r = row + (k == 2 ? -1 : k == 3 ? 1 : 0);
-            if (contains(c, r) && counts[pixel(c, r)] == 1) {
-                sum += squaredDifference(pixel(column, row), pixel(c, r)) / 2;
-                neighbours++;
-            }
-        }
-        // A pixel on its own among others with more samples: the known part is all there is to compare with.
-        return neighbours > 0 ? sum / neighbours : squaredDifference(pixel(column, row), -1);
-    }
-
-    private double squaredDifference(int pixel, int other) {
-        double sum = 0;
-        for (int c = 0; c < 3; c++) {
-            double d = meanDifference(pixel, c) - (other < 0 ? 0 : meanDifference(other, c));
-            sum += d * d;
-        }
-        return sum / 3;
+    private double ofLight(int pixel) {
+        return known[PER_KNOWN * pixel + 3];
     }
 
     /** See {@link #addSurveyRays}. */

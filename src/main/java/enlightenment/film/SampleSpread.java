@@ -8,8 +8,8 @@ import java.util.Arrays;
  *
  * <p>Let V(n) be the variance of the mean of n = 2^k points. Two runs of n/2 that together make a run of n have means A and
  * B whose covariance follows from V(n) = (V(n/2) + Cov)/2; so the expectation of (A − B)²/4 is exactly V(n/2) − V(n),
- * however strongly the halves depend on each other. That of the quarters, in the same way, is V(n/4) − V(n/2). Where V falls
- * by a constant factor from level to level the two give V(n) itself: {@link ErrorEstimate}.
+ * however strongly the halves depend on each other. That of the quarters, in the same way, is V(n/4) − V(n/2). Their
+ * ratio tells how fast V falls, and so V(n) itself: {@link ErrorEstimate}.
  */
 public final class SampleSpread {
     private static final int QUARTERS = 4;

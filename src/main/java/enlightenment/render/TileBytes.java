@@ -8,12 +8,12 @@ import java.nio.ByteBuffer;
 import java.util.Optional;
 
 /**
- * A tile as bytes, most significant first: the counters and the number of survey rays (8 bytes each); then for each pixel,
- * row by row, the means of red, green and blue (8 bytes each), halves and quarters of its spread (4 each) and the number of
- * its samples (4).
+ * A tile as bytes, most significant first: the number of survey rays, the counters, and 1 if samples are differences from
+ * something known, else 0 (8 bytes each); then for each pixel, row by row, the means of red, green and blue (8 bytes each), the
+ * two figures that tell of its error (4 each) and the number of its samples (4).
  */
 final class TileBytes {
-    private static final int SCALARS = 11;
+    private static final int SCALARS = 12;
     private static final int PER_PIXEL = 3 * Double.BYTES + 2 * Float.BYTES + Integer.BYTES;
 
     /** Display-referred means lie near 0..1; brighter light than this is a fault, not light. */
@@ -26,7 +26,7 @@ final class TileBytes {
         return Math.addExact(Math.multiplyExact(pixels, PER_PIXEL), (SCALARS + 2 * kinds) * Long.BYTES);
     }
 
-    static void putCounters(ByteBuffer out, RayCounters c, long surveyRays) {
+    static void putHeader(ByteBuffer out, RayCounters c, long surveyRays, boolean differences) {
         out.putLong(surveyRays)
                 .putLong(c.cameraRays)
                 .putLong(c.mirrorRays)
@@ -37,6 +37,7 @@ final class TileBytes {
         for (int i = 0; i < c.tests.length; i++) {
             out.putLong(c.tests[i]).putLong(c.hits[i]);
         }
+        out.putLong(differences ? 1 : 0);
     }
 
     /** Reads the counters; the number of survey rays is the first number of the tile. */
@@ -105,19 +106,29 @@ final class TileBytes {
                 return "a colour is " + mean;
             }
         }
-        for (int k = 0; k < 2; k++) {
-            float spread = in.getFloat();
-            if (!(spread >= 0 && spread < Float.POSITIVE_INFINITY)) {
-                return "a spread is " + spread;
-            }
+        float halves = in.getFloat();
+        if (!(halves >= 0 && halves < Float.POSITIVE_INFINITY)) {
+            return "a spread is " + halves;
         }
+        float quarters = in.getFloat();
         int samples = in.getInt();
+        // Of one or two samples it is a product, which may be negative.
+        if (!(Math.abs(quarters) < Float.POSITIVE_INFINITY) || quarters < 0 && samples > 2) {
+            return "a spread is " + quarters;
+        }
         return samples < 1 ? "the number of samples is " + samples : null;
+    }
+
+    private static boolean samplesAreDifferences(byte[] tile, int kinds) {
+        return ByteBuffer.wrap(tile).getLong(length(0, kinds) - Long.BYTES) != 0;
     }
 
     /** Puts a tile that has no problem into the film; null takes it out. */
     static void into(Film film, byte[] tile, RenderSettings.Crop place, int kinds) {
         ByteBuffer in = tile == null ? null : ByteBuffer.wrap(tile).position(length(0, kinds));
+        if (in != null && samplesAreDifferences(tile, kinds)) {
+            film.samplesAreDifferences();
+        }
         double[] means = new double[3];
         for (int y = place.y(); y < place.y() + place.height(); y++) {
             for (int x = place.x(); x < place.x() + place.width(); x++) {

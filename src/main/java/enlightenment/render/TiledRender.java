@@ -118,6 +118,7 @@ public final class TiledRender {
         int kinds = compiled.kindNames.size();
         ByteBuffer out = ByteBuffer.allocate(TileBytes.length(place.width() * place.height(), kinds));
         long surveyRays = 0;
+        boolean differences = false;
         int side = ColumnGrid.SIDE;
         int bottom = place.y() + place.height();
         for (int y = place.y(); y < bottom; y = Math.min((y / side + 1) * side, bottom)) {
@@ -125,9 +126,10 @@ public final class TiledRender {
             FilmTile block = new FilmTile(place.x(), y, place.width(), height);
             method.render(block);
             surveyRays += block.surveyRays();
+            differences |= block.hasKnown();
             TileBytes.putBlock(out, kinds, place, block);
         }
-        TileBytes.putCounters(out.position(0), counters, surveyRays);
+        TileBytes.putHeader(out.position(0), counters, surveyRays, differences);
         return out.array();
     }
 }

@@ -81,21 +81,19 @@ class ErrorEstimateTest {
         assertTrue(held >= 0.9 * runs, held + " of " + runs + " are held, " + above + " above");
     }
 
+    /** What neighbours differ by because the picture does is not taken for noise. */
     @Test
-    void singleSamplesOnARampAreJudgedWithCaution() {
+    void singleSamplesOnARampAreJudgedByTheirNoise() {
         double ramp = 0.02;
         Film film = noisy(64, 64, 1, 0.05, ramp, new Random(1));
-        // Half the squared difference of neighbours in the same tile: 2σ² and, for the horizontal ones, the ramp's.
-        double horizontal = 2.0 / 4 * ramp * ramp / 2;
-        double expected = Math.sqrt(0.05 * 0.05 + horizontal);
-        assertEquals(expected, film.error().rmse(), 0.05 * expected);
-        assertTrue(film.error().rmse() > trueError(film, ramp));
+        assertEquals(0.05, trueError(film, ramp), 0.002);
+        assertEquals(0.05, film.error().rmse(), 0.1 * 0.05);
     }
 
     @Test
     void aSinglePixelOfASingleSampleIsWorthItsDistanceFromWhatIsKnown() {
         FilmTile tile = new FilmTile(0, 0, 1, 1);
-        tile.known(0, 0, 0.5, 0.5, 0.5);
+        tile.known(0, 0, 0.5, 0.5, 0.5, 1);
         tile.add(0, 0, 0.1, 0.1, 0.1);
         Film film = new Film(0, 0, 1, 1);
         film.put(tile);
@@ -120,10 +118,11 @@ class ErrorEstimateTest {
         }
         film.put(tile);
         assertEquals(64, film.error().pixels());
-        // Two samples 0 and 1, nothing known of how they depend on each other: (0 − 1)²/4.
-        assertEquals(0.5, film.error().rmse(), 1e-8);
+        // Two samples 0 and 1: (0 − 1)²/4 if they were independent, and less as all means are alike.
+        double rmse = film.error().rmse();
+        assertTrue(rmse > 0.25 && rmse < 0.5, "" + rmse);
         assertEquals(0, film.error().variances()[0]);
-        assertEquals(0.25f, film.error().variances()[8]);
+        assertEquals(rmse * rmse, film.error().variances()[8], 1e-7);
     }
 
     @Test
@@ -160,6 +159,8 @@ class ErrorEstimateTest {
         Film film = new Film(0, 0, 96, 96);
         film.put(tile);
         assertEquals(1.0 / (12 * 256), errors, 0.05 / (12 * 256));
-        assertEquals(Math.sqrt(errors), film.error().rmse(), 0.05 * Math.sqrt(errors));
+        // Few pictures are that smooth: a little caution.
+        double ratio = film.error().rmse() / Math.sqrt(errors);
+        assertTrue(ratio > 0.95 && ratio < 1.2, "" + ratio);
     }
 }

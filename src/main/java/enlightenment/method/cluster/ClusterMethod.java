@@ -184,7 +184,7 @@ public final class ClusterMethod implements TileMethod {
             }
         }
         if (tile != null) {
-            tile.known(x, y, mean(0), mean(1), mean(2));
+            tile.known(x, y, mean(0), mean(1), mean(2), needs.ofLight(k, 1 << points));
             tile.spread(x, y, spread);
         }
     }

@@ -55,6 +55,13 @@ final class Needs {
         }
     }
 
+    /** The share of a pixel's expected variance that comes from so many light points per sample. */
+    double ofLight(int pixel, int points) {
+        double ofPoints = light[pixel] / points;
+        double all = film[pixel] + edge[pixel] + ofPoints;
+        return all > 0 ? ofPoints / all : 0;
+    }
+
     private void addCorners(Survey survey, int i, int j, int pixel) {
         int k = Survey.node(i, j);
         int below = k + Survey.SIDE;

@@ -1,0 +1,70 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.render.ManySeeds.Picture;
+import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The error that a render reports is that which it has, against a converged picture. */
+class EstimatedErrorTest {
+    private static final int WIDTH = 200;
+    private static final int HEIGHT = 100;
+    private static final int SEEDS = 10;
+
+    private record Budgeted(String method, double samples) {}
+
+    private static final List<Budgeted> CASES = List.of(
+            new Budgeted("raytrace", 1),
+            new Budgeted("raytrace", 2),
+            new Budgeted("raytrace", 2.5),
+            new Budgeted("raytrace", 4),
+            new Budgeted("cluster", 3));
+
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice", "torus", "keyhole"})
+    void theEstimateIsNearTheTruthWithFewSamplesToo(String name) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings base = RenderSettings.of(scene).withSize(WIDTH, HEIGHT).withThreads(2);
+        double[] truth = ManySeeds.render(
+                        scene, base.withMethod("raytrace").withSeed(424242).withBudget(Budget.NONE.withSamples(256)))
+                .rgb();
+        List<String> failures = new ArrayList<>();
+        for (Budgeted c : CASES) {
+            RenderSettings s = base.withMethod(c.method).withBudget(Budget.NONE.withSamples(c.samples));
+            List<Picture> pictures = ManySeeds.render(scene, s, 1, SEEDS);
+            double[] ratios = new double[SEEDS];
+            int held = 0;
+            for (int k = 0; k < SEEDS; k++) {
+                RenderReport.Sampling sampling = pictures.get(k).sampling();
+                double error = distance(pictures.get(k).rgb(), truth);
+                ratios[k] = sampling.estimatedError() / error;
+                held += error >= sampling.errorLow() && error <= sampling.errorHigh() ? 1 : 0;
+            }
+            Arrays.sort(ratios);
+            double median = (ratios[SEEDS / 2 - 1] + ratios[SEEDS / 2]) / 2;
+            String line = String.format(
+                    "%s %s %.1f: estimated over true %.2f, in the interval %d of %d",
+                    name, c.method, c.samples, median, held, SEEDS);
+            // 9.5 expected; 7 or fewer have a probability of 1 %.
+            if (!(median > 0.87 && median < 1.15 && held > 7)) {
+                failures.add(line);
+            }
+        }
+        assertTrue(failures.isEmpty(), String.join("\n", failures));
+    }
+
+    private static double distance(double[] a, double[] b) {
+        return Math.sqrt(IntStream.range(0, a.length)
+                        .mapToDouble(k -> (a[k] - b[k]) * (a[k] - b[k]))
+                        .sum()
+                / a.length);
+    }
+}

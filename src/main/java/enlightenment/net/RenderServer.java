@@ -25,8 +25,7 @@ public final class RenderServer implements Closeable {
 
     private final ServerOptions options;
     private final ServerJob job;
-    private final Tls tls;
-    private final byte[] token;
+    private final Secrets secrets;
     private final Reception reception;
     private final Coordinator coordinator;
     private final StatusServer status;
@@ -41,13 +40,10 @@ public final class RenderServer implements Closeable {
     private long lonelySince = System.nanoTime();
     private Throwable failure;
 
-    private RenderServer(ServerOptions options, ServerJob job) throws IOException {
+    private RenderServer(ServerOptions options, Secrets secrets, ServerJob job) throws IOException {
         this.options = options;
+        this.secrets = secrets;
         this.job = job;
-        tls = options.certificate.isPresent()
-                ? Tls.server(options.certificate.get(), options.privateKey.orElseThrow())
-                : null;
-        token = options.tokenFile.isPresent() ? Token.read(options.tokenFile.get()) : Token.NONE;
         if (options.checkpoint.isPresent()) {
             job.open(options.checkpoint.get());
         }
@@ -88,10 +84,12 @@ public final class RenderServer implements Closeable {
             throw new IllegalArgumentException(
                     "a budget of time is planned anew each time, so that a checkpoint would not fit: give samples");
         }
+        // Before what takes long: these files may be of no use.
+        Secrets secrets = Secrets.open(options);
         Canary.hash();
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
         JobContent content = JobContent.of(scene, settings, render.plan(), options.build);
-        RenderServer server = new RenderServer(options, new ServerJob(render, content, options.log));
+        RenderServer server = new RenderServer(options, secrets, new ServerJob(render, content, options.log));
         Reception.startThread(() -> server.reception.accept(server::welcome), "accept");
         Reception.startThread(server::tickAll, "tick");
         return server;
@@ -109,7 +107,7 @@ public final class RenderServer implements Closeable {
 
     /** What a worker may pin: the SHA-256 of the server's certificate in hexadecimal; empty without TLS. */
     public String pin() {
-        return tls == null ? "" : tls.certificate().toString();
+        return secrets.tls() == null ? "" : secrets.tls().certificate().toString();
     }
 
     /**
@@ -334,16 +332,8 @@ public final class RenderServer implements Closeable {
         return options;
     }
 
-    Tls tls() {
-        return tls;
-    }
-
-    ContentHash certificate() {
-        return tls == null ? Tls.noCertificate() : tls.certificate();
-    }
-
-    byte[] token() {
-        return token;
+    Secrets secrets() {
+        return secrets;
     }
 
     /** Ends the server: workers are told why, the checkpoint is kept. Harmless if it has ended already. */

@@ -25,7 +25,7 @@ import picocli.CommandLine.Parameters;
 @Command(name = "server", description = "Makes a picture of a scene with the help of workers.", sortOptions = false)
 final class ServerCommand extends Subcommand {
     private static final int MAX_PORT = 65_535;
-    private static final int MAX_WORKERS = 256;
+    private static final int MAX_WORKERS = 1_024;
     private static final int MAX_THREADS = 4096;
     private static final double MAX_WAIT = 1e7;
 

@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import static enlightenment.net.ScalingSimulation.ASSUMED;
+import static enlightenment.net.ScalingSimulation.MEASURED;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,10 +11,10 @@ import org.junit.jupiter.api.Test;
 
 class ScalingSimulationTest {
     /** The paper's job: 900 minutes of one machine. */
-    private static final double[] JOB = ScalingSimulation.unevenTiles(20_000, 240, 900 * 60);
+    private static final double[] JOB = ScalingSimulation.PAPERS.tileSeconds();
 
     private static Outcome run(int workers, double spread, double crashesPerHour, double stragglers) {
-        return ScalingSimulation.run(JOB, ASSUMED, new Fleet(workers, spread, crashesPerHour, stragglers), 0, 1);
+        return ScalingSimulation.run(JOB, MEASURED, new Fleet(workers, spread, crashesPerHour, stragglers), 0, 1);
     }
 
     @Test
@@ -35,9 +35,17 @@ class ScalingSimulationTest {
     }
 
     @Test
-    void aThousandMachinesDoTheWorkOfNineHundredAndFifty() {
-        double[] job = ScalingSimulation.unevenTiles(200_000, 240, 900 * 60);
-        double efficiency = ScalingSimulation.run(job, ASSUMED, new Fleet(1_000, 1, 0, 0), 0, 1)
+    void eightMachinesAreBusyToTheEndThoughTheExpensivePartComesLast() {
+        double[] job = ScalingSimulation.PAPERS.withExpensive(1).tileSeconds();
+        double efficiency = ScalingSimulation.run(job, MEASURED, new Fleet(8, 1, 0, 0), 0, 1)
+                .efficiency();
+        assertTrue(efficiency > 0.99 && efficiency <= 1, "efficiency " + efficiency);
+    }
+
+    @Test
+    void aThousandMachinesDoTheWorkOfNineHundredAndFiftyWhereThereArePixelsForThem() {
+        double efficiency = ScalingSimulation.run(
+                        ScalingSimulation.LARGE.tileSeconds(), MEASURED, new Fleet(1_000, 1, 0, 0), 0, 1)
                 .efficiency();
         assertTrue(efficiency > 0.95 && efficiency <= 1, "efficiency " + efficiency);
     }
@@ -61,8 +69,8 @@ class ScalingSimulationTest {
     @Tag("full")
     void tenThousandMachinesAreStillBusy() {
         // Five minutes of work for each.
-        double[] job = ScalingSimulation.unevenTiles(600_000, 240, 10_000 * 300.0);
-        double efficiency = ScalingSimulation.run(job, ASSUMED, new Fleet(10_000, 1, 0, 0), 0, 1)
+        double[] job = new ScalingSimulation.Job(8_000, 4_000, 50_000, 0.5).tileSeconds();
+        double efficiency = ScalingSimulation.run(job, MEASURED, new Fleet(10_000, 1, 0, 0), 0, 1)
                 .efficiency();
         assertTrue(efficiency > 0.9, "efficiency " + efficiency);
     }

@@ -25,7 +25,7 @@ import picocli.CommandLine.Parameters;
 @Command(name = "server", description = "Makes a picture of a scene with the help of workers.", sortOptions = false)
 final class ServerCommand extends Subcommand {
     private static final int MAX_PORT = 65_535;
-    private static final int MAX_WORKERS = 256;
+    private static final int MAX_WORKERS = 1_024;
     private static final int MAX_THREADS = 4096;
     private static final double MAX_WAIT = 1e7;
 
@@ -57,10 +57,22 @@ final class ServerCommand extends Subcommand {
             description = "first guesses of the workers' speeds; others have 1")
     private String shares;
 
-    @Option(names = "--token-file", paramLabel = "FILE", description = "the secret that workers must know")
+    @Option(
+            names = "--token-file",
+            paramLabel = "FILE",
+            description = "the secret that workers must know; made if there is none")
     private Path token;
 
-    @Option(names = "--tls-cert", paramLabel = "FILE", description = "TLS with this certificate (PEM)")
+    @Option(
+            names = "--tls",
+            paramLabel = "FILE",
+            description = "TLS with the certificate and private key in this file (PEM), which is made if there is none")
+    private Path tls;
+
+    @Option(
+            names = "--tls-cert",
+            paramLabel = "FILE",
+            description = "instead of --tls: TLS with this certificate (PEM)")
     private Path certificate;
 
     @Option(names = "--tls-key", paramLabel = "FILE", description = "and this private key (PEM, PKCS #8)")
@@ -116,6 +128,7 @@ final class ServerCommand extends Subcommand {
                 Target.check(file);
             }
         }
+        checkSecrets();
         if (Target.same(output, sceneFile) || (checkpoint != null && Target.same(checkpoint, sceneFile))) {
             throw CliException.wrongUsage("-o and --checkpoint must not name the scene itself, \"" + sceneFile + "\"");
         }
@@ -134,19 +147,7 @@ final class ServerCommand extends Subcommand {
                         OptionValues.number("--wait", wait, 0, MAX_WAIT))
                 .withShares(shares())
                 .withLog(terminal::say);
-        if (!InetAddress.getByName(host).isLoopbackAddress()) {
-            if (token == null) {
-                throw CliException.wrongUsage("--host " + host + " is beyond this machine: --token-file must be given");
-            }
-            if (certificate == null) {
-                terminal.say("without --tls-cert and --tls-key whoever is on the network can see scene and picture");
-            }
-        }
-        if ((certificate == null) != (key == null)) {
-            throw CliException.wrongUsage("--tls-cert and --tls-key go together");
-        }
-        o = token == null ? o : o.withTokenFile(token);
-        o = certificate == null ? o : o.withTls(certificate, key);
+        o = secured(o);
         o = statusPort == null ? o : o.withStatusPort(OptionValues.integer("--status-port", statusPort, 0, MAX_PORT));
         o = localThreads == null
                 ? o
@@ -160,6 +161,44 @@ final class ServerCommand extends Subcommand {
             o = o.withCheckpoint(checkpoint);
         }
         return o;
+    }
+
+    private ServerOptions secured(ServerOptions plain) throws IOException {
+        if ((certificate == null) != (key == null)) {
+            throw CliException.wrongUsage("--tls-cert and --tls-key go together");
+        }
+        if (tls != null && certificate != null) {
+            throw CliException.wrongUsage("--tls must not be given together with --tls-cert and --tls-key");
+        }
+        if (!InetAddress.getByName(host).isLoopbackAddress()) {
+            if (token == null) {
+                throw CliException.wrongUsage(
+                        "--host " + host + " is beyond this machine: --token-file FILE must be given;"
+                                + " a token is made if there is no such file");
+            }
+            if (tls == null && certificate == null) {
+                terminal.say("without --tls FILE whoever is on the network can see scene and picture;"
+                        + " a certificate is made if there is no such file");
+            }
+        }
+        ServerOptions o = token == null ? plain : plain.withTokenFile(token);
+        o = certificate == null ? o : o.withTls(certificate, key);
+        return tls == null ? o : o.withTls(tls);
+    }
+
+    /** Secrets are not written over, nor one into the place of another file. */
+    private void checkSecrets() throws IOException {
+        for (Path secret : new Path[] {token, tls, certificate, key}) {
+            for (Path file : new Path[] {sceneFile, output, report, checkpoint}) {
+                if (secret != null && file != null && Target.same(secret, file)) {
+                    throw CliException.wrongUsage(
+                            "\"" + secret + "\" must not be a secret and another file of this render");
+                }
+            }
+        }
+        if (token != null && tls != null && Target.same(token, tls)) {
+            throw CliException.wrongUsage("--token-file and --tls must be two files");
+        }
     }
 
     private Map<String, Double> shares() {
@@ -180,9 +219,7 @@ final class ServerCommand extends Subcommand {
     private RenderResult serve(Scene scene, RenderSettings settings, ServerOptions serverOptions) throws IOException {
         RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
         try (RenderServer server = RenderServer.start(scene, settings, serverOptions, terminal.stop())) {
-            String pin = server.pin().isEmpty() ? "" : " --pin " + server.pin();
-            terminal.say("workers join with: enlightenment worker " + host + ":" + server.port()
-                    + (token == null ? "" : " --token-file FILE") + pin);
+            JoinLines.of(host, server.port(), token, server.pin()).forEach(terminal::say);
             if (server.statusPort() >= 0) {
                 terminal.say("status: http://127.0.0.1:" + server.statusPort() + "/");
             }

@@ -2,8 +2,11 @@ package enlightenment.cli;
 
 import enlightenment.net.RenderWorker;
 import enlightenment.net.WorkerOptions;
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -22,7 +25,7 @@ final class WorkerCommand extends Subcommand {
     @Option(names = "--threads", paramLabel = "N", description = "how many tiles are rendered at once")
     private String threads;
 
-    @Option(names = "--token-file", paramLabel = "FILE", description = "the server's secret")
+    @Option(names = "--token-file", paramLabel = "FILE", description = "the server's secret; - for standard input")
     private Path token;
 
     @Option(names = "--tls-ca", paramLabel = "FILE", description = "TLS; these certificates (PEM) vouch for the server")
@@ -66,19 +69,29 @@ final class WorkerCommand extends Subcommand {
         }
     }
 
-    private WorkerOptions options() {
+    private WorkerOptions options() throws IOException {
         WorkerOptions o = WorkerOptions.DEFAULT.withLog(terminal::say);
         if (pin != null && authorities != null) {
             throw CliException.wrongUsage("--pin and --tls-ca must not be given together");
         }
         o = threads == null ? o : o.withThreads(OptionValues.integer("--threads", threads, 1, MAX_THREADS));
-        o = token == null ? o : o.withTokenFile(token);
+        o = token == null ? o : token.toString().equals("-") ? withTypedToken(o) : o.withTokenFile(token);
         o = authorities == null ? o : o.withAuthorities(authorities);
         o = reconnect == null ? o : o.withReconnect(OptionValues.number("--reconnect", reconnect, 0, MAX_RECONNECT));
         try {
             return pin == null ? o : o.withPin(pin);
         } catch (IllegalArgumentException e) {
             throw CliException.wrongUsage("--pin: " + e.getMessage());
+        }
+    }
+
+    /** With the first line of standard input, which {@code ssh} carries to where no file has the token. */
+    private static WorkerOptions withTypedToken(WorkerOptions o) throws IOException {
+        String line = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.ISO_8859_1)).readLine();
+        try {
+            return o.withToken(line == null ? "" : line);
+        } catch (IllegalArgumentException e) {
+            throw CliException.failed("the token on standard input: " + e.getMessage());
         }
     }
 }

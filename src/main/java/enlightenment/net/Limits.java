@@ -45,7 +45,7 @@ final class Limits {
     static final int STRANGERS = 32;
 
     /** Most connected workers. */
-    static final int WORKERS = 256;
+    static final int WORKERS = 1_024;
 
     private Limits() {}
 }

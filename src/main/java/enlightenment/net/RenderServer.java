@@ -9,10 +9,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.net.Socket;
 import java.security.SecureRandom;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -21,19 +18,15 @@ import java.util.function.BooleanSupplier;
  */
 public final class RenderServer implements Closeable {
     private static final long TICK_MILLIS = 200;
-    private static final long FAREWELL_MILLIS = 3_000;
 
     private final ServerOptions options;
     private final ServerJob job;
-    private final Tls tls;
-    private final byte[] token;
+    private final Secrets secrets;
     private final Reception reception;
     private final Coordinator coordinator;
     private final StatusServer status;
     private final long started = System.nanoTime();
-    private final Map<Long, ServerConnection> connections = new LinkedHashMap<>();
-    private final List<ServerConnection> waiting = new ArrayList<>();
-    private long connectionsMade = LocalWorker.ID;
+    private final Connections connections = new Connections();
     private LocalWorker local;
     private boolean hasBegun;
     private boolean isFinished;
@@ -41,13 +34,10 @@ public final class RenderServer implements Closeable {
     private long lonelySince = System.nanoTime();
     private Throwable failure;
 
-    private RenderServer(ServerOptions options, ServerJob job) throws IOException {
+    private RenderServer(ServerOptions options, Secrets secrets, ServerJob job) throws IOException {
         this.options = options;
+        this.secrets = secrets;
         this.job = job;
-        tls = options.certificate.isPresent()
-                ? Tls.server(options.certificate.get(), options.privateKey.orElseThrow())
-                : null;
-        token = options.tokenFile.isPresent() ? Token.read(options.tokenFile.get()) : Token.NONE;
         if (options.checkpoint.isPresent()) {
             job.open(options.checkpoint.get());
         }
@@ -88,10 +78,12 @@ public final class RenderServer implements Closeable {
             throw new IllegalArgumentException(
                     "a budget of time is planned anew each time, so that a checkpoint would not fit: give samples");
         }
+        // Before what takes long: these files may be of no use.
+        Secrets secrets = Secrets.open(options);
         Canary.hash();
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
         JobContent content = JobContent.of(scene, settings, render.plan(), options.build);
-        RenderServer server = new RenderServer(options, new ServerJob(render, content, options.log));
+        RenderServer server = new RenderServer(options, secrets, new ServerJob(render, content, options.log));
         Reception.startThread(() -> server.reception.accept(server::welcome), "accept");
         Reception.startThread(server::tickAll, "tick");
         return server;
@@ -109,7 +101,7 @@ public final class RenderServer implements Closeable {
 
     /** What a worker may pin: the SHA-256 of the server's certificate in hexadecimal; empty without TLS. */
     public String pin() {
-        return tls == null ? "" : tls.certificate().toString();
+        return secrets.tls() == null ? "" : secrets.tls().certificate().toString();
     }
 
     /**
@@ -156,37 +148,30 @@ public final class RenderServer implements Closeable {
 
     /** Null if there are too many that nobody knows. */
     private synchronized Runnable welcome(Socket plain) {
-        long strangers = connections.values().stream().filter(c -> !c.isKnown()).count();
-        if (strangers >= Limits.STRANGERS || isClosed) {
-            options.log.accept("a connection was refused: " + strangers + " others have not said who they are");
+        if (isClosed) {
             return null;
         }
-        ServerConnection connection = new ServerConnection(++connectionsMade, this, plain);
-        connections.put(connection.id(), connection);
+        ServerConnection connection = connections.add(this, plain);
+        if (connection == null) {
+            options.log.accept("a connection was refused: " + Limits.STRANGERS + " others have not said who they are");
+            return null;
+        }
         return connection::run;
     }
 
     synchronized boolean admit(ServerConnection connection) {
-        long known =
-                connections.values().stream().filter(ServerConnection::isKnown).count();
-        if (known >= Limits.WORKERS || isClosed) {
-            return false;
-        }
-        connection.known();
-        return true;
+        return !isClosed && connections.admit(connection);
     }
 
     /** A worker has all that it needs. */
     synchronized void ready(ServerConnection connection) {
-        if (connection.isJoined() || waiting.contains(connection)) {
+        if (!connections.addWaiting(connection)) {
             return;
         }
-        waiting.add(connection);
         options.log.accept(connection + " joined");
-        if (!hasBegun && waiting.size() < options.minWorkers) {
-            return;
+        if (hasBegun || connections.waiting() >= options.minWorkers) {
+            begin();
         }
-        begin();
     }
 
     /** Begins whoever is missing. */
@@ -201,9 +186,7 @@ public final class RenderServer implements Closeable {
                 startLocal(options.localThreads);
             }
         }
-        List<ServerConnection> now = List.copyOf(waiting);
-        waiting.clear();
-        now.forEach(c -> handle(c.joined()));
+        connections.takeWaiting().forEach(c -> handle(c.joined()));
     }
 
     private void startLocal(int threads) {
@@ -264,16 +247,18 @@ public final class RenderServer implements Closeable {
     private void toWorker(long worker, Message message) {
         if (worker == LocalWorker.ID) {
             local.hear(message);
-        } else if (connections.get(worker) != null) {
-            connections.get(worker).send(message);
+            return;
+        }
+        ServerConnection connection = connections.get(worker);
+        if (connection != null) {
+            connection.send(message);
         }
     }
 
     /** A connection has ended. */
     void ended(ServerConnection connection, String reason) {
         synchronized (this) {
-            connections.remove(connection.id());
-            waiting.remove(connection);
+            connections.remove(connection);
         }
         if (connection.isJoined()) {
             handle(new Event.Left(connection.id(), reason));
@@ -298,10 +283,7 @@ public final class RenderServer implements Closeable {
 
     private void tick() {
         long now = System.nanoTime();
-        List<ServerConnection> all;
-        synchronized (this) {
-            all = List.copyOf(connections.values());
-        }
+        List<ServerConnection> all = connections.list();
         all.forEach(c -> c.check(now));
         synchronized (this) {
             job.tick();
@@ -334,60 +316,34 @@ public final class RenderServer implements Closeable {
         return options;
     }
 
-    Tls tls() {
-        return tls;
-    }
-
-    ContentHash certificate() {
-        return tls == null ? Tls.noCertificate() : tls.certificate();
-    }
-
-    byte[] token() {
-        return token;
+    Secrets secrets() {
+        return secrets;
     }
 
     /** Ends the server: workers are told why, the checkpoint is kept. Harmless if it has ended already. */
     @Override
     public void close() {
-        List<ServerConnection> all;
+        Message last;
         synchronized (this) {
             if (isClosed) {
                 return;
             }
             isClosed = true;
             notifyAll();
-            all = List.copyOf(connections.values());
+            last = isFinished
+                    ? new Message.Bye("the picture is done")
+                    : new Message.Refuse("the server was stopped", true);
         }
-        Message last = isFinished
-                ? new Message.Bye("the picture is done")
-                : new Message.Refuse("the server was stopped", true);
-        all.forEach(c -> c.sayLast(last));
+        connections.list().forEach(c -> c.sayLast(last));
         if (local != null) {
             local.close();
         }
-        waitForFarewells();
+        connections.waitForFarewells();
         closeQuietly(reception);
         if (status != null) {
             status.close();
         }
         closeQuietly(job);
-    }
-
-    private void waitForFarewells() {
-        long deadline = System.nanoTime() + FAREWELL_MILLIS * 1_000_000L;
-        while (System.nanoTime() - deadline < 0) {
-            synchronized (this) {
-                if (connections.isEmpty()) {
-                    return;
-                }
-            }
-            try {
-                Thread.sleep(10);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                return;
-            }
-        }
     }
 
     private void closeQuietly(Closeable what) {

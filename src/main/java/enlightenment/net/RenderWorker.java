@@ -31,7 +31,7 @@ public final class RenderWorker {
      */
     public static Outcome run(String host, int port, WorkerOptions options, BooleanSupplier cancelled)
             throws IOException {
-        byte[] token = options.tokenFile.isPresent() ? Token.read(options.tokenFile.get()) : Token.NONE;
+        byte[] token = token(options);
         Tls tls = tls(options);
         options.log.accept("computing the canary tile");
         Canary.hash();
@@ -45,6 +45,15 @@ public final class RenderWorker {
         } finally {
             jobs.close();
         }
+    }
+
+    private static byte[] token(WorkerOptions options) throws IOException {
+        if (options.tokenFile.isEmpty()) {
+            return options.token.orElse(Token.NONE);
+        }
+        byte[] token = Token.read(options.tokenFile.get());
+        SecretFile.warnIfOpen(options.tokenFile.get(), options.log);
+        return token;
     }
 
     private static Tls tls(WorkerOptions options) throws IOException {

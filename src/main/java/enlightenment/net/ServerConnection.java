@@ -50,7 +50,8 @@ final class ServerConnection {
 
     private Link open() throws IOException {
         plain.setTcpNoDelay(true);
-        Socket socket = server.tls() == null ? plain : server.tls().over(plain, null);
+        Socket socket =
+                server.secrets().tls() == null ? plain : server.secrets().tls().over(plain, null);
         return new Link(plain, socket, server.options().timing, "connection " + id);
     }
 
@@ -79,8 +80,8 @@ final class ServerConnection {
         if (!(on.receive() instanceof Message.Proof proof)) {
             throw new ProtocolException("no proof");
         }
-        ContentHash certificate = server.certificate();
-        byte[] token = server.token();
+        ContentHash certificate = server.secrets().certificate();
+        byte[] token = server.secrets().token();
         byte[] expected = Handshake.proof(Handshake.Side.WORKER, token, worker.nonce(), nonce, certificate);
         if (!Handshake.same(expected, proof.mac())) {
             refuse("the worker does not know the server's token (--token-file), or someone is in between", false);

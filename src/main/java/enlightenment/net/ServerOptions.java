@@ -24,6 +24,7 @@ public final class ServerOptions implements Cloneable {
     Optional<Path> tokenFile = Optional.empty();
     Optional<Path> certificate = Optional.empty();
     Optional<Path> privateKey = Optional.empty();
+    boolean makesCertificate;
     int statusPort = -1;
     Optional<Path> checkpoint = Optional.empty();
     int localThreads = Math.max(Runtime.getRuntime().availableProcessors() - 1, 1);
@@ -34,6 +35,7 @@ public final class ServerOptions implements Cloneable {
     String build = Build.number();
 
     Timing timing = Timing.USUAL;
+    Path keytool = OwnCertificate.keytool();
 
     private ServerOptions() {}
 
@@ -72,7 +74,10 @@ public final class ServerOptions implements Cloneable {
         return o;
     }
 
-    /** The file with the secret that workers must know, at least 16 characters. */
+    /**
+     * The file with the secret that workers must know, at least 16 characters. If there is none, a new token is made, which
+     * only the file's owner may read.
+     */
     public ServerOptions withTokenFile(Path file) {
         ServerOptions o = copy();
         o.tokenFile = Optional.of(file);
@@ -84,6 +89,17 @@ public final class ServerOptions implements Cloneable {
         ServerOptions o = copy();
         o.certificate = Optional.of(certificate);
         o.privateKey = Optional.of(privateKey);
+        o.makesCertificate = false;
+        return o;
+    }
+
+    /**
+     * TLS 1.3 with the certificate and private key in one PEM file. If there is none it is made, with a new key and a certificate
+     * that vouches for itself, and only its owner may read it: workers pin it ({@link RenderServer#pin}).
+     */
+    public ServerOptions withTls(Path file) {
+        ServerOptions o = withTls(file, file);
+        o.makesCertificate = true;
         return o;
     }
 
@@ -128,6 +144,12 @@ public final class ServerOptions implements Cloneable {
         return o;
     }
 
+    ServerOptions withKeytool(Path keytool) {
+        ServerOptions o = copy();
+        o.keytool = keytool;
+        return o;
+    }
+
     ServerOptions withTiming(Timing timing) {
         ServerOptions o = copy();
         o.timing = timing;
@@ -142,11 +164,7 @@ public final class ServerOptions implements Cloneable {
     void check() throws UnknownHostException {
         if (!InetAddress.getByName(host).isLoopbackAddress() && tokenFile.isEmpty()) {
             throw new IllegalArgumentException("beyond this machine (" + host
-                    + ") workers need a token: give a file with at least " + Handshake.SHORTEST_TOKEN
-                    + " secret characters");
-        }
-        if (certificate.isPresent() != privateKey.isPresent()) {
-            throw new IllegalArgumentException("a certificate and its private key go together");
+                    + ") workers need a token: give a file for it, which is made if there is none");
         }
         for (Map.Entry<String, Double> share : shares.entrySet()) {
             if (!(share.getValue() > 0 && share.getValue() < Double.POSITIVE_INFINITY)) {

@@ -26,14 +26,14 @@ final class StatusServer {
     private final HttpServer http;
     private final ExecutorService executor;
     private final byte[] page;
+    private final byte[] icon;
     private byte[] picture;
     private long pictureMade;
 
     private StatusServer(RenderServer server, int port) throws IOException {
         this.server = server;
-        try (InputStream in = StatusServer.class.getResourceAsStream("status.html")) {
-            page = in.readAllBytes();
-        }
+        page = resource("status.html");
+        icon = resource("icon.svg");
         http = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), WAITING_REQUESTS);
         // Who asks more than can be answered is turned away.
         executor = new ThreadPoolExecutor(
@@ -44,6 +44,12 @@ final class StatusServer {
                 });
         http.setExecutor(executor);
         http.createContext("/", this::answer);
+    }
+
+    private static byte[] resource(String name) throws IOException {
+        try (InputStream in = StatusServer.class.getResourceAsStream(name)) {
+            return in.readAllBytes();
+        }
     }
 
     static StatusServer start(RenderServer server, int port) throws IOException {
@@ -69,6 +75,9 @@ final class StatusServer {
             switch (exchange.getRequestURI().getPath()) {
                 case "/":
                     send(exchange, 200, "text/html; charset=utf-8", page);
+                    break;
+                case "/icon.svg":
+                    send(exchange, 200, "image/svg+xml", icon);
                     break;
                 case "/status.json":
                     send(exchange, 200, "application/json", StatusJson.of(server.snapshot()));

@@ -10,12 +10,15 @@ import java.security.GeneralSecurityException;
 import java.security.KeyFactory;
 import java.security.KeyStore;
 import java.security.PrivateKey;
+import java.security.PublicKey;
+import java.security.Signature;
 import java.security.cert.Certificate;
 import java.security.cert.CertificateException;
 import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
 import java.security.spec.InvalidKeySpecException;
 import java.security.spec.PKCS8EncodedKeySpec;
+import java.time.Instant;
 import java.util.Base64;
 import java.util.Collection;
 import java.util.List;
@@ -34,16 +37,21 @@ final class Tls {
     private static final String[] PROTOCOLS = {"TLSv1.3"};
     private static final Pattern KEY =
             Pattern.compile("-----BEGIN PRIVATE KEY-----([^-]*)-----END PRIVATE KEY-----", Pattern.DOTALL);
+    private static final Pattern CERTIFICATE =
+            Pattern.compile("-----BEGIN CERTIFICATE-----[^-]*-----END CERTIFICATE-----", Pattern.DOTALL);
     private static final ContentHash NONE = new ContentHash(0, 0, 0, 0);
 
     private final SSLContext context;
     private final ContentHash certificate;
     private final boolean checksName;
 
-    private Tls(SSLContext context, ContentHash certificate, boolean checksName) {
+    private final Instant validUntil;
+
+    private Tls(SSLContext context, ContentHash certificate, boolean checksName, Instant validUntil) {
         this.context = context;
         this.certificate = certificate;
         this.checksName = checksName;
+        this.validUntil = validUntil;
     }
 
     /** What the hash of the certificate is where there is none. */
@@ -55,7 +63,7 @@ final class Tls {
      * A server's side.
      *
      * @param chain PEM file of the certificate and those that vouch for it
-     * @param key PEM file of its private key (PKCS #8, not encrypted)
+     * @param key PEM file of its private key (PKCS #8, not encrypted); may be the same file
      * @throws IOException if a file cannot be used; the message says why
      */
     static Tls server(Path chain, Path key) throws IOException {
@@ -66,12 +74,13 @@ final class Tls {
             KeyStore store = KeyStore.getInstance(KeyStore.getDefaultType());
             store.load(null, null);
             PrivateKey secret = privateKey(key, own.getPublicKey().getAlgorithm());
+            requirePair(secret, own.getPublicKey());
             store.setKeyEntry("server", secret, password, certificates.toArray(new Certificate[0]));
             KeyManagerFactory managers = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
             managers.init(store, password);
             SSLContext context = SSLContext.getInstance("TLS");
             context.init(managers.getKeyManagers(), null, null);
-            return new Tls(context, ContentHash.of(own.getEncoded()), false);
+            return new Tls(context, ContentHash.of(own.getEncoded()), false, validUntil(own));
         } catch (GeneralSecurityException e) {
             throw new IOException(key + ": does not go with " + chain + ": " + e.getMessage(), e);
         }
@@ -90,7 +99,7 @@ final class Tls {
             managers.init(store);
             SSLContext context = SSLContext.getInstance("TLS");
             context.init(null, managers.getTrustManagers(), null);
-            return new Tls(context, NONE, true);
+            return new Tls(context, NONE, true, Instant.MAX);
         } catch (GeneralSecurityException e) {
             throw new IOException(authorities + ": cannot be used: " + e.getMessage(), e);
         }
@@ -101,7 +110,7 @@ final class Tls {
         try {
             SSLContext context = SSLContext.getInstance("TLS");
             context.init(null, new TrustManager[] {new Pin(pin)}, null);
-            return new Tls(context, NONE, false);
+            return new Tls(context, NONE, false, Instant.MAX);
         } catch (GeneralSecurityException e) {
             throw new IllegalStateException("every Java platform has TLS", e);
         }
@@ -110,6 +119,32 @@ final class Tls {
     /** The hash of our own certificate: what workers may pin. */
     ContentHash certificate() {
         return certificate;
+    }
+
+    /** Until when our own certificate holds; for ever if there is none. */
+    Instant validUntil() {
+        return validUntil;
+    }
+
+    private static Instant validUntil(Certificate certificate) {
+        return certificate instanceof X509Certificate x ? x.getNotAfter().toInstant() : Instant.MAX;
+    }
+
+    /** Fails unless what the one key signs holds for the other: else that would be noticed by the first worker only. */
+    private static void requirePair(PrivateKey secret, PublicKey open) throws GeneralSecurityException {
+        String algorithm = secret.getAlgorithm();
+        if (!algorithm.equals("EC") && !algorithm.equals("RSA")) {
+            return;
+        }
+        Signature signature = Signature.getInstance(algorithm.equals("EC") ? "SHA256withECDSA" : "SHA256withRSA");
+        signature.initSign(secret);
+        signature.update(algorithm.getBytes(StandardCharsets.US_ASCII));
+        byte[] signed = signature.sign();
+        signature.initVerify(open);
+        signature.update(algorithm.getBytes(StandardCharsets.US_ASCII));
+        if (!signature.verify(signed)) {
+            throw new GeneralSecurityException("it is the key of another certificate");
+        }
     }
 
     /** TLS over a connection; for a worker with the name that it connected to, else null. Shakes hands. */
@@ -139,7 +174,7 @@ final class Tls {
 
     private static Collection<? extends Certificate> certificates(Path file) throws IOException {
         try {
-            byte[] bytes = Files.readAllBytes(file);
+            byte[] bytes = certificatesAlone(Files.readAllBytes(file));
             Collection<? extends Certificate> all =
                     CertificateFactory.getInstance("X.509").generateCertificates(new ByteArrayInputStream(bytes));
             if (all.isEmpty()) {
@@ -151,9 +186,24 @@ final class Tls {
         }
     }
 
+    /** Without the private key that may stand in the same PEM file. */
+    private static byte[] certificatesAlone(byte[] file) {
+        StringBuilder all = new StringBuilder();
+        Matcher pem = CERTIFICATE.matcher(new String(file, StandardCharsets.ISO_8859_1));
+        while (pem.find()) {
+            all.append(pem.group()).append('\n');
+        }
+        return all.length() == 0 ? file : all.toString().getBytes(StandardCharsets.ISO_8859_1);
+    }
+
     private static PrivateKey privateKey(Path file, String algorithm) throws IOException, GeneralSecurityException {
-        Matcher pem = KEY.matcher(Files.readString(file, StandardCharsets.ISO_8859_1));
+        String text = Files.readString(file, StandardCharsets.ISO_8859_1);
+        Matcher pem = KEY.matcher(text);
         if (!pem.find()) {
+            if (text.contains("ENCRYPTED")) {
+                throw new IOException(file + ": the private key is encrypted; a server that starts on its own needs it"
+                        + " without a password (openssl pkey -in FILE -out FILE, then chmod 600)");
+            }
             throw new IOException(file + ": holds no \"BEGIN PRIVATE KEY\" (PKCS #8, not encrypted)");
         }
         try {

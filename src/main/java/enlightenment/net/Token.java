@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.HexFormat;
 
 /** The secret that server and workers share. */
 final class Token {
@@ -11,19 +13,45 @@ final class Token {
     static final byte[] NONE = "enlightenment without token".getBytes(StandardCharsets.US_ASCII);
 
     private static final int LONGEST = 4_096;
+    private static final int NEW_BYTES = 16;
 
     private Token() {}
 
+    /** Writes a file with a new token that nobody can guess. */
+    static void make(Path file) throws IOException {
+        byte[] random = new byte[NEW_BYTES];
+        new SecureRandom().nextBytes(random);
+        SecretFile.create(file, HexFormat.of().formatHex(random) + "\n");
+    }
+
     /** The token in a file, without white space at its ends; fails if it is too short to be one. */
     static byte[] read(Path file) throws IOException {
+        if (Files.notExists(file)) {
+            throw new IOException(file + ": there is no such file; copy the server's token to it");
+        }
         if (Files.size(file) > LONGEST) {
             throw new IOException(file + ": is longer than any token");
         }
-        byte[] token =
-                Files.readString(file, StandardCharsets.ISO_8859_1).strip().getBytes(StandardCharsets.ISO_8859_1);
+        try {
+            return of(Files.readString(file, StandardCharsets.ISO_8859_1));
+        } catch (IllegalArgumentException e) {
+            throw new IOException(file + ": " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * The token in a text, without white space at its ends.
+     *
+     * @throws IllegalArgumentException if it is too short or too long to be one
+     */
+    static byte[] of(String text) {
+        byte[] token = text.strip().getBytes(StandardCharsets.ISO_8859_1);
         if (token.length < Handshake.SHORTEST_TOKEN) {
-            throw new IOException(file + ": a token has at least " + Handshake.SHORTEST_TOKEN + " characters, not "
-                    + token.length + " (openssl rand -hex 16 makes one)");
+            throw new IllegalArgumentException(
+                    "a token has at least " + Handshake.SHORTEST_TOKEN + " characters, not " + token.length);
+        }
+        if (token.length > LONGEST) {
+            throw new IllegalArgumentException("is longer than any token");
         }
         return token;
     }

@@ -12,6 +12,7 @@ public final class WorkerOptions implements Cloneable {
 
     int threads = Runtime.getRuntime().availableProcessors();
     Optional<Path> tokenFile = Optional.empty();
+    Optional<byte[]> token = Optional.empty();
     Optional<Path> authorities = Optional.empty();
     Optional<ContentHash> pin = Optional.empty();
     double reconnectSeconds = 60;
@@ -51,6 +52,19 @@ public final class WorkerOptions implements Cloneable {
     public WorkerOptions withTokenFile(Path file) {
         WorkerOptions o = copy();
         o.tokenFile = Optional.of(file);
+        o.token = Optional.empty();
+        return o;
+    }
+
+    /**
+     * The server's secret itself.
+     *
+     * @throws IllegalArgumentException if it is too short or too long to be one
+     */
+    public WorkerOptions withToken(String secret) {
+        WorkerOptions o = copy();
+        o.token = Optional.of(Token.of(secret));
+        o.tokenFile = Optional.empty();
         return o;
     }
 

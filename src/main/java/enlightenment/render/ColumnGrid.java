@@ -11,11 +11,17 @@ final class ColumnGrid {
     /** Width of a tile, and what its first row is a multiple of. */
     static final int SIDE = 8;
 
+    /** So many tiles in any case: a hundred machines get dozens each. */
+    private static final int FEWEST_TILES = 1 << 12;
+
+    /** More tiles than these cost the server more than they give. */
+    private static final int MOST_TILES = 1 << 18;
+
     /**
-     * Where more tiles than these would do no harm they do no good either: a hundred machines get dozens each, and what a
-     * tile costs beside its rendering is paid once in several thousand.
+     * A render that is worth many machines is cut into tiles of this many camera rays, half a second of one processor or more: with
+     * shorter ones a thousand workers would be more than a server can listen to.
      */
-    private static final int ENOUGH_TILES = 4096;
+    private static final double RAYS_PER_TILE = 1 << 21;
 
     /** A tile of so many rows is half a megabyte. */
     private static final int MOST_ROWS = 2048;
@@ -27,17 +33,23 @@ final class ColumnGrid {
     private final int down;
     private final int tiles;
 
-    ColumnGrid(RenderSettings settings) {
+    ColumnGrid(RenderSettings settings, TilePlan plan) {
         region = settings.region();
         firstColumn = region.x() / SIDE;
         int across = (region.x() + region.width() - 1) / SIDE - firstColumn + 1;
         int blocksDown = (region.y() + region.height() - 1) / SIDE - region.y() / SIDE + 1;
         firstRow = region.y() / SIDE * SIDE;
-        int pieces = Math.max(ENOUGH_TILES / across, 1);
+        int pieces = Math.max(wanted(region, plan) / across, 1);
         int blocks = Math.max((blocksDown + pieces - 1) / pieces, 1);
         rows = Math.min(blocks * SIDE, MOST_ROWS);
         down = (blocksDown * SIDE + rows - 1) / rows;
         tiles = Math.multiplyExact(across, down);
+    }
+
+    /** How many tiles are wanted; there may be fewer blocks. */
+    private static int wanted(RenderSettings.Crop region, TilePlan plan) {
+        double rays = (double) region.width() * region.height() * plan.samples();
+        return (int) Math.max(FEWEST_TILES, Math.min(MOST_TILES, rays / RAYS_PER_TILE));
     }
 
     int tiles() {

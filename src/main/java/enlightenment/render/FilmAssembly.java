@@ -39,7 +39,7 @@ public final class FilmAssembly {
         Renderer.check(outline.settings());
         this.outline = outline;
         this.phases = phases;
-        grid = new ColumnGrid(outline.settings());
+        grid = new ColumnGrid(outline.settings(), outline.plan());
         kinds = outline.kinds().size();
         RenderSettings.Crop region = outline.settings().region();
         film = new Film(region.x(), region.y(), region.width(), region.height());

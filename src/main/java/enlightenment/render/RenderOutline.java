@@ -21,6 +21,6 @@ public record RenderOutline(
 
     /** Number of tiles of the render. */
     public int tiles() {
-        return new ColumnGrid(settings).tiles();
+        return new ColumnGrid(settings, plan).tiles();
     }
 }

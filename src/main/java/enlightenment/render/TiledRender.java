@@ -30,7 +30,7 @@ public final class TiledRender {
         this.settings = settings;
         this.plan = plan;
         this.phases = phases;
-        grid = new ColumnGrid(settings);
+        grid = new ColumnGrid(settings, plan);
         outline = new RenderOutline(name, settings, plan, compiled.features(), compiled.kindNames);
     }
 

@@ -2,9 +2,13 @@ package enlightenment.cli;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
@@ -58,12 +62,61 @@ class ServerCommandTest {
         Path file = folder.resolve("file");
         assertRefused("--host 0.0.0.0 is beyond this machine: --token-file", "--host", "0.0.0.0");
         assertRefused("--tls-cert and --tls-key go together", "--tls-cert", file);
+        assertRefused("--tls must not be given together", "--tls", file, "--tls-cert", file, "--tls-key", file);
+        assertRefused("must not be a secret and another file", "--tls", picture);
+        assertRefused("must not be a secret and another file", "--token-file", scene);
+        assertRefused("--token-file and --tls must be two files", "--tls", file, "--token-file", file);
         assertRefused("must not be given with --time", "--time", "3", "--checkpoint", file);
         assertRefused("--shares must be HOST=WEIGHT", "--shares", "fast");
         assertRefused("--shares must be a number", "--shares", "fast=quick");
         assertRefused("--port must be a whole number in 0..65535", "--port", "70000");
         assertRefused("--audit must be a number in 0..1", "--audit", "2");
         assertRefused("must not name the scene itself", "--checkpoint", scene);
+    }
+
+    @Test
+    void secretsThatAreMissingAreMadeAndNamedInTheLineForWorkers() throws IOException {
+        Path token = folder.resolve("token");
+        Path tls = folder.resolve("tls.pem");
+        Object[] args = {
+            "server", scene, "-o", picture, "--port", 0, "--progress", "none", "--token-file", token, "--tls", tls
+        };
+        CliRun first = CliRun.of(args);
+        assertEquals(0, first.code(), first.err());
+        assertTrue(first.err().contains("made a new secret token: " + token), first.err());
+        assertTrue(first.err().contains("made a new certificate and its private key: " + tls), first.err());
+        assertTrue(first.err().contains(" --token-file " + token + " --pin "), first.err());
+        CliRun second = CliRun.of(args);
+        assertFalse(second.err().contains("made a new"), second.err());
+        assertEquals(pin(first), pin(second));
+    }
+
+    private static String pin(CliRun run) {
+        return run.err().replaceAll("(?s).* --pin ([0-9a-f]{64})\\R.*", "$1");
+    }
+
+    @Test
+    void nothingIsMadeForASceneThatIsOfNoUse() throws IOException {
+        Path token = folder.resolve("token");
+        CliRun run = CliRun.of("server", CliRun.badScene(folder), "-o", picture, "--port", 0, "--token-file", token);
+        assertEquals(2, run.code(), run.err());
+        assertFalse(Files.exists(token));
+    }
+
+    @Test
+    void aWorkerReadsTheTokenFromStandardInput() {
+        InputStream usual = System.in;
+        try {
+            System.setIn(new ByteArrayInputStream("0123456789abcde\nmore".getBytes(StandardCharsets.US_ASCII)));
+            CliRun run = CliRun.of("worker", "127.0.0.1:1", "--token-file", "-", "--reconnect", "0");
+            assertEquals(1, run.code());
+            assertTrue(run.err().contains("the token on standard input: a token has at least 16"), run.err());
+            System.setIn(new ByteArrayInputStream("0123456789abcdef\n".getBytes(StandardCharsets.US_ASCII)));
+            run = CliRun.of("worker", "127.0.0.1:1", "--token-file", "-", "--reconnect", "0");
+            assertTrue(run.err().contains("no server for"), run.err());
+        } finally {
+            System.setIn(usual);
+        }
     }
 
     @Test

@@ -10,8 +10,11 @@ import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -70,8 +73,10 @@ class ServerProcessTest {
         return start(log, args.toArray());
     }
 
-    private Process worker(String log) throws IOException {
-        return start(log, "worker", "127.0.0.1:" + port, "--threads", 1);
+    private Process worker(String log, Object... more) throws IOException {
+        List<Object> args = new ArrayList<>(List.of("worker", "127.0.0.1:" + port, "--threads", 1));
+        args.addAll(List.of(more));
+        return start(log, args.toArray());
     }
 
     private String log(String name) {
@@ -80,6 +85,18 @@ class ServerProcessTest {
         } catch (IOException e) {
             return e.toString();
         }
+    }
+
+    private String pin(String log) throws InterruptedException {
+        Pattern pin = Pattern.compile(" --pin ([0-9a-f]{64})\\R");
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+        Matcher found = pin.matcher(log(log));
+        while (!found.find()) {
+            assertTrue(System.nanoTime() - end < 0, "waited in vain for a pin in: " + log(log));
+            Thread.sleep(20);
+            found = pin.matcher(log(log));
+        }
+        return found.group(1);
     }
 
     private void await(String log, String words) throws InterruptedException {
@@ -118,14 +135,18 @@ class ServerProcessTest {
     }
 
     @Test
-    void aKilledServerGoesOnFromItsCheckpointWithTheSameWorkers() throws Exception {
+    void aKilledServerGoesOnFromItsCheckpointWithTheSameWorkersAndSecrets() throws Exception {
         Path checkpoint = folder.resolve("checkpoint");
-        Process server = server("server", "--checkpoint", checkpoint);
-        Process worker = worker("worker");
+        Path token = folder.resolve("token");
+        Object[] kept = {"--checkpoint", checkpoint, "--token-file", token, "--tls", folder.resolve("tls.pem")};
+        Process server = server("server", kept);
+        Process worker = worker("worker", "--token-file", token, "--pin", pin("server"));
         await("server", "% done");
         server.destroyForcibly().waitFor();
         assertFalse(Files.exists(picture));
-        Process again = server("again", "--checkpoint", checkpoint, "--status-port", 0);
+        Object[] more = Arrays.copyOf(kept, kept.length + 2);
+        System.arraycopy(new Object[] {"--status-port", 0}, 0, more, kept.length, 2);
+        Process again = server("again", more);
         assertEnds(again, 0, "again");
         assertEnds(worker, 0, "worker");
         assertTrue(log("again").contains("tiles are done already"), log("again"));

@@ -1,5 +1,9 @@
 package enlightenment.net;
 
+import enlightenment.render.RenderOutline;
+import enlightenment.render.TilePlan;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -273,65 +277,113 @@ final class ScalingSimulation {
         }
     }
 
-    /** Tiles of a picture whose middle is expensive, many passes over it: {@code seconds} in all. */
-    static double[] unevenTiles(int tiles, int columns, double seconds) {
-        double[] cost = new double[tiles];
-        double sum = 0;
-        for (int t = 0; t < tiles; t++) {
-            double x = (t % columns + 0.5) / columns - 0.5;
-            cost[t] = 0.2 + 3 * Math.exp(-x * x / (2 * 0.1 * 0.1));
-            sum += cost[t];
+    /**
+     * A picture that takes so long on one machine, cut as a server cuts it.
+     *
+     * @param expensive where it is expensive, 0 for its left edge, 1 for its right one, which is rendered last
+     */
+    record Job(int width, int height, double minutes, double expensive) {
+        /** A processor makes at least so many camera rays in a second; more of them make no coarser tiles. */
+        private static final double RAYS_PER_SECOND = 3e6;
+
+        Job withExpensive(double place) {
+            return new Job(width, height, minutes, place);
         }
-        for (int t = 0; t < tiles; t++) {
-            cost[t] *= seconds / sum;
+
+        int tiles() {
+            Scene scene = Farm.SCENE;
+            double samples = 60 * minutes * RAYS_PER_SECOND / ((double) width * height);
+            RenderSettings settings = RenderSettings.of(scene).withSize(width, height);
+            return new RenderOutline("", settings, new TilePlan(1, samples, "samples"), List.of(), List.of()).tiles();
         }
-        return cost;
+
+        /** Seconds of each tile, by its column: from 0.2 to 3.2 times something. */
+        double[] tileSeconds() {
+            double[] cost = new double[tiles()];
+            int across = (width + 7) / 8;
+            int down = cost.length / across;
+            double sum = 0;
+            for (int t = 0; t < cost.length; t++) {
+                double x = (t / down + 0.5) / across - expensive;
+                cost[t] = 0.2 + 3 * Math.exp(-x * x / (2 * 0.1 * 0.1));
+                sum += cost[t];
+            }
+            for (int t = 0; t < cost.length; t++) {
+                cost[t] *= 60 * minutes / sum;
+            }
+            return cost;
+        }
     }
 
-    /** Prints a table. Arguments, all or none: minutes of the job, then the components of {@link Costs}. */
+    /** The paper's job, of the size of its pictures. */
+    static final Job PAPERS = new Job(800, 400, 900, 0.5);
+
+    /** The same work for a picture that has pixels for a thousand machines. */
+    static final Job LARGE = new Job(3_840, 2_160, 900, 0.5);
+
+    /** Prints a table. Arguments, all or none: the components of {@link Costs}. */
     public static void main(String[] args) {
-        double minutes = args.length > 0 ? Double.parseDouble(args[0]) : 900;
-        Costs costs = args.length < 7
-                ? ASSUMED
+        Costs costs = args.length < 6
+                ? MEASURED
                 : new Costs(
+                        Double.parseDouble(args[0]),
                         Double.parseDouble(args[1]),
                         Double.parseDouble(args[2]),
                         Double.parseDouble(args[3]),
                         Double.parseDouble(args[4]),
-                        Double.parseDouble(args[5]),
-                        Double.parseDouble(args[6]));
+                        Double.parseDouble(args[5]));
         System.out.println(
-                "| workers | minutes | tiles | alike | mixed | mixed, failing | alike, 2 % audited | static |");
-        System.out.println("|--:|--:|--:|--:|--:|--:|--:|--:|");
-        for (int workers : new int[] {1, 2, 8, 32, 100, 300, 1_000, 3_000, 10_000}) {
-            // Beyond a thousand workers the paper's job is over in seconds: five minutes for each of them instead.
-            double length = workers <= 1_000 ? minutes : 5 * workers;
-            int tiles = workers <= 1_000 ? Math.max(20_000, 200 * workers) : 60 * workers;
-            System.out.println(row(workers, length, unevenTiles(tiles, 240, 60 * length), costs));
+                "| workers | minutes | picture | tiles | alike | expensive part last | mixed | mixed, failing"
+                        + " | alike, 0.2 % audited | static |");
+        System.out.println("|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+        for (int workers : new int[] {1, 2, 8, 32, 100, 256, 1_000}) {
+            System.out.println(row(workers, PAPERS, costs));
+        }
+        for (int workers : new int[] {8, 100, 256, 1_000}) {
+            System.out.println(row(workers, LARGE, costs));
+        }
+        // With more workers that job is over in seconds: five minutes for each of them instead.
+        for (int workers : new int[] {3_000, 10_000}) {
+            Job job = new Job(8_000, 4_000, 5 * workers, 0.5);
+            double[] tiles = job.tileSeconds();
+            double alike = run(tiles, costs, new Fleet(workers, 1, 0, 0), 0, 1).efficiency;
+            System.out.println(String.format(
+                    Locale.ROOT,
+                    "%s %.4f | | | | | %.4f |",
+                    head(workers, job, tiles.length),
+                    alike,
+                    efficiencyOfStaticShares(tiles, workers)));
         }
     }
 
-    private static String row(int workers, double minutes, double[] job, Costs costs) {
+    private static String head(int workers, Job job, int tiles) {
+        return String.format(
+                Locale.ROOT, "| %,d | %,.0f | %,d × %,d | %,d |", workers, job.minutes, job.width, job.height, tiles);
+    }
+
+    private static String row(int workers, Job job, Costs costs) {
+        double[] tiles = job.tileSeconds();
         // Mixed: the fastest is four times as fast as the slowest, with the same power on the whole as if all were
         // alike.
-        double[] mixed = job.clone();
+        double[] mixed = tiles.clone();
         for (int t = 0; t < mixed.length; t++) {
             mixed[t] *= workers == 1 ? 1 : 2.5;
         }
-        double[] onePass = unevenTiles(240, 240, 60 * minutes);
         return String.format(
                 Locale.ROOT,
-                "| %d | %.0f | %d | %.4f | %.4f | %.4f | %.4f | %s |",
-                workers,
-                minutes,
-                job.length,
-                run(job, costs, new Fleet(workers, 1, 0, 0), 0, 1).efficiency,
+                "%s %.4f | %.4f | %.4f | %.4f | %.4f | %.4f |",
+                head(workers, job, tiles.length),
+                run(tiles, costs, new Fleet(workers, 1, 0, 0), 0, 1).efficiency,
+                run(job.withExpensive(1).tileSeconds(), costs, new Fleet(workers, 1, 0, 0), 0, 1).efficiency,
                 run(mixed, costs, new Fleet(workers, 4, 0, 0), 0, 1).efficiency,
                 run(mixed, costs, new Fleet(workers, 4, 0.5, 0.02), 0, 1).efficiency,
-                run(job, costs, new Fleet(workers, 1, 0, 0), 0.02, 1).efficiency,
-                workers > 240 ? "" : String.format(Locale.ROOT, "%.4f", efficiencyOfStaticShares(onePass, workers)));
+                run(tiles, costs, new Fleet(workers, 1, 0, 0), CoordinatorSettings.AUDIT_RATE, 1).efficiency,
+                efficiencyOfStaticShares(tiles, workers));
     }
 
-    /** The prototype's figures, until the real server's are measured: 0.07 ms per tile of 3 kB, 1 Gbit/s, 0.2 ms away. */
-    static final Costs ASSUMED = new Costs(0.07e-3, 0.02e-3, 3_000, 1.2e8, 0.2e-3, 0);
+    /**
+     * The real server's: 0.2 ms of its processor time for a tile of 8 × 16 pixels, 0.08 ms for a heartbeat with 1,000 workers; a tile
+     * and its frame on the wire. Assumed are the network (1 Gbit/s, 0.2 ms away) and that everybody is there from the start.
+     */
+    static final Costs MEASURED = new Costs(0.2e-3, 0.08e-3, 4_900, 1.2e8, 0.2e-3, 0);
 }

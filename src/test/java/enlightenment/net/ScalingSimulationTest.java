@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import static enlightenment.net.ScalingSimulation.ASSUMED;
+import static enlightenment.net.ScalingSimulation.MEASURED;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,42 +11,52 @@ import org.junit.jupiter.api.Test;
 
 class ScalingSimulationTest {
     /** The paper's job: 900 minutes of one machine. */
-    private static final double[] JOB = ScalingSimulation.unevenTiles(20_000, 240, 900 * 60);
+    private static final double[] JOB = ScalingSimulation.PAPERS.tileSeconds();
 
-    private static Outcome run(int workers, double spread, double crashesPerHour, double stragglers) {
-        return ScalingSimulation.run(JOB, ASSUMED, new Fleet(workers, spread, crashesPerHour, stragglers), 0, 1);
+    private static Outcome run(int workers, double spread) {
+        return ScalingSimulation.run(JOB, MEASURED, new Fleet(workers, spread, 0, 0), 0, 1);
     }
 
     @Test
     void oneWorkerIsAsFastAsTheMachineItself() {
-        assertTrue(run(1, 1, 0, 0).efficiency() > 0.9999);
+        assertTrue(run(1, 1).efficiency() > 0.9999);
     }
 
     @Test
     void eightMachinesDoTheWorkOfEightBetterThanInThePaper() {
-        double efficiency = run(8, 1, 0, 0).efficiency();
+        double efficiency = run(8, 1).efficiency();
         assertTrue(efficiency > 0.996 && efficiency <= 1, "efficiency " + efficiency);
     }
 
     @Test
     void machinesOfDifferentSpeedAreUsedAsWell() {
-        double efficiency = run(8, 4, 0, 0).efficiency();
+        double efficiency = run(8, 4).efficiency();
         assertTrue(efficiency > 0.996 && efficiency <= 1, "efficiency " + efficiency);
     }
 
     @Test
-    void aThousandMachinesDoTheWorkOfNineHundredAndFifty() {
-        double[] job = ScalingSimulation.unevenTiles(200_000, 240, 900 * 60);
-        double efficiency = ScalingSimulation.run(job, ASSUMED, new Fleet(1_000, 1, 0, 0), 0, 1)
+    void eightMachinesAreBusyToTheEndThoughTheExpensivePartComesLast() {
+        double[] job = ScalingSimulation.PAPERS.withExpensive(1).tileSeconds();
+        double efficiency = ScalingSimulation.run(job, MEASURED, new Fleet(8, 1, 0, 0), 0, 1)
+                .efficiency();
+        assertTrue(efficiency > 0.99 && efficiency <= 1, "efficiency " + efficiency);
+    }
+
+    @Test
+    void aThousandMachinesDoTheWorkOfNineHundredAndFiftyWhereThereArePixelsForThem() {
+        double efficiency = ScalingSimulation.run(
+                        ScalingSimulation.LARGE.tileSeconds(), MEASURED, new Fleet(1_000, 1, 0, 0), 0, 1)
                 .efficiency();
         assertTrue(efficiency > 0.95 && efficiency <= 1, "efficiency " + efficiency);
     }
 
     @Test
     void crashesAndStragglersCostLittle() {
-        // Of 100 machines about 8 crash, away for a minute each of nine, and 5 straggle for half of the time: what is
-        // left of the power is 0.97, and the end waits for nobody.
-        Outcome outcome = run(100, 4, 0.5, 0.05);
+        // Of 100 machines a few crash, away for a minute of four, and about 5 straggle for half of the time: what is
+        // left of the
+        // power is 0.97, and the end waits for nobody, as a tile takes seconds and not minutes.
+        Outcome outcome = ScalingSimulation.run(
+                ScalingSimulation.LARGE.tileSeconds(), MEASURED, new Fleet(100, 4, 0.5, 0.05), 0, 1);
         assertTrue(outcome.crashes() > 0);
         assertTrue(outcome.efficiency() > 0.93, outcome.toString());
     }
@@ -59,11 +69,11 @@ class ScalingSimulationTest {
 
     @Test
     @Tag("full")
-    void tenThousandMachinesAreStillBusy() {
+    void threeThousandMachinesAreStillBusy() {
         // Five minutes of work for each.
-        double[] job = ScalingSimulation.unevenTiles(600_000, 240, 10_000 * 300.0);
-        double efficiency = ScalingSimulation.run(job, ASSUMED, new Fleet(10_000, 1, 0, 0), 0, 1)
+        double[] job = new ScalingSimulation.Job(8_000, 4_000, 15_000, 0.5).tileSeconds();
+        double efficiency = ScalingSimulation.run(job, MEASURED, new Fleet(3_000, 1, 0, 0), 0, 1)
                 .efficiency();
-        assertTrue(efficiency > 0.9, "efficiency " + efficiency);
+        assertTrue(efficiency > 0.98, "efficiency " + efficiency);
     }
 }

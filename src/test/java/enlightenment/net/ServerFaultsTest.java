@@ -123,12 +123,15 @@ class ServerFaultsTest {
 
     @Test
     void aWorkerThatFallsSilentLosesItsTiles() throws Exception {
-        try (RawPeer peer = peer()) {
+        // Idleness is far away: a tick that is late must not meet both deadlines at once.
+        Timing timing = new Timing(600, 600, 600, 30_000, 50, 400);
+        try (Farm patient = new Farm(Farm.options().withTiming(timing)).begin();
+                RawPeer peer = new RawPeer(patient.server.port())) {
             peer.join("silent", Token.NONE);
             peer.receive(Message.Grant.class);
             assertInstanceOf(Message.Refuse.class, peer.receive(Message.Refuse.class));
+            Farm.until(() -> patient.logHas("silent for"), "the log tells of silence");
         }
-        assertLogged("silent for");
     }
 
     @Test

@@ -84,16 +84,57 @@ class TiledRenderTest {
     void tilesCoverLargePicturesExactlyOnceInPiecesThatFitIntoAFrame() {
         int[][] sizes = {{1, 1}, {9, 65_536}, {800, 400}, {65_536, 17}, {4_000, 3_000}};
         for (int[] size : sizes) {
-            ColumnGrid grid = new ColumnGrid(settings("raytrace").withSize(size[0], size[1]));
-            long pixels = 0;
-            for (int tile = 0; tile < grid.tiles(); tile++) {
-                RenderSettings.Crop place = grid.place(tile);
-                pixels += (long) place.width() * place.height();
-                assertTrue(TileBytes.length(place.width() * place.height(), 100) < 1 << 20);
-                assertEquals(0, place.x() % ColumnGrid.SIDE + place.y() % ColumnGrid.SIDE);
-            }
-            assertEquals((long) size[0] * size[1], pixels);
+            assertCovers(size[0], size[1], grid(size[0], size[1], 1));
+            assertCovers(size[0], size[1], grid(size[0], size[1], 1e7));
         }
+    }
+
+    private static ColumnGrid grid(int width, int height, double samples) {
+        return new ColumnGrid(settings("raytrace").withSize(width, height), new TilePlan(1, samples, "samples"));
+    }
+
+    private static void assertCovers(int width, int height, ColumnGrid grid) {
+        long pixels = 0;
+        for (int tile = 0; tile < grid.tiles(); tile++) {
+            RenderSettings.Crop place = grid.place(tile);
+            pixels += (long) place.width() * place.height();
+            assertTrue(TileBytes.length(place.width() * place.height(), 100) < 1 << 20);
+            assertEquals(0, place.x() % ColumnGrid.SIDE + place.y() % ColumnGrid.SIDE);
+        }
+        assertEquals((long) width * height, pixels);
+    }
+
+    @Test
+    void longRendersAreCutFinerAsFarAsThereArePixels() {
+        // 100 columns of 50 blocks: the fewest tiles, 4,096, make pieces of two blocks.
+        assertEquals(2_500, grid(800, 400, 1).tiles());
+        assertEquals(2_500, grid(800, 400, 4_096 * 2_097_152.0 / 320_000).tiles());
+        assertEquals(5_000, grid(800, 400, 1e7).tiles());
+        // 450 columns of 225 blocks; 90,000 tiles of 2^21 rays are 200 to a column.
+        assertEquals(
+                450 * 113,
+                grid(3_600, 1_800, 90_000 * 2_097_152.0 / (3_600 * 1_800)).tiles());
+        assertEquals(450 * 225, grid(3_600, 1_800, 1e7).tiles());
+        // 1,000 columns of 1,000 blocks; at most 2^18 tiles are 262 to a column, of four blocks each.
+        assertEquals(1_000 * 250, grid(8_000, 8_000, 1e9).tiles());
+    }
+
+    @Test
+    void howFineTheCutIsDoesNotChangeThePicture() {
+        RenderSettings settings = settings("cluster").withSize(800, 400).withAntialias(1);
+        TiledRender usual = tiled(settings);
+        // As if a hundred thousand rays per pixel were to come, where one does.
+        TilePlan plan = new TilePlan(usual.plan().level(), 1e5, "samples");
+        TiledRender finer = TiledRender.planned(SCENE, settings, plan, file -> null);
+        assertEquals(2_500, usual.tiles());
+        assertEquals(5_000, finer.tiles());
+        FilmAssembly fine = finer.assembly();
+        TileMaker maker = finer.maker();
+        for (int tile = 0; tile < finer.tiles(); tile++) {
+            fine.put(tile, maker.make(tile));
+        }
+        assertArrayEquals(
+                Renderer.render(SCENE, settings).toArray(), fine.image().toArray());
     }
 
     @Test

@@ -1,0 +1,57 @@
+package enlightenment.net;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+import java.util.EnumSet;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/** Files with a secret: only their owner may read them, as far as the file system knows POSIX permissions. */
+final class SecretFile {
+    private static final Set<PosixFilePermission> OWNER = EnumSet.of(
+            PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE, PosixFilePermission.OWNER_EXECUTE);
+
+    private SecretFile() {}
+
+    /** Writes a file that must not exist, whole or not at all. */
+    static void create(Path file, String text) throws IOException {
+        Path folder = file.toAbsolutePath().getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            throw new IOException(file + ": cannot be made: there is no folder " + folder);
+        }
+        if (!Files.isWritable(folder)) {
+            throw new IOException(file + ": cannot be made: no permission to write to the folder " + folder);
+        }
+        Path part = null;
+        try {
+            // Born with the owner's permissions only, so that there is no moment at which others can read it.
+            part = Files.createTempFile(folder, ".", ".part");
+            Files.writeString(part, text, StandardCharsets.US_ASCII);
+            Files.move(part, file);
+        } catch (FileAlreadyExistsException e) {
+            throw new IOException(file + ": was made by somebody else just now; start again", e);
+        } catch (IOException e) {
+            throw new IOException(file + ": cannot be made: " + e.getMessage(), e);
+        } finally {
+            if (part != null) {
+                Files.deleteIfExists(part);
+            }
+        }
+    }
+
+    /** Tells of it if others than the owner may read or change it; says nothing where the file system cannot tell. */
+    static void warnIfOpen(Path file, Consumer<String> log) throws IOException {
+        if (!file.getFileSystem().supportedFileAttributeViews().contains("posix") || !Files.isRegularFile(file)) {
+            return;
+        }
+        Set<PosixFilePermission> others = Files.getPosixFilePermissions(file);
+        others.removeAll(OWNER);
+        if (!others.isEmpty()) {
+            log.accept(file + ": others on this machine may read or change this secret (chmod 600 " + file + ")");
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package enlightenment.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class JoinLinesTest {
+    private static final String JOIN = "workers join with: enlightenment worker ";
+
+    @Test
+    void theAddressThatWasGivenIsNamed() throws IOException {
+        assertEquals(List.of(JOIN + "127.0.0.1:6002"), JoinLines.of("127.0.0.1", 6002, null, ""));
+        assertEquals(List.of(JOIN + "[::1]:70"), JoinLines.of("::1", 70, null, ""));
+    }
+
+    @Test
+    void tokenAndPinComeAlongAndShellsReadThemAsOneWord() throws IOException {
+        assertEquals(
+                List.of(JOIN + "127.0.0.1:1 --token-file '/it'\\''s here/token' --pin 00ff"),
+                JoinLines.of("127.0.0.1", 1, Path.of("/it's here/token"), "00ff"));
+    }
+
+    @Test
+    void insteadOfEveryAddressOneOfTheMachinesOwnIsNamed() throws IOException {
+        List<String> lines = JoinLines.of("0.0.0.0", 6002, null, "");
+        String place = lines.get(0).substring(JOIN.length());
+        String host = place.substring(0, place.lastIndexOf(':')).replaceAll("[\\[\\]]", "");
+        boolean hasNetwork = NetworkInterface.networkInterfaces()
+                .flatMap(NetworkInterface::inetAddresses)
+                .anyMatch(a -> !a.isLoopbackAddress() && !a.isLinkLocalAddress());
+        if (hasNetwork) {
+            InetAddress named = InetAddress.getByName(host);
+            assertFalse(named.isAnyLocalAddress() || named.isLoopbackAddress(), place);
+            assertTrue(NetworkInterface.getByInetAddress(named) != null, place);
+        } else {
+            assertEquals("0.0.0.0", host);
+        }
+    }
+}

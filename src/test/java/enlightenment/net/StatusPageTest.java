@@ -1,0 +1,147 @@
+package enlightenment.net;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The status page as a browser shows it, after its scripts ran. */
+@Timeout(120)
+class StatusPageTest {
+    private static Browser browser;
+
+    private Farm farm;
+    private String origin;
+
+    @BeforeAll
+    static void openBrowser() throws Exception {
+        Optional<Path> executable = Browser.executable();
+        assumeTrue(executable.isPresent(), "no Chromium on the path");
+        browser = new Browser(executable.get());
+    }
+
+    @AfterAll
+    static void closeBrowser() throws Exception {
+        if (browser != null) {
+            browser.close();
+        }
+    }
+
+    @BeforeEach
+    void server() throws Exception {
+        farm = new Farm(Farm.options().withStatusPort(0)).begin();
+        origin = "http://127.0.0.1:" + farm.server.statusPort() + "/";
+    }
+
+    @AfterEach
+    void end() {
+        farm.close();
+    }
+
+    private static String text(String selector) throws Exception {
+        return browser.value("document.querySelector('" + selector + "').textContent")
+                .asString();
+    }
+
+    private void assertNoFaultAndNothingFromElsewhere() {
+        assertEquals(List.of(), browser.problems());
+        List<String> requests = browser.requests();
+        assertTrue(requests.contains(origin + "status.json"), requests.toString());
+        assertTrue(requests.stream().allMatch(r -> r.startsWith(origin)), requests.toString());
+    }
+
+    @Test
+    void workersTilesAndPictureAreShownAndKeptUpToDate() throws Exception {
+        farm.join(Farm.slow(100));
+        Farm.until(() -> farm.server.snapshot().done() > 2, "some tiles are done");
+        int before = farm.server.snapshot().done();
+        browser.open(origin);
+        browser.until("document.readyState == 'complete' && document.querySelectorAll('#workers tr').length == 1");
+        browser.until("document.querySelector('#picture').naturalWidth > 0");
+        int shown = Integer.parseInt(text("#numbers").split(" ")[0]);
+        assertTrue(before <= shown && shown <= farm.server.snapshot().done(), shown + " tiles shown");
+        int tiles = farm.server.job().tiles();
+        assertTrue(text("#numbers").startsWith(shown + " of " + tiles + " tiles done, "), text("#numbers"));
+        assertEquals(100 * shown / tiles + " %", text("#state"));
+        assertEquals(
+                Farm.SETTINGS.region().width(),
+                browser.value("document.querySelector('#picture').naturalWidth").asInt());
+        assertEquals(
+                Farm.SETTINGS.region().height(),
+                browser.value("document.querySelector('#picture').naturalHeight")
+                        .asInt());
+        assertEquals(farm.server.snapshot().workers().get(0).name(), text("#workers tr td"));
+        assertEquals(
+                browser.value("document.querySelectorAll('th').length").asInt(),
+                browser.value("document.querySelectorAll('#workers td').length").asInt());
+        assertTrue(text("#log").contains("joined with 1 threads"), text("#log"));
+        browser.until("parseInt(document.querySelector('#numbers').textContent) > " + shown);
+        browser.until("document.querySelector('#picture').src.endsWith('?' + shown) && shown > " + shown);
+        assertNoFaultAndNothingFromElsewhere();
+    }
+
+    @Test
+    void whatAStrangeWorkerCallsItselfIsTextAndNothingElse() throws Exception {
+        String name = "<img src=" + origin + "stolen onerror=stolen()>";
+        try (RawPeer peer = new RawPeer(farm.server.port())) {
+            peer.join(name, Token.NONE);
+            browser.open(origin);
+            browser.until("document.querySelectorAll('#workers tr').length == 1");
+            assertTrue(text("#workers tr td").startsWith(name), text("#workers"));
+            assertTrue(text("#log").contains(name), text("#log"));
+            assertEquals(1, browser.value("document.images.length").asInt());
+            assertFalse(browser.requests().contains(origin + "stolen"));
+            assertNoFaultAndNothingFromElsewhere();
+        }
+    }
+
+    @Test
+    void thePolicyKeepsThePageFromAskingElsewhere() throws Exception {
+        browser.open(origin);
+        browser.until("document.querySelector('#numbers') && document.querySelector('#numbers').textContent != ''");
+        assertNoFaultAndNothingFromElsewhere();
+        browser.value(
+                "document.addEventListener('securitypolicyviolation', e => window.violated = e.violatedDirective);"
+                        + "fetch('" + origin.replace("127.0.0.1", "localhost") + "health').catch(e => e); 0");
+        browser.until("window.violated == 'connect-src'");
+    }
+
+    @Test
+    void onANarrowScreenOnlyTheTableScrollsSideways() throws Exception {
+        farm.join(Farm.slow(100));
+        Farm.until(() -> farm.server.snapshot().done() > 0, "a tile is done");
+        browser.call(
+                "Emulation.setDeviceMetricsOverride",
+                "{\"width\":320,\"height\":600,\"deviceScaleFactor\":1,\"mobile\":false}");
+        try {
+            browser.open(origin);
+            browser.until("document.querySelectorAll('#workers tr').length == 1");
+            int table = browser.value("document.querySelector('#table').scrollWidth")
+                    .asInt();
+            assertTrue(table > 320, "the table needs " + table);
+            assertEquals(
+                    320, browser.value("document.scrollingElement.scrollWidth").asInt());
+        } finally {
+            browser.call("Emulation.clearDeviceMetricsOverride", "{}");
+        }
+    }
+
+    @Test
+    void aServerThatHasEndedIsToldOf() throws Exception {
+        browser.open(origin);
+        browser.until("document.querySelector('#numbers') && document.querySelector('#numbers').textContent != ''");
+        assertEquals("", text("#problem"));
+        farm.close();
+        browser.until("document.querySelector('#problem').textContent.startsWith('The server does not answer')");
+    }
+}

@@ -75,6 +75,11 @@ public final class Tracer {
         tileLightCount = frustum.gather(scene.lightBounds, tileLights);
     }
 
+    /** Whether no camera ray of the current tile meets anything, as far as that is known without a ray. */
+    public boolean seesNothing() {
+        return scene.bvh == null && tileCount == 0 && tileLightCount == 0;
+    }
+
     /** As {@link #trace}, for a camera ray of the current tile. */
     public boolean traceCamera(Ray ray, Hit hit) {
         return search(ray, hit, tileIds, tileCount, tileLights, tileLightCount);

@@ -88,6 +88,11 @@ public final class ClassicShader {
         tracer.beginTile(x0, y0, x1, y1);
     }
 
+    /** Whether all camera rays of the tile are known to see the background. */
+    public boolean seesNothing() {
+        return tracer.seesNothing();
+    }
+
     /** Sets how many points of each light are taken at each hit. */
     public void lightPoints(int count) {
         lightPoints = count;

@@ -294,7 +294,9 @@ final class ScalingSimulation {
             Scene scene = Farm.SCENE;
             double samples = 60 * minutes * RAYS_PER_SECOND / ((double) width * height);
             RenderSettings settings = RenderSettings.of(scene).withSize(width, height);
-            return new RenderOutline("", settings, new TilePlan(1, samples, "samples"), List.of(), List.of()).tiles();
+            return new RenderOutline(
+                            "", settings, new TilePlan("raytrace", 1, samples, "samples"), List.of(), List.of())
+                    .tiles();
         }
 
         /** Seconds of each tile, by its column: from 0.2 to 3.2 times something. */

@@ -169,6 +169,44 @@ class ClusterEdgeCasesTest {
                 .build();
         Picture p = ManySeeds.render(scene, cluster(scene, Budget.MAX_SAMPLES));
         assertEquals(1, p.counts()[0]);
-        assertEquals(5, p.sampling().samplesPerPixel());
+        // One look and one sample: no thing comes near.
+        assertEquals(2, p.sampling().samplesPerPixel());
+    }
+
+    /**
+     * The face of the opening is narrower than a pixel here and lit, while what the corners beside it show is alike: its pixels
+     * once got a single sample, however many were asked for.
+     */
+    @Test
+    void whatLiesUnseenBetweenCornersOfLikeColorIsFoundByMoreSamples() {
+        Scene scene = ManySeeds.shipped("keyhole");
+        RenderSettings settings = RenderSettings.of(scene)
+                .withSize(120, 60)
+                .withCrop(new RenderSettings.Crop(20, 24, 4, 8))
+                .withThreads(2);
+        Picture plain =
+                ManySeeds.render(scene, settings.withMethod("raytrace").withBudget(Budget.NONE.withSamples(2048)));
+        Picture cluster =
+                ManySeeds.render(scene, settings.withMethod("cluster").withBudget(Budget.NONE.withSamples(600)));
+        for (int k = 0; k < plain.rgb().length; k++) {
+            assertEquals(plain.rgb()[k], cluster.rgb()[k], 0.01, "pixel " + k / 3);
+        }
+    }
+
+    /** What no corner saw only the pixels' own samples can meet. */
+    @Test
+    void everyPixelGetsMoreSamplesWithABudgetThatGrows() {
+        Scene scene = ManySeeds.shipped("cylinders");
+        RenderSettings settings = RenderSettings.of(scene).withSize(100, 50).withMethod("cluster");
+        int before = 0;
+        for (double samples : new double[] {10, 1000, 100_000}) {
+            Picture p = ManySeeds.render(
+                    scene,
+                    settings.withCrop(new RenderSettings.Crop(40, 24, 8, 8))
+                            .withBudget(Budget.NONE.withSamples(samples)));
+            int least = Arrays.stream(p.counts()).min().orElseThrow();
+            assertTrue(least > before, least + " samples");
+            before = least;
+        }
     }
 }

@@ -90,7 +90,8 @@ class TiledRenderTest {
     }
 
     private static ColumnGrid grid(int width, int height, double samples) {
-        return new ColumnGrid(settings("raytrace").withSize(width, height), new TilePlan(1, samples, "samples"));
+        return new ColumnGrid(
+                settings("raytrace").withSize(width, height), new TilePlan("raytrace", 1, samples, "samples"));
     }
 
     private static void assertCovers(int width, int height, ColumnGrid grid) {
@@ -124,7 +125,7 @@ class TiledRenderTest {
         RenderSettings settings = settings("cluster").withSize(800, 400).withAntialias(1);
         TiledRender usual = tiled(settings);
         // As if a hundred thousand rays per pixel were to come, where one does.
-        TilePlan plan = new TilePlan(usual.plan().level(), 1e5, "samples");
+        TilePlan plan = new TilePlan("cluster", usual.plan().level(), 1e5, "samples");
         TiledRender finer = TiledRender.planned(SCENE, settings, plan, file -> null);
         assertEquals(2_500, usual.tiles());
         assertEquals(5_000, finer.tiles());

@@ -17,6 +17,15 @@ final class Needs {
     /** What every pixel gets of its block's curvature: what the corners miss here they may have seen there. */
     private static final double OF_BLOCK = 0.003;
 
+    /**
+     * The least of the corners' variance at an edge: between surfaces that are alike at the corners there may be others. It costs
+     * nothing that could be measured; without it a lit face between dark ones, narrower than a pixel, was never found.
+     */
+    private static final double LEAST_AT_EDGE = 0x1p-13;
+
+    /** What a pixel may hide between its corners, unless nothing is there: with more and more samples all of it is found. */
+    private static final double UNSEEN = 0x1p-27;
+
     /** A second difference of three corners of variance v each has the variance (1 + 4 + 1) v. */
     private static final double NOISE_OF_SECOND_DIFFERENCE = 6;
 
@@ -25,7 +34,7 @@ final class Needs {
     /** Per pixel of the block, row by row of 8. */
     final double[] film = new double[Block.SIDE * Block.SIDE];
 
-    /** The same for pixels that an edge passes through, 0 for others. */
+    /** The same for what an edge makes it vary that passes through the pixel, or may pass through it unseen. */
     final double[] edge = new double[Block.SIDE * Block.SIDE];
 
     final double[] light = new double[Block.SIDE * Block.SIDE];
@@ -41,7 +50,7 @@ final class Needs {
             for (int i = 0; i < block.width(); i++) {
                 int k = Block.SIDE * j + i;
                 film[k] = OF_BLOCK * mean;
-                edge[k] = 0;
+                edge[k] = survey.isEmpty() ? 0 : UNSEEN;
                 addCorners(survey, i, j, k);
                 light[k] = lightIsSettled ? 0 : survey.lightVariance(i, j);
             }
@@ -67,7 +76,7 @@ final class Needs {
         int below = k + Survey.SIDE;
         long key = survey.keys[k];
         if (key != survey.keys[k + 1] || key != survey.keys[below] || key != survey.keys[below + 1]) {
-            edge[pixel] = OF_EDGE * cornerVariance(survey.rgb, 3 * k, 3 * below);
+            edge[pixel] = OF_EDGE * Math.max(cornerVariance(survey.rgb, 3 * k, 3 * below), LEAST_AT_EDGE);
         } else {
             double curvature = (second[k] + second[k + 1] + second[below] + second[below + 1]) / 4;
             film[pixel] += OF_CURVATURE * curvature + OF_TWIST * twist(survey.rgb, 3 * k, 3 * below);

@@ -47,6 +47,7 @@ final class Survey {
     private final double[] energy = new double[NODES];
     private final double[] spread = new double[NODES];
     private boolean spreads;
+    private boolean empty;
     private Block block;
     private int askedInAll;
     private int blockedInAll;
@@ -68,10 +69,28 @@ final class Survey {
         blockedInAll = 0;
         spreads = false;
         shader.lightPoints(FEW);
+        empty = shader.seesNothing();
+        if (empty) {
+            lookForAll();
+            return;
+        }
         for (int j = 0; j <= block.height(); j++) {
             for (int i = 0; i <= block.width(); i++) {
                 look(i, j, 0);
             }
+        }
+    }
+
+    /** Where there is only the background, one corner stands for all. */
+    private void lookForAll() {
+        look(0, 0, 0);
+        for (int k = 1; k < NODES; k++) {
+            System.arraycopy(rgb, 0, rgb, 3 * k, 3);
+            keys[k] = keys[0];
+            asked[k] = 0;
+            blocked[k] = 0;
+            energy[k] = 0;
+            spread[k] = 0;
         }
     }
 
@@ -139,6 +158,11 @@ final class Survey {
     /** How many light points {@link #takeMore} would look at, if it has not yet. */
     long pointsOfMore() {
         return (long) askedInAll * MANY / FEW;
+    }
+
+    /** Whether the block is known to show nothing but the background. */
+    boolean isEmpty() {
+        return empty;
     }
 
     boolean hasDoubtfulLight() {

@@ -73,14 +73,31 @@ class SurveyTest {
 
     @Test
     void everyCornerIsLookedThroughOnce() {
-        Scene scene = flat(16).shading(FULL).build();
+        Scene scene = flat(16).shading(FULL)
+                .object(TestScenes.rectangle(-2, -2, 0, -2, 2, 0, 2, 2, 0, 2, -2, 0), TestScenes.matte(0.3, 0.6, 0.9))
+                .build();
         assertEquals(81, survey(scene, new Block(8, 8, 8, 8)).rays());
         assertEquals(12, survey(scene, new Block(8, 8, 3, 2)).rays());
         assertEquals(4, survey(scene, new Block(0, 0, 1, 1)).rays());
     }
 
     @Test
-    void aFlatColourNeedsNothing() {
+    void whereNothingComesNearOneLookIsEnough() {
+        Scene scene = flat(16).shading(FULL).build();
+        Block block = new Block(8, 8, 8, 8);
+        Survey survey = survey(scene, block);
+        assertEquals(1, survey.rays());
+        Needs needs = needs(survey, block);
+        for (int k = 0; k < 64; k++) {
+            assertEquals(0, needs.film[k] + needs.edge[k] + needs.light[k]);
+        }
+        for (int k = 0; k < 3 * 81; k++) {
+            assertEquals(survey.rgb[k % 3], survey.rgb[k]);
+        }
+    }
+
+    @Test
+    void aFlatColourNeedsNextToNothing() {
         Scene scene = flat(8).shading(FULL)
                 .object(TestScenes.rectangle(-2, -2, 0, -2, 2, 0, 2, 2, 0, 2, -2, 0), TestScenes.matte(0.3, 0.6, 0.9))
                 .build();
@@ -90,6 +107,7 @@ class SurveyTest {
         for (int k = 0; k < 64; k++) {
             assertEquals(0, needs.film[k]);
             assertEquals(0, needs.light[k]);
+            assertTrue(needs.edge[k] > 0 && needs.edge[k] < 1e-7, "what is unseen");
         }
         assertTrue(needs.lightIsSettled);
         assertFalse(survey.hasDoubtfulLight());

@@ -18,6 +18,7 @@ public final class SampleSpread {
     private final int[] sizes = new int[QUARTERS];
     private int count;
     private int taken;
+    private int quarter;
 
     /** The spread of no samples. */
     public SampleSpread() {}
@@ -26,13 +27,18 @@ public final class SampleSpread {
     public void begin(int samples) {
         count = samples;
         taken = 0;
+        quarter = 0;
         Arrays.fill(sums, 0);
         Arrays.fill(sizes, 0);
     }
 
     /** Adds the next sample. */
     public void add(double r, double g, double b) {
-        int quarter = (int) ((long) QUARTERS * taken++ / count);
+        // The same as QUARTERS · taken / count, without a division for each sample.
+        while ((long) QUARTERS * taken >= (quarter + 1L) * count) {
+            quarter++;
+        }
+        taken++;
         int k = 3 * quarter;
         sums[k] += r;
         sums[k + 1] += g;

@@ -49,7 +49,7 @@ final class Planner {
      */
     private static final double CLUSTER_AIM = 0.85;
 
-    private static final double RAYTRACE_AIM = 0.72;
+    private static final double RAYTRACE_AIM = 0.82;
 
     private static final int MOST_TRIALS = 7;
 

@@ -51,6 +51,9 @@ final class Planner {
 
     private static final double RAYTRACE_AIM = 0.82;
 
+    /** Where a survey needs more samples than this, fewer than it takes would not do without it. */
+    private static final double DEAR = 3.2;
+
     private static final int MOST_TRIALS = 7;
 
     /** The error falls at least as n^−½ and at best as 1/n with the number of samples. */
@@ -168,7 +171,19 @@ final class Planner {
 
     /** The number of samples for which the error is this, but not more than the most, or that if it is stopped. */
     private double samplesForError(double error, double most, BooleanSupplier stop) {
-        double least = Math.min(1, most);
+        if (!isClustered(most)) {
+            return search(error, 1, most, stop);
+        }
+        double surveyed = search(error, FEWEST_OF_CLUSTER, most, stop);
+        if (surveyed > DEAR) {
+            return surveyed;
+        }
+        // The error jumps where surveys begin: look on each side of it apart.
+        double plain = search(error, 1, MOST_OF_OTHERS, stop);
+        return plain < MOST_OF_OTHERS ? plain : surveyed;
+    }
+
+    private double search(double error, double least, double most, BooleanSupplier stop) {
         ErrorSearch search = new ErrorSearch(error, least, most);
         double n = Math.min(Math.max(FIRST_SAMPLES, least), most);
         for (int k = 0; k < MOST_TRIALS; k++) {

@@ -68,8 +68,8 @@ final class RawPeer implements Closeable {
     static Message.Hello hello(String machine) {
         return new Message.Hello(
                 Message.MAGIC,
-                1,
-                1,
+                Message.PROTOCOL,
+                Message.PROTOCOL,
                 Build.number(),
                 machine,
                 machine,

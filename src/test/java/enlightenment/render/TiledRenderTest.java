@@ -125,7 +125,7 @@ class TiledRenderTest {
         RenderSettings settings = settings("cluster").withSize(800, 400).withAntialias(1);
         TiledRender usual = tiled(settings);
         // As if a hundred thousand rays per pixel were to come, where one does.
-        TilePlan plan = new TilePlan("cluster", usual.plan().level(), 1e5, "samples");
+        TilePlan plan = new TilePlan(usual.plan().method(), usual.plan().level(), 1e5, "samples");
         TiledRender finer = TiledRender.planned(SCENE, settings, plan, file -> null);
         assertEquals(2_500, usual.tiles());
         assertEquals(5_000, finer.tiles());

@@ -181,7 +181,16 @@ class ServerFaultsTest {
         try (RawPeer peer = peer()) {
             Message.Hello h = RawPeer.hello("odd");
             peer.send(new Message.Hello(
-                    h.magic(), 1, 1, h.build(), "x", "x", "x", 1, ContentHash.of(new byte[1]), h.nonce()));
+                    h.magic(),
+                    h.oldest(),
+                    h.newest(),
+                    h.build(),
+                    "x",
+                    "x",
+                    "x",
+                    1,
+                    ContentHash.of(new byte[1]),
+                    h.nonce()));
             assertTrue(peer.receive(Message.Refuse.class).reason().contains("canary"));
         }
     }

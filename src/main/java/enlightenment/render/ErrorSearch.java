@@ -5,7 +5,7 @@ package enlightenment.render;
  *
  * <p>As a rule the error falls between n^−½ and 1/n. It falls far more steeply where a method has a fixed cost that is most
  * of n: then the numbers that are known to be too few and enough take over, and what is not known to be enough is not the
- * answer unless it lies close to what was measured.
+ * answer.
  */
 final class ErrorSearch {
     /** An error this close to what is asked, by a factor, leaves the rest to interpolation. */
@@ -16,6 +16,9 @@ final class ErrorSearch {
 
     /** The most that one step may take more samples than that before. */
     private static final double LONGEST_STEP = 8;
+
+    /** And the least, if it was too few: smaller ones may stay on the same step of the error. */
+    private static final double SHORTEST_STEP = 1.1;
 
     private static final double LEAST_SLOPE = 0.5;
     private static final double USUAL_SLOPE = 0.75;
@@ -71,7 +74,8 @@ final class ErrorSearch {
     private double between() {
         if (few == 0 || enough == Double.POSITIVE_INFINITY) {
             double factor = lastError == 0 ? 0 : StrictMath.pow(lastError / error, 1 / USUAL_SLOPE);
-            return last * Math.min(Math.max(factor, 1 / LONGEST_STEP), LONGEST_STEP);
+            double least = lastError > error ? SHORTEST_STEP : 1 / LONGEST_STEP;
+            return last * Math.min(Math.max(factor, least), LONGEST_STEP);
         }
         return inside(Math.min(Math.max(share(), LEAST_SHARE), 1 - LEAST_SHARE));
     }
@@ -85,10 +89,13 @@ final class ErrorSearch {
         return few * StrictMath.pow(enough / few, share);
     }
 
-    /** The number of samples that is enough, as far as it is known. */
+    /**
+     * The number of samples that is enough: one that was tried, since the error may fall in steps in between; if none was, one
+     * beyond what was tried.
+     */
     double answer() {
         if (enough < Double.POSITIVE_INFINITY) {
-            return few > 0 ? inside(Math.max(share(), 0.5)) : enough;
+            return enough;
         }
         return Math.min(Math.max(few * StrictMath.pow(fewError / error, 1 / LEAST_SLOPE), least), most);
     }

@@ -47,7 +47,7 @@ final class Planner {
      * What is aimed at, as a share of the error asked for: the trial has seen only some of the picture. Evenly spread samples
      * leave most of the error to a few pixels, which a trial sees less well.
      */
-    private static final double CLUSTER_AIM = 0.85;
+    private static final double CLUSTER_AIM = 0.83;
 
     private static final double RAYTRACE_AIM = 0.82;
 

@@ -90,10 +90,12 @@ class PlannerTest {
                 RenderSettings s = settings(scene, method, 200, 100).withBudget(Budget.NONE.withError(asked));
                 List<Double> ratios = new ArrayList<>();
                 int inside = 0;
+                double samples = 0;
                 for (int seed = 0; seed < seeds; seed++) {
                     Picture p = ManySeeds.render(scene, s.withSeed(seed));
                     double error = distance(p.rgb(), truth);
                     ratios.add(error / asked);
+                    samples += p.sampling().plannedSamples();
                     inside += error >= p.sampling().errorLow()
                                     && error <= p.sampling().errorHigh()
                             ? 1
@@ -106,7 +108,11 @@ class PlannerTest {
                         "%-9s %-13s error %.3f: kept %2d of %d, median %.2f, most %.2f, in the interval %d",
                         method, name, asked, kept, seeds, median, ratios.get(seeds - 1), inside);
                 System.out.println(line);
-                if (kept < 0.95 * seeds || median < 0.6) {
+                // Where evenly spaced rays are not exact enough and the fewest that surveys take are far more exact,
+                // nothing
+                // between them is to be had, and less would not be quicker.
+                boolean fewest = method.equals("cluster") && samples / seeds < 2.5;
+                if (kept < 0.95 * seeds || median < 0.6 && !fewest) {
                     failures.add(line);
                 }
             }

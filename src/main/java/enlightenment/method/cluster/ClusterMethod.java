@@ -143,14 +143,19 @@ public final class ClusterMethod implements TileMethod {
         return needs;
     }
 
+    /** Whether the block is one that learns if enough is to be spent on it. */
+    boolean mayLearn() {
+        double rare = survey.rareShare();
+        return rare > 0 && rare <= RARE;
+    }
+
     int surveyRays() {
         return survey.rays();
     }
 
     /** Whether the block is going to ask so often about lights of which so little is seen or hidden. */
     private boolean isWorthLearning(Block block) {
-        double rare = survey.rareShare();
-        if (rare == 0 || rare > RARE) {
+        if (!mayLearn()) {
             return false;
         }
         long points = 0;

@@ -8,8 +8,8 @@ run() { java -jar target/enlightenment.jar render "scenes/$1.json" -o "$out/$2.p
 run fire-and-ice shadow-raytrace --method raytrace --antialias 2 --shadow-samples 1 --crop 20,240,200,100
 run fire-and-ice shadow-cluster --method cluster --samples 3.3 --crop 20,240,200,100
 # Less graininess: the light through the keyhole, about the same time.
-run keyhole keyhole-raytrace --method raytrace --antialias 2 --shadow-samples 10
-run keyhole keyhole-cluster --method cluster --samples 3.2
+run keyhole keyhole-raytrace --method raytrace --samples 8 --shadow-samples 10
+run keyhole keyhole-cluster --method cluster --samples 4.6
 # Concentrating on important areas: where the samples went.
 run fire-and-ice where --method cluster --samples 8 --aov samples,error
 # The pair of the README: the right half of both keyhole pictures, four times as bright. Needs Python with Pillow.

@@ -43,12 +43,12 @@ class ClusterUnbiasedTest {
     private static final Map<String, List<double[]>> TRACED = new ConcurrentHashMap<>();
 
     private static List<double[]> traced(Scene scene) {
-        return TRACED.computeIfAbsent(scene.name(), name -> traced(scene, WIDTH, HEIGHT));
+        return TRACED.computeIfAbsent(scene.name(), name -> traced(scene, WIDTH, HEIGHT, SEEDS));
     }
 
-    private static List<double[]> traced(Scene scene, int width, int height) {
+    private static List<double[]> traced(Scene scene, int width, int height, int seeds) {
         RenderSettings s = settings(scene, "raytrace", width, height);
-        return rgb(ManySeeds.render(scene, s.withAntialias(4).withShadowSamples(4), APART, SEEDS));
+        return rgb(ManySeeds.render(scene, s.withAntialias(4).withShadowSamples(4), APART, seeds));
     }
 
     private static void assertSame(Verdict v, String what) {
@@ -147,7 +147,7 @@ class ClusterUnbiasedTest {
         Scene scene = ManySeeds.shipped(name);
         RenderSettings s = settings(scene, "cluster", 96, 48).withBudget(Budget.NONE.withSamples(samples));
         BlockMeans blocks = new BlockMeans(96, 48);
-        Verdict v = blocks.compare(rgb(ManySeeds.render(scene, s, 0, 4 * SEEDS)), traced(scene, 96, 48));
+        Verdict v = blocks.compare(rgb(ManySeeds.render(scene, s, 0, 4 * SEEDS)), traced(scene, 96, 48, 4 * SEEDS));
         System.out.println(name + " with " + samples + " samples: " + v);
         assertSame(v, name);
     }

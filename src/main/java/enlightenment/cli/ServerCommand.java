@@ -25,7 +25,6 @@ import picocli.CommandLine.Parameters;
 @Command(name = "server", description = "Makes a picture of a scene with the help of workers.", sortOptions = false)
 final class ServerCommand extends Subcommand {
     private static final int MAX_PORT = 65_535;
-    private static final int MAX_WORKERS = 1_024;
     private static final int MAX_THREADS = 4096;
     private static final double MAX_WAIT = 1e7;
 
@@ -143,7 +142,7 @@ final class ServerCommand extends Subcommand {
         ServerOptions o = ServerOptions.DEFAULT
                 .withAddress(host, OptionValues.integer("--port", port, 0, MAX_PORT))
                 .withWait(
-                        OptionValues.integer("--min-workers", minWorkers, 0, MAX_WORKERS),
+                        OptionValues.integer("--min-workers", minWorkers, 0, ServerOptions.MOST_WORKERS),
                         OptionValues.number("--wait", wait, 0, MAX_WAIT))
                 .withShares(shares())
                 .withLog(terminal::say);

@@ -106,8 +106,6 @@ final class TradeCommand extends Subcommand {
         TradeSettings settings;
         try {
             settings = new TradeSettings(base, chosen, seconds, count, switches, truth, sceneKey(scene));
-        } catch (UncheckedIOException e) {
-            throw e.getCause();
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--" + optionOf(e.key()) + " " + e.getMessage());
         }
@@ -190,16 +188,23 @@ final class TradeCommand extends Subcommand {
     }
 
     /** Tells this scene from all others, with what its image files hold, and this frame of it. */
-    private String sceneKey(Scene scene) {
-        String json = SceneWriter.toJson(scene.withoutAnimation(), image -> {
-            try {
-                return hash(Files.readAllBytes(image));
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        });
+    private String sceneKey(Scene scene) throws IOException {
+        String json;
+        try {
+            json = SceneWriter.toJson(scene.withoutAnimation(), TradeCommand::hashOf);
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
         String frame = options.frame().map(f -> ", frame " + f).orElse("");
         return sceneFile.getFileName() + ", SHA-256 " + hash(json.getBytes(StandardCharsets.UTF_8)) + frame;
+    }
+
+    private static String hashOf(Path image) {
+        try {
+            return hash(Files.readAllBytes(image));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private static String hash(byte[] bytes) {

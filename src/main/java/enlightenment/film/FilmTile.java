@@ -24,7 +24,8 @@ public final class FilmTile {
     /** Per pixel: {@link SampleSpread#halves} and {@link SampleSpread#quarters}. */
     private final float[] spreads;
 
-    private final Neighbours neighbours = new Neighbours(this);
+    /** What the means of the samples so far tell; null until they are asked for. */
+    private Neighbours neighbours;
 
     private long surveyRays;
 
@@ -57,7 +58,7 @@ public final class FilmTile {
         accumulate(k + 2, g);
         accumulate(k + 4, b);
         counts[pixel]++;
-        neighbours.forget();
+        neighbours = null;
     }
 
     private void accumulate(int k, double v) {
@@ -127,7 +128,7 @@ public final class FilmTile {
      */
     public float halves(int column, int row) {
         int pixel = pixel(column, row);
-        double first = counts[pixel] == 1 ? neighbours.difference(column, row) : spreads[2 * pixel];
+        double first = counts[pixel] == 1 ? neighbours().difference(column, row) : spreads[2 * pixel];
         return (float) (known == null ? first : first * Remainder.ofDifferences(counts[pixel], ofLight(pixel)));
     }
 
@@ -140,12 +141,19 @@ public final class FilmTile {
         if (counts[pixel] > 2 || counts[pixel] == 0) {
             return spreads[2 * pixel + 1];
         }
-        double steps = neighbours.steps(column, row);
+        double steps = neighbours().steps(column, row);
         if (known == null || counts[pixel] == 2) {
             return (float) steps;
         }
         double rest = Remainder.ofDifferences(1, 0) * (1 - ofLight(pixel));
-        return (float) (ofLight(pixel) * steps + rest * neighbours.difference(column, row));
+        return (float) (ofLight(pixel) * steps + rest * neighbours().difference(column, row));
+    }
+
+    private Neighbours neighbours() {
+        if (neighbours == null) {
+            neighbours = new Neighbours(this);
+        }
+        return neighbours;
     }
 
     private double ofLight(int pixel) {

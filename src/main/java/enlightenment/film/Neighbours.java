@@ -13,19 +13,12 @@ final class Neighbours {
 
     private final FilmTile tile;
 
-    /** Per pixel: the means of red, green and blue without the known part; null until they are asked for. */
-    private double[] means;
+    /** Per pixel: the means of red, green and blue without the known part. */
+    private final double[] means;
 
+    /** Of the tile as it is now. */
     Neighbours(FilmTile tile) {
         this.tile = tile;
-    }
-
-    /** Forgets the means, because another sample came. */
-    void forget() {
-        means = null;
-    }
-
-    private void gather() {
         means = new double[3 * tile.width * tile.height];
         for (int k = 0; k < means.length; k++) {
             means[k] = tile.meanDifference(k / 3, k % 3);
@@ -37,9 +30,6 @@ final class Neighbours {
      * the same truth it is the variance of their means, of others more. Without such a neighbour, the squared mean itself.
      */
     double difference(int column, int row) {
-        if (means == null) {
-            gather();
-        }
         int count = tile.count(column, row);
         int pixel = index(column, row);
         double sum = 0;
@@ -65,9 +55,6 @@ final class Neighbours {
      * pixels in a row, the same as {@link #difference}.
      */
     double steps(int column, int row) {
-        if (means == null) {
-            gather();
-        }
         double sum = 0;
         int directions = 0;
         for (int down = 0; down < 2; down++) {

@@ -8,10 +8,8 @@ import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.Key;
 import java.security.KeyStore;
-import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Base64;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
@@ -22,7 +20,6 @@ import java.util.concurrent.TimeUnit;
 final class OwnCertificate {
     private static final String PASSWORD_VARIABLE = "ENLIGHTENMENT_STORE_PASSWORD";
     private static final String ALIAS = "server";
-    private static final int PASSWORD_BYTES = 16;
     private static final int LINE = 64;
     private static final long PATIENCE_SECONDS = 60;
 
@@ -52,9 +49,7 @@ final class OwnCertificate {
      * @throws IOException if keytool is not there or fails, or the file cannot be written or exists
      */
     static void make(Path file, Path keytool, Validity validity) throws IOException {
-        byte[] random = new byte[PASSWORD_BYTES];
-        new SecureRandom().nextBytes(random);
-        String password = HexFormat.of().formatHex(random);
+        String password = SecretFile.random();
         Path folder = Files.createTempDirectory("enlightenment");
         Path store = folder.resolve("store.p12");
         Path words = folder.resolve("words");

@@ -6,7 +6,9 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermission;
+import java.security.SecureRandom;
 import java.util.EnumSet;
+import java.util.HexFormat;
 import java.util.Set;
 import java.util.function.Consumer;
 
@@ -15,7 +17,16 @@ final class SecretFile {
     private static final Set<PosixFilePermission> OWNER = EnumSet.of(
             PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE, PosixFilePermission.OWNER_EXECUTE);
 
+    private static final int RANDOM_BYTES = 16;
+
     private SecretFile() {}
+
+    /** A secret that nobody can guess: 128 random bits in hexadecimal. */
+    static String random() {
+        byte[] bits = new byte[RANDOM_BYTES];
+        new SecureRandom().nextBytes(bits);
+        return HexFormat.of().formatHex(bits);
+    }
 
     /** Writes a file that must not exist, whole or not at all. */
     static void create(Path file, String text) throws IOException {

@@ -10,6 +10,9 @@ import java.util.function.Consumer;
 
 /** How a {@link RenderServer} serves. Immutable; each {@code with} gives a changed copy. */
 public final class ServerOptions implements Cloneable {
+    /** More workers than this cannot be connected at once; those that come too many are told to come again. */
+    public static final int MOST_WORKERS = Limits.WORKERS;
+
     /** The port of the paper's server. */
     public static final int PORT = 6002;
 

@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.SecureRandom;
-import java.util.HexFormat;
 
 /** The secret that server and workers share. */
 final class Token {
@@ -13,15 +11,12 @@ final class Token {
     static final byte[] NONE = "enlightenment without token".getBytes(StandardCharsets.US_ASCII);
 
     private static final int LONGEST = 4_096;
-    private static final int NEW_BYTES = 16;
 
     private Token() {}
 
     /** Writes a file with a new token that nobody can guess. */
     static void make(Path file) throws IOException {
-        byte[] random = new byte[NEW_BYTES];
-        new SecureRandom().nextBytes(random);
-        SecretFile.create(file, HexFormat.of().formatHex(random) + "\n");
+        SecretFile.create(file, SecretFile.random() + "\n");
     }
 
     /** The token in a file, without white space at its ends; fails if it is too short to be one. */

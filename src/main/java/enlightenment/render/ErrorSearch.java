@@ -8,7 +8,7 @@ package enlightenment.render;
  * answer.
  */
 final class ErrorSearch {
-    /** An error this close to what is asked, by a factor, leaves the rest to interpolation. */
+    /** An error this close below what is asked, by a factor, is close enough. */
     private static final double CLOSE = 1.25;
 
     /** Numbers of samples this close need no telling apart. */

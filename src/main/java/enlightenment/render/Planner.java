@@ -102,7 +102,7 @@ final class Planner {
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
-        cluster = settings.method().equals("cluster");
+        cluster = settings.method().equals(RenderPlan.CLUSTER);
     }
 
     /**
@@ -212,7 +212,9 @@ final class Planner {
         List<FilmTile> blocks = blocksOf(region, LEAST_BLOCKS_OF_TIME);
         double trialPixels = blocks.stream().mapToInt(b -> b.width * b.height).sum();
         // What is worked out only once must not count as part of a trial.
-        withSamples(FEWEST_OF_CLUSTER, "trial");
+        if (cluster) {
+            cost();
+        }
         double n = 1;
         double fastest = 0;
         double previous = 0;

@@ -59,11 +59,6 @@ public final class ClusterCost {
         return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort);
     }
 
-    /** Mean number of camera rays per pixel, the survey's included, if no block learned anything. */
-    public double samples(double effort) {
-        return surveyed.samples(effort);
-    }
-
     /**
      * The greatest effort that costs no more than so many samples per pixel, as far as the blocks tell; at least the least one,
      * whatever it costs. Blocks that learn are taken as they are with the effort that would be right if they did not.
@@ -123,6 +118,7 @@ public final class ClusterCost {
             rays[index] = method.surveyRays();
         }
 
+        /** Mean number of camera rays per pixel, the survey's included. */
         double samples(double effort) {
             Allocation allocation = new Allocation(effort);
             long sum = 0;

@@ -135,7 +135,7 @@ class BadDocumentsTest {
                 radius("true", "must be a number, not true"),
                 radius("[1]", "must be a number, not an array"),
                 radius("{}", "must be a number, not an object"),
-                radius("1" + "0".repeat(1300), "has 1301 digits"),
+                radius("1" + "0".repeat(2300), "has 2301 digits"),
                 object(
                         "radius missing",
                         "¤{ 'type': 'sphere', 'center': [0, 0, 0], 'material': 'white' }",

@@ -10,18 +10,18 @@ final class Axes {
     private Axes() {}
 
     /**
-     * The far end in a frame. Ends that differ as decimals can be one place in the frame, where only doubles are left:
-     * then the solid has lost its axis, and nobody could see it anyway.
+     * From one end to the other in a frame: the difference is exact and rounded once. So a solid that is flat as a wafer
+     * keeps its axis even where both ends are one point for doubles.
      *
      * @param key the key of the scene format that holds the far end
-     * @throws Check.InvalidValueException if both ends are the same place in the frame
+     * @throws Check.InvalidValueException if the axis is shorter than a double can be
      */
-    static Vec3 end(String key, Point base, Point end, SceneFrame frame) {
-        Vec3 placed = frame.toFrame(end);
+    static Vec3 between(String key, Point base, Point end, SceneFrame frame) {
+        Vec3 axis = new SceneFrame(base, frame.exponent()).toFrame(end);
         Check.that(
-                !placed.equals(frame.toFrame(base)),
+                axis.exponent() >= Sizes.LEAST_EXPONENT,
                 key,
-                "is so close to \"base\" that from where the camera stands they are one point, as far as doubles tell");
-        return placed;
+                "is too close to \"base\": beside the whole scene, " + Sizes.TOO_SMALL);
+        return axis;
     }
 }

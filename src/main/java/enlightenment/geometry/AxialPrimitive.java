@@ -89,10 +89,11 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     private final Vec3 east;
 
-    AxialPrimitive(Vec3 base, Vec3 top, double baseRadius, double topRadius, boolean capped) {
+    /** @param towardsTop from base to top, more precisely than by their difference */
+    AxialPrimitive(Vec3 base, Vec3 top, Vec3 towardsTop, double baseRadius, double topRadius, boolean capped) {
         super(
                 Math.max(base.maxAbs(), top.maxAbs()) + Math.max(baseRadius, topRadius),
-                Math.min(Math.max(baseRadius, topRadius), top.minus(base).maxAbs()));
+                Math.min(Math.max(baseRadius, topRadius), towardsTop.maxAbs()));
         this.base = base;
         this.top = top;
         this.baseRadius = baseRadius;
@@ -100,7 +101,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         this.capped = capped;
         narrowIsTop = topRadius < baseRadius;
         Vec3 narrow = narrowIsTop ? top : base;
-        axis = (narrowIsTop ? base : top).minus(narrow);
+        axis = narrowIsTop ? towardsTop.negated() : towardsTop;
         narrowRadius = Math.min(baseRadius, topRadius);
         wideRadius = Math.max(baseRadius, topRadius);
         double gain = wideRadius - narrowRadius;
@@ -143,6 +144,11 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     public double topRadius() {
         return topRadius;
+    }
+
+    /** From base to top. */
+    final Vec3 towardsTop() {
+        return narrowIsTop ? axis.negated() : axis;
     }
 
     /** Whether disks close the ends. */
@@ -387,7 +393,18 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     @Override
     public double[] parameters() {
         return new double[] {
-            base.x(), base.y(), base.z(), top.x(), top.y(), top.z(), baseRadius, topRadius, capped ? 1 : 0
+            base.x(),
+            base.y(),
+            base.z(),
+            top.x(),
+            top.y(),
+            top.z(),
+            baseRadius,
+            topRadius,
+            capped ? 1 : 0,
+            axis.x(),
+            axis.y(),
+            axis.z()
         };
     }
 }

@@ -29,7 +29,8 @@ public final class SceneHints {
             SceneHints::noLight,
             SceneHints::cameraInSolid,
             SceneHints::lightInSolid,
-            SceneHints::narrowView);
+            SceneHints::narrowView,
+            (hints, found) -> found.addAll(DistanceHint.of(hints.scene, hints.compiled)));
 
     private final Scene scene;
     private final CompiledScene compiled;

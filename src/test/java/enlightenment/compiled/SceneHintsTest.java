@@ -23,6 +23,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -33,6 +34,7 @@ class SceneHintsTest {
     private static final Material MILKY = new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0, 0, true);
     private static final Light LAMP = new Light.Sphere(Point.of(3, 3, -3), 0.5, DisplayRgb.WHITE);
     private static final Sphere BALL = Sphere.of(Point.of(0, 0, 0), 1);
+    private static final Predicate<String> DISTANT = hint -> hint.contains("cannot tell neighbouring pixels apart");
     private static final String NO_LIGHT =
             "/lights: there is no light; things show 0.5 (/shading/ambient) of their colours, without shades";
     private static final String NARROW =
@@ -211,6 +213,25 @@ class SceneHintsTest {
         Camera flat = new Camera.Orthographic(Point.of(0, 0, -5), Point.of(0, 0, 0), Vec3.Y, 0.001);
         assertEquals(List.of(), hints(view(flat)));
         assertEquals(List.of(), hints(view(new Camera.Isometric(Point.of(0, 0, 0), 0.001))));
+    }
+
+    /** The ball fills three quarters of the picture's height each time; only the distance grows. */
+    @Test
+    void viewsThatDirectionsAreTooCoarseForGetAHint() {
+        for (int e : new int[] {3, 6, 9, 11, 13, 14, 16, 20}) {
+            double distance = Double.parseDouble("1e" + e);
+            double degrees = 2 * 180 / Math.PI * 1.33 / distance;
+            Point oblique = Point.of(0.3 * distance, 0.5 * distance, -distance);
+            Point straight = Point.of(0, 0, -distance);
+            boolean coarse = e >= 14;
+            for (Point eye : new Point[] {oblique, straight}) {
+                boolean expected = coarse && eye == oblique;
+                List<String> seen = hints(view(new Camera.Perspective(eye, Point.of(0, 0, 0), Vec3.Y, degrees)));
+                assertEquals(expected, seen.stream().anyMatch(DISTANT), "1e" + e + " from " + eye + ": " + seen);
+                List<String> flat = hints(view(new Camera.Orthographic(eye, Point.of(0, 0, 0), Vec3.Y, 2.67)));
+                assertEquals(expected, flat.stream().anyMatch(DISTANT), "1e" + e + " flat from " + eye + ": " + flat);
+            }
+        }
     }
 
     private static SceneBuilder view(Camera camera) {

@@ -101,7 +101,8 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         this.capped = capped;
         narrowIsTop = topRadius < baseRadius;
         Vec3 narrow = narrowIsTop ? top : base;
-        axis = narrowIsTop ? towardsTop.negated() : towardsTop;
+        // A difference, so that no zero becomes negative.
+        axis = narrowIsTop ? Vec3.ZERO.minus(towardsTop) : towardsTop;
         narrowRadius = Math.min(baseRadius, topRadius);
         wideRadius = Math.max(baseRadius, topRadius);
         double gain = wideRadius - narrowRadius;
@@ -148,7 +149,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     /** From base to top. */
     final Vec3 towardsTop() {
-        return narrowIsTop ? axis.negated() : axis;
+        return narrowIsTop ? Vec3.ZERO.minus(axis) : axis;
     }
 
     /** Whether disks close the ends. */
@@ -402,9 +403,9 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
             baseRadius,
             topRadius,
             capped ? 1 : 0,
-            axis.x(),
-            axis.y(),
-            axis.z()
+            towardsTop().x(),
+            towardsTop().y(),
+            towardsTop().z()
         };
     }
 }

@@ -31,8 +31,8 @@ public record Cone(Point base, Point apex, double radius, double topRadius, bool
         return new ConePrimitive(
                 frame.toFrame(base),
                 frame.toFrame(apex),
-                Axes.between("apex", base, apex, frame),
-                Sizes.inFrame("radius", radius, frame),
+                Axes.between(base, apex, frame),
+                Sizes.inFrame(radius, frame),
                 frame.toFrame(topRadius),
                 capped);
     }

@@ -29,8 +29,8 @@ public record Cylinder(Point base, Point top, double radius, boolean capped) imp
         return new CylinderPrimitive(
                 frame.toFrame(base),
                 frame.toFrame(top),
-                Axes.between("top", base, top, frame),
-                Sizes.inFrame("radius", radius, frame),
+                Axes.between(base, top, frame),
+                Sizes.inFrame(radius, frame),
                 capped);
     }
 

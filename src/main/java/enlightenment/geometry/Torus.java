@@ -35,8 +35,8 @@ public record Torus(Point center, Vec3 axis, double majorRadius, double minorRad
         return new TorusPrimitive(
                 frame.toFrame(center),
                 axis.normalized(),
-                frame.toFrame(majorRadius),
-                Sizes.inFrame("minorRadius", minorRadius, frame));
+                Sizes.inFrame(majorRadius, frame),
+                Sizes.inFrame(minorRadius, frame));
     }
 
     @Override

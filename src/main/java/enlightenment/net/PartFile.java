@@ -11,6 +11,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.UTFDataFormatException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -110,7 +111,7 @@ final class PartFile implements Closeable {
                         tiles + " tiles of part " + head.part() + " of " + head.parts() + " parts");
             }
             return new PartFile(file, in, head, tiles);
-        } catch (IllegalArgumentException e) {
+        } catch (IllegalArgumentException | UTFDataFormatException e) {
             in.close();
             throw senseless(file, e);
         } catch (EOFException e) {
@@ -123,7 +124,7 @@ final class PartFile implements Closeable {
     }
 
     /** What a file is whose numbers, one by one or together, cannot be right, although nothing is missing. */
-    private static IOException senseless(Path file, RuntimeException e) {
+    private static IOException senseless(Path file, Exception e) {
         return new IOException(file + ": makes no sense: " + e.getMessage(), e);
     }
 
@@ -187,8 +188,8 @@ final class PartFile implements Closeable {
 
     private Tile read(FilmAssembly film) throws IOException {
         if (left == 0) {
-            if (in.readNBytes(ContentHash.BYTES + 1).length > ContentHash.BYTES) {
-                throw new IOException(file + ": goes on after its last tile");
+            if (in.readNBytes(ContentHash.BYTES + 1).length != ContentHash.BYTES) {
+                throw new IOException(file + ": its tiles are not as long as they say");
             }
             return null;
         }

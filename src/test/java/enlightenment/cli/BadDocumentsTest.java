@@ -429,16 +429,16 @@ class BadDocumentsTest {
 
     @ParameterizedTest
     @CsvSource({"cylinder, top", "cone, apex"})
-    void endsThatNoDoubleTellsApartAreRefused(String type, String key) throws IOException {
+    void endsThatNoDoubleTellsApartMakeAWafer(String type, String key) throws IOException {
         String object = "{ 'type': '" + type + "', 'base': [1, 1, 1], '" + key
                 + "': [1, 1, 1.00000000000000000001], 'radius': 1, 'material': 'white' }";
         Path scene = Files.writeString(
                 folder.resolve("scene.json"), object(type, object, "").document());
         Path picture = folder.resolve("picture.png");
-        CliRun run = CliRun.of("render", scene, "-o", picture, "--progress", "none");
-        assertEquals(2, run.code());
-        assertTrue(run.err().startsWith(scene + ": /objects/3/" + key + ": is so close to \"base\""), run.err());
-        assertFalse(Files.exists(picture));
+        assertEquals(
+                new CliRun(0, "", ""),
+                CliRun.of("render", scene, "-o", picture, "--progress", "none", "--antialias", 1));
+        assertTrue(Files.exists(picture));
     }
 
     @Test

@@ -23,6 +23,9 @@ import org.junit.jupiter.api.io.TempDir;
  * A damaged part is refused with its name and a reason, or it is none: also where whoever damaged it wrote a hash that fits.
  */
 class PartFileTest {
+    /** More bytes than come before the first tile. */
+    private static final int HEAD = 500;
+
     @TempDir
     Path folder;
 
@@ -74,7 +77,7 @@ class PartFileTest {
 
     @Test
     void everyFlippedByteIsFound() throws IOException {
-        for (int at = 0; at < good.length; at++) {
+        for (int at = 0; at < good.length; at += at < HEAD ? 1 : 5) {
             byte[] bad = good.clone();
             bad[at] ^= (byte) (1 << at % 8);
             assertTrue(isRefused(bad, "byte " + at), "byte " + at);
@@ -84,8 +87,8 @@ class PartFileTest {
     @Test
     void everyFlippedByteWithAHashThatFitsIsFoundOrHarmless() throws IOException {
         int refused = 0;
-        for (int at = 0; at < good.length - ContentHash.BYTES; at++) {
-            for (int mask : at < 500 ? new int[] {1, 0x20, 0x80} : new int[] {0x40}) {
+        for (int at = 0; at < good.length - ContentHash.BYTES; at += at < HEAD ? 1 : 5) {
+            for (int mask : at < HEAD ? new int[] {1, 0x20, 0x80} : new int[] {0x40}) {
                 byte[] bad = content();
                 bad[at] ^= (byte) mask;
                 refused += isRefused(withHash(bad), "byte " + at + " with " + mask) ? 1 : 0;
@@ -96,7 +99,7 @@ class PartFileTest {
 
     @Test
     void everyLengthIsFound() throws IOException {
-        for (int length = 0; length < good.length; length++) {
+        for (int length = 0; length < good.length; length += length < HEAD || good.length - length < 99 ? 1 : 5) {
             assertTrue(isRefused(Arrays.copyOf(good, length), "cut to " + length), "cut to " + length);
             if (length < good.length - ContentHash.BYTES) {
                 byte[] cut = withHash(Arrays.copyOf(good, length));

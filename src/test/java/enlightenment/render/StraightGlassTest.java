@@ -32,7 +32,7 @@ class StraightGlassTest {
         return Scene.builder()
                 .size(20, 16)
                 .camera(new Camera.Perspective(Point.of(0.2, 0.3, -6), Point.of(0.1, 0, 0), Vec3.Y, 34))
-                .shading(new ClassicShading(0.3, 0.2, DisplayRgb.WHITE, maxBounces))
+                .shading(new ClassicShading(0.3, 1, DisplayRgb.WHITE, maxBounces))
                 .object(
                         TestScenes.rectangle(-4, -4, 4, -4, 4, 4, 4, 4, 4, 4, -4, 4),
                         Material.Matte.of(

@@ -58,6 +58,7 @@ class ExtremeScenesTest {
                     return "a colour is " + c;
                 }
             }
+            Renderer.inspect(scene, settings);
             rendered++;
             return "";
         } catch (SceneException e) {

@@ -48,7 +48,7 @@ class AnimatedInvarianceTest {
 
     private static String reference(BigDecimal t) {
         return animated(
-                ReferenceScene.translatedText(ReferenceScene.GENERIC, t),
+                ReferenceScene.seenBy(ReferenceScene.GENERIC).get(0).translatedText(t),
                 track("/camera/eye/0", t, "0.3137", "1.5"),
                 track("/camera/eye/1", t, "2.7", "2.9"),
                 track("/camera/lookAt/2", t, "4", "3.9"),

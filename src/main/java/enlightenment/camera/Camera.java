@@ -18,6 +18,11 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
     /** Points that belong to the camera. */
     List<Point> anchors();
 
+    /** The height of a view of parallel rays; 0 where rays meet in one point. */
+    default double reach() {
+        return 0;
+    }
+
     /**
      * The paper's camera: an eye behind a window. Rays start on the window, so what stands between eye and window is not
      * seen. The window may have any orientation and need not stand straight before the eye.
@@ -34,10 +39,9 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         public Window {
             Parallelograms.check("", lowerLeft, upperLeft, upperRight, lowerRight);
             Check.notNegative("pupilRadius", pupilRadius);
-            Vec3 up = upperLeft.minus(lowerLeft).normalized();
-            Vec3 right = lowerRight.minus(lowerLeft).normalized();
-            Vec3 toEye = eye.minus(lowerLeft);
-            double height = Math.abs(up.cross(right).dot(toEye));
+            Vec3 normal = Point.normal(lowerLeft, upperLeft, lowerRight).normalized();
+            Vec3 toEye = lowerLeft.directionTo(eye);
+            double height = Math.abs(normal.dot(toEye));
             Check.that(height > toEye.length() * 4 * Math.ulp(1.0), "eye", "must not lie in the window's plane");
         }
 
@@ -115,6 +119,11 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
 
         @Override
+        public double reach() {
+            return height;
+        }
+
+        @Override
         public List<Point> anchors() {
             return List.of(eye);
         }
@@ -143,6 +152,11 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
 
         @Override
+        public double reach() {
+            return height;
+        }
+
+        @Override
         public List<Point> anchors() {
             return List.of(lookAt);
         }
@@ -151,7 +165,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
     private static void checkView(Point eye, Point lookAt, Vec3 up) {
         Check.direction("up", up);
         Check.that(!eye.equals(lookAt), "lookAt", "must differ from \"eye\"");
-        Vec3 forward = lookAt.minus(eye).normalized();
+        Vec3 forward = eye.directionTo(lookAt).normalized();
         Vec3 across = forward.cross(up.normalized());
         Check.that(across.length() > 4 * Math.ulp(1.0), "up", "must not point along the line of sight");
     }

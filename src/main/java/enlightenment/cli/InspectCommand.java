@@ -51,6 +51,9 @@ final class InspectCommand extends Subcommand {
         list("not modelled", inspection.notModelled());
         line("primitives", Integer.toString(inspection.primitives()));
         line("expected memory", String.format(Locale.ROOT, "%.1f MiB", inspection.expectedMemoryBytes() / MEBI));
+        if (!inspection.hints().isEmpty()) {
+            list("hints", inspection.hints());
+        }
         return CliException.DONE;
     }
 

@@ -44,7 +44,8 @@ public final class CompiledCamera {
             return perspective(p, aspect);
         }
         if (camera instanceof Camera.Orthographic o) {
-            return parallel(new View(o.lookAt().minus(o.eye()), o.up()), frame.toFrame(o.height()) / 2, aspect, 0);
+            return parallel(
+                    new View(o.eye().directionTo(o.lookAt()), o.up()), frame.toFrame(o.height()) / 2, aspect, 0);
         }
         Camera.Isometric i = (Camera.Isometric) camera;
         // An upright edge of length 1 is sqrt(2/3) high when seen along (1, -1, 1); the drawing's units make it 1
@@ -62,7 +63,7 @@ public final class CompiledCamera {
     }
 
     private static CompiledCamera perspective(Camera.Perspective p, double aspect) {
-        View v = new View(p.lookAt().minus(p.eye()), p.up());
+        View v = new View(p.eye().directionTo(p.lookAt()), p.up());
         double half = Rotation.sin(p.fieldOfView() / 2) / Rotation.cos(p.fieldOfView() / 2);
         Vec3 toRight = v.right.times(half * aspect);
         Vec3 toTop = v.up.times(half);

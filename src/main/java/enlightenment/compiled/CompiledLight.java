@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.EndFaces;
 import enlightenment.geometry.Primitive;
+import enlightenment.geometry.Sizes;
 import enlightenment.geometry.SupportSurface;
 import enlightenment.light.Light;
 import enlightenment.math.Bounds;
@@ -72,7 +73,7 @@ public final class CompiledLight {
         if (light instanceof Light.Sphere s) {
             kind = Kind.SPHERE;
             at = frame.toFrame(s.center());
-            radius = frame.toFrame(s.radius());
+            radius = Sizes.inFrame(s.radius(), frame);
             surface = new enlightenment.geometry.Sphere(s.center(), s.radius(), 0).place(frame);
         } else if (light instanceof Light.Rectangle q) {
             kind = Kind.RECTANGLE;

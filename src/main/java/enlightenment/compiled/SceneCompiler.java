@@ -27,6 +27,12 @@ public final class SceneCompiler {
     /** Up to this many primitives a plain loop is faster than a hierarchy (docs/benchmarks.md). */
     static final int LOOP_LIMIT = 24;
 
+    /** The exponent of a unit in which no sum of two numbers of a scene overflows. */
+    private static final int HUGE = 8;
+
+    /** How many powers of two the view may be wider than the scene, which is about 1 wide in its frame. */
+    private static final int WIDEST_VIEW = 64;
+
     private SceneCompiler() {}
 
     /** The scene, ready for rendering at the size of the settings. */
@@ -69,30 +75,40 @@ public final class SceneCompiler {
      * The frame whose origin is the eye and whose unit is the power of two that brings every coordinate below 2.
      */
     static SceneFrame frameOf(Scene scene) {
-        Point origin = scene.camera().origin();
-        double largest = 0;
-        for (Point p : scene.camera().anchors()) {
-            largest = Math.max(largest, p.minus(origin).maxAbs());
+        double largest = extent(scene, new SceneFrame(scene.camera().origin(), 0));
+        if (largest < Double.POSITIVE_INFINITY) {
+            return frame(scene, largest, 0);
         }
+        // Every number of a scene is a double, so their sums and differences are below 2^1027.
+        return frame(scene, extent(scene, new SceneFrame(scene.camera().origin(), HUGE)), HUGE);
+    }
+
+    private static SceneFrame frame(Scene scene, double largest, int unit) {
+        int exponent = largest == 0 ? 0 : Scale.exponent(largest) + unit;
+        int reach = Scale.exponent(scene.camera().reach());
+        // The width of a view of parallel rays is no coordinate, but must be a number in the frame too.
+        return new SceneFrame(scene.camera().origin(), Math.max(exponent, reach - WIDEST_VIEW));
+    }
+
+    /** The largest coordinate in a frame. */
+    private static double extent(Scene scene, SceneFrame frame) {
+        double largest = extent(scene.camera().anchors(), 0, frame);
         for (Light light : scene.lights()) {
-            largest = Math.max(largest, extent(light.anchors(), light.reach(), origin));
+            largest = Math.max(largest, extent(light.anchors(), light.reach(), frame));
         }
         for (SceneObject o : scene.objects()) {
             Shape s = o.shape();
-            largest = Math.max(largest, extent(s.anchors(), s.reach(), origin));
+            largest = Math.max(largest, extent(s.anchors(), s.reach(), frame));
         }
-        if (!(largest < Double.POSITIVE_INFINITY)) {
-            throw SceneException.of("", "the scene is larger than the range of numbers");
-        }
-        return new SceneFrame(origin, largest == 0 ? 0 : Scale.exponent(largest));
+        return largest;
     }
 
-    private static double extent(List<Point> anchors, double reach, Point origin) {
+    private static double extent(List<Point> anchors, double reach, SceneFrame frame) {
         double largest = 0;
         for (Point p : anchors) {
-            largest = Math.max(largest, p.minus(origin).maxAbs());
+            largest = Math.max(largest, frame.toFrame(p).maxAbs());
         }
-        return largest + reach;
+        return largest + frame.toFrame(reach);
     }
 
     /** By identity: materials that are used many times are one object, and comparing records by value starts slowly. */

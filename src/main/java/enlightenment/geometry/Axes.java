@@ -1,6 +1,5 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
 import enlightenment.math.Point;
 import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
@@ -10,18 +9,13 @@ final class Axes {
     private Axes() {}
 
     /**
-     * The far end in a frame. Ends that differ as decimals can be one place in the frame, where only doubles are left:
-     * then the solid has lost its axis, and nobody could see it anyway.
-     *
-     * @param key the key of the scene format that holds the far end
-     * @throws Check.InvalidValueException if both ends are the same place in the frame
+     * From one end to the other in a frame: the difference is exact and rounded once. So a solid that is flat as a wafer
+     * keeps its axis even where both ends are one point for doubles, and even where no double is as small as it is thick.
      */
-    static Vec3 end(String key, Point base, Point end, SceneFrame frame) {
-        Vec3 placed = frame.toFrame(end);
-        Check.that(
-                !placed.equals(frame.toFrame(base)),
-                key,
-                "is so close to \"base\" that from where the camera stands they are one point, as far as doubles tell");
-        return placed;
+    static Vec3 between(Point base, Point end, SceneFrame frame) {
+        Vec3 axis = new SceneFrame(base, frame.exponent()).toFrame(end);
+        return axis.exponent() >= Sizes.LEAST_EXPONENT
+                ? axis
+                : base.directionTo(end).normalized().scaledBy(Sizes.LEAST_EXPONENT);
     }
 }

@@ -89,10 +89,11 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     private final Vec3 east;
 
-    AxialPrimitive(Vec3 base, Vec3 top, double baseRadius, double topRadius, boolean capped) {
+    /** @param towardsTop from base to top, more precisely than by their difference */
+    AxialPrimitive(Vec3 base, Vec3 top, Vec3 towardsTop, double baseRadius, double topRadius, boolean capped) {
         super(
                 Math.max(base.maxAbs(), top.maxAbs()) + Math.max(baseRadius, topRadius),
-                Math.min(Math.max(baseRadius, topRadius), top.minus(base).maxAbs()));
+                Math.min(Math.max(baseRadius, topRadius), towardsTop.maxAbs()));
         this.base = base;
         this.top = top;
         this.baseRadius = baseRadius;
@@ -100,7 +101,8 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         this.capped = capped;
         narrowIsTop = topRadius < baseRadius;
         Vec3 narrow = narrowIsTop ? top : base;
-        axis = (narrowIsTop ? base : top).minus(narrow);
+        // A difference, so that no zero becomes negative.
+        axis = narrowIsTop ? Vec3.ZERO.minus(towardsTop) : towardsTop;
         narrowRadius = Math.min(baseRadius, topRadius);
         wideRadius = Math.max(baseRadius, topRadius);
         double gain = wideRadius - narrowRadius;
@@ -143,6 +145,11 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     public double topRadius() {
         return topRadius;
+    }
+
+    /** From base to top. */
+    final Vec3 towardsTop() {
+        return narrowIsTop ? Vec3.ZERO.minus(axis) : axis;
     }
 
     /** Whether disks close the ends. */
@@ -364,7 +371,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         return switch (face) {
             case BASE -> SupportSurface.Plane.ofDisk(base, unitAxis, baseRadius);
             case TOP -> SupportSurface.Plane.ofDisk(top, unitAxis, topRadius);
-            default -> new SupportSurface.Lateral(base, top, baseRadius, topRadius);
+            default -> new SupportSurface.Lateral(base, top, towardsTop(), baseRadius, topRadius);
         };
     }
 
@@ -396,7 +403,18 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     @Override
     public double[] parameters() {
         return new double[] {
-            base.x(), base.y(), base.z(), top.x(), top.y(), top.z(), baseRadius, topRadius, capped ? 1 : 0
+            base.x(),
+            base.y(),
+            base.z(),
+            top.x(),
+            top.y(),
+            top.z(),
+            baseRadius,
+            topRadius,
+            capped ? 1 : 0,
+            towardsTop().x(),
+            towardsTop().y(),
+            towardsTop().z()
         };
     }
 }

@@ -30,8 +30,9 @@ public record Cone(Point base, Point apex, double radius, double topRadius, bool
     public Primitive place(SceneFrame frame) {
         return new ConePrimitive(
                 frame.toFrame(base),
-                Axes.end("apex", base, apex, frame),
-                frame.toFrame(radius),
+                frame.toFrame(apex),
+                Axes.between(base, apex, frame),
+                Sizes.inFrame(radius, frame),
                 frame.toFrame(topRadius),
                 capped);
     }

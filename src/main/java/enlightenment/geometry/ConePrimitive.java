@@ -27,7 +27,11 @@ public final class ConePrimitive extends AxialPrimitive {
      * @param capped whether the ends are closed; if not, only the lateral surface can be hit
      */
     ConePrimitive(Vec3 base, Vec3 top, double baseRadius, double topRadius, boolean capped) {
-        super(base, top, baseRadius, topRadius, capped);
+        this(base, top, top.minus(base), baseRadius, topRadius, capped);
+    }
+
+    ConePrimitive(Vec3 base, Vec3 top, Vec3 towardsTop, double baseRadius, double topRadius, boolean capped) {
+        super(base, top, towardsTop, baseRadius, topRadius, capped);
         narrowOverLength = narrowRadius / length;
         narrowTimesLength = narrowRadius * length;
     }
@@ -120,6 +124,7 @@ public final class ConePrimitive extends AxialPrimitive {
         return new ConePrimitive(
                 base().scaledBy(k),
                 top().scaledBy(k),
+                towardsTop().scaledBy(k),
                 Scale.scalb(baseRadius(), k),
                 Scale.scalb(topRadius(), k),
                 isCapped());

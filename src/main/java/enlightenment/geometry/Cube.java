@@ -29,7 +29,7 @@ public record Cube(Point center, double radius, Vec3 rotation) implements Shape 
     public Primitive place(SceneFrame frame) {
         Vec3 middle = frame.toFrame(center);
         // The diagonal of a cube is sqrt(3) times its edge.
-        double half = frame.toFrame(radius) / Math.sqrt(3);
+        double half = Sizes.inFrame(radius, frame) / Math.sqrt(3);
         Rotation turn = Rotation.ofDegrees(rotation);
         return CubePrimitive.isUpright(turn) ? CubePrimitive.box(middle, half) : new CubePrimitive(middle, half, turn);
     }

@@ -27,7 +27,11 @@ public record Cylinder(Point base, Point top, double radius, boolean capped) imp
     @Override
     public Primitive place(SceneFrame frame) {
         return new CylinderPrimitive(
-                frame.toFrame(base), Axes.end("top", base, top, frame), frame.toFrame(radius), capped);
+                frame.toFrame(base),
+                frame.toFrame(top),
+                Axes.between(base, top, frame),
+                Sizes.inFrame(radius, frame),
+                capped);
     }
 
     @Override

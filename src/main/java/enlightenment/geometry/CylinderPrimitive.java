@@ -20,7 +20,11 @@ public final class CylinderPrimitive extends AxialPrimitive {
      * @param capped whether the ends are closed; if not, only the lateral surface can be hit
      */
     CylinderPrimitive(Vec3 base, Vec3 top, double radius, boolean capped) {
-        super(base, top, radius, radius, capped);
+        this(base, top, top.minus(base), radius, capped);
+    }
+
+    CylinderPrimitive(Vec3 base, Vec3 top, Vec3 towardsTop, double radius, boolean capped) {
+        super(base, top, towardsTop, radius, radius, capped);
         radiusSquared = radius * radius;
         radiusLength = radius * length;
     }
@@ -75,6 +79,11 @@ public final class CylinderPrimitive extends AxialPrimitive {
 
     @Override
     Primitive scaledBy(int k) {
-        return new CylinderPrimitive(base().scaledBy(k), top().scaledBy(k), Scale.scalb(baseRadius(), k), isCapped());
+        return new CylinderPrimitive(
+                base().scaledBy(k),
+                top().scaledBy(k),
+                towardsTop().scaledBy(k),
+                Scale.scalb(baseRadius(), k),
+                isCapped());
     }
 }

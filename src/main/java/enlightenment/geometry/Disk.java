@@ -26,7 +26,7 @@ public record Disk(Point center, Vec3 normal, double radius) implements Shape {
 
     @Override
     public Primitive place(SceneFrame frame) {
-        return new DiskPrimitive(frame.toFrame(center), normal, frame.toFrame(radius));
+        return new DiskPrimitive(frame.toFrame(center), normal, Sizes.inFrame(radius, frame));
     }
 
     @Override

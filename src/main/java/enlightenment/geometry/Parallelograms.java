@@ -2,6 +2,7 @@ package enlightenment.geometry;
 
 import enlightenment.math.Check;
 import enlightenment.math.Point;
+import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
 
 /** Checks of corners that must span an area. */
@@ -11,16 +12,23 @@ public final class Parallelograms {
 
     private Parallelograms() {}
 
-    /** Whether three points lie in one line as far as doubles can tell. */
+    /** Whether three points lie exactly in one line. A sliver, however thin, does not. */
     public static boolean collinear(Point a, Point b, Point c) {
-        Vec3 u = b.minus(a);
-        Vec3 v = c.minus(a);
-        int e = Math.max(u.exponent(), v.exponent());
-        Vec3 p = u.scaledBy(-e);
-        Vec3 q = v.scaledBy(-e);
-        Vec3 cross = p.cross(q);
-        double lengths = p.length() * q.length();
-        return !(cross.length() > lengths * Math.ulp(1.0));
+        return Point.inLine(a, b, c);
+    }
+
+    /**
+     * The normal (b − a) × (c − a) of three points that do not lie in one line, if they do in a frame, where coordinates are
+     * rounded; null if they do not. What is left is no more than a line to see, but a line that closes the gap between its
+     * neighbours.
+     */
+    static Vec3 lostNormal(Point a, Point b, Point c, SceneFrame frame) {
+        Vec3 from = frame.toFrame(a);
+        Vec3 p = frame.toFrame(b).minus(from);
+        Vec3 q = frame.toFrame(c).minus(from);
+        boolean flat =
+                p.scaledBy(-p.exponent()).cross(q.scaledBy(-q.exponent())).maxAbs() > 0;
+        return flat ? null : Point.normal(a, b, c).normalized();
     }
 
     /**
@@ -33,12 +41,13 @@ public final class Parallelograms {
                 !collinear(lowerLeft, upperLeft, lowerRight),
                 key,
                 "must span an area: the first, second and fourth corner lie in one line or coincide");
-        Vec3 up = upperLeft.minus(lowerLeft);
-        Vec3 right = lowerRight.minus(lowerLeft);
-        Vec3 closing = upperRight.minus(lowerRight);
-        int e = Math.max(up.exponent(), right.exponent());
-        double miss = closing.scaledBy(-e).minus(up.scaledBy(-e)).length();
-        double size = Math.max(up.scaledBy(-e).length(), right.scaledBy(-e).length());
+        // In units of the longer edge, exactly: a difference may be beyond the range of doubles.
+        int e = Math.max(lowerLeft.exponentTo(upperLeft), lowerLeft.exponentTo(lowerRight));
+        Vec3 up = new SceneFrame(lowerLeft, e).toFrame(upperLeft);
+        Vec3 right = new SceneFrame(lowerLeft, e).toFrame(lowerRight);
+        Vec3 closing = new SceneFrame(lowerRight, e).toFrame(upperRight);
+        double miss = closing.minus(up).length();
+        double size = Math.max(up.length(), right.length());
         Check.that(
                 miss <= CORNER_TOLERANCE * size,
                 key + "/2",

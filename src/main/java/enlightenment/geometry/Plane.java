@@ -6,8 +6,9 @@ import enlightenment.math.Vec3;
 /** The plane of a flat primitive: the distance to it, and what a hit on it says. */
 final class Plane {
     private final Vec3 a;
+    private final Vec3 lost;
 
-    /** The unnormalised normal. */
+    /** The normal, with a largest component in [1, 2) or near it. */
     final Vec3 n;
 
     /** Its squared length. */
@@ -24,11 +25,23 @@ final class Plane {
     /** The coordinate on that axis, the same for every vertex. */
     private final double coordinate;
 
-    /** The plane through a and the further vertices, which is seen from the outside where up × right points. */
-    Plane(Vec3 a, Vec3 up, Vec3 right, Vec3... others) {
+    /**
+     * The plane through a and the further vertices, which is seen from the outside where up × right points.
+     *
+     * @param lost that direction where rounding put the vertices into one line; null where it did not
+     */
+    Plane(Vec3 lost, Vec3 a, Vec3 up, Vec3 right, Vec3... others) {
         this.a = a;
-        n = up.cross(right);
-        nn = n.lengthSquared();
+        this.lost = lost;
+        if (lost != null) {
+            n = lost;
+            nn = lost.lengthSquared();
+            toU = Vec3.ZERO;
+            toV = Vec3.ZERO;
+            axis = -1;
+            coordinate = 0;
+            return;
+        }
         // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike. Powers of two are taken out
         // of
         // the edges first, which is exact: the fourth power of a tiny size could vanish.
@@ -37,11 +50,19 @@ final class Plane {
         Vec3 u = up.scaledBy(e);
         Vec3 r = right.scaledBy(f);
         Vec3 m = u.cross(r);
-        double inverse = 1 / m.lengthSquared();
-        toU = m.cross(u).times(inverse).scaledBy(f);
-        toV = r.cross(m).times(inverse).scaledBy(e);
+        int g = -m.exponent();
+        n = m.scaledBy(g);
+        nn = n.lengthSquared();
+        double inverse = 1 / nn;
+        toU = n.cross(u).times(inverse).scaledBy(f + g);
+        toV = r.cross(n).times(inverse).scaledBy(e + g);
         axis = axis(a, others);
         coordinate = axis < 0 ? 0 : a.component(axis);
+    }
+
+    /** The normal if rounding put the vertices into one line, or null. */
+    Vec3 lost() {
+        return lost;
     }
 
     private static int axis(Vec3 a, Vec3... others) {

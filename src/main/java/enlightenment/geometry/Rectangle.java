@@ -25,6 +25,7 @@ public record Rectangle(Point lowerLeft, Point upperLeft, Point upperRight, Poin
     @Override
     public Primitive place(SceneFrame frame) {
         return new RectanglePrimitive(
+                Parallelograms.lostNormal(lowerLeft, upperLeft, lowerRight, frame),
                 frame.toFrame(lowerLeft),
                 frame.toFrame(upperLeft),
                 frame.toFrame(upperRight),

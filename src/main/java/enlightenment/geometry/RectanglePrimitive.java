@@ -34,6 +34,11 @@ public final class RectanglePrimitive extends Primitive {
     private final double edgeMagnitude;
 
     RectanglePrimitive(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+        this(null, a, b, c, d);
+    }
+
+    /** @param lost the normal where rounding put the corners into one line; null where it did not */
+    RectanglePrimitive(Vec3 lost, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
         super(
                 Math.max(Math.max(a.maxAbs(), b.maxAbs()), Math.max(c.maxAbs(), d.maxAbs())),
                 Math.min(b.minus(a).maxAbs(), d.minus(a).maxAbs()));
@@ -43,7 +48,7 @@ public final class RectanglePrimitive extends Primitive {
         this.d = d;
         Vec3 up = b.minus(a);
         Vec3 right = d.minus(a);
-        plane = new Plane(a, up, right, b, c, d);
+        plane = new Plane(lost, a, up, right, b, c, d);
         axis = alignedAxis(up, right);
         int axis1 = axis == 0 ? 1 : 0;
         int axis2 = axis == 2 ? 1 : 2;
@@ -171,7 +176,7 @@ public final class RectanglePrimitive extends Primitive {
 
     @Override
     Primitive scaledBy(int k) {
-        return new RectanglePrimitive(a.scaledBy(k), b.scaledBy(k), c.scaledBy(k), d.scaledBy(k));
+        return new RectanglePrimitive(plane.lost(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k), d.scaledBy(k));
     }
 
     @Override

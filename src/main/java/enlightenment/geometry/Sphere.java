@@ -32,7 +32,7 @@ public record Sphere(Point center, double radius, double rotation) implements Sh
     @Override
     public Primitive place(SceneFrame frame) {
         Vec3 meridian = Rotation.aboutY(rotation).apply(new Vec3(0, 0, -1));
-        return new SpherePrimitive(frame.toFrame(center), frame.toFrame(radius), meridian.x(), meridian.z());
+        return new SpherePrimitive(frame.toFrame(center), Sizes.inFrame(radius, frame), meridian.x(), meridian.z());
     }
 
     @Override

@@ -162,10 +162,11 @@ public sealed interface SupportSurface
      *
      * @param base centre of one end
      * @param top centre of the other end
+     * @param axis from base to top, more precisely than by their difference
      * @param baseRadius radius at the base, at least 0
      * @param topRadius radius at the top, at least 0
      */
-    record Lateral(Vec3 base, Vec3 top, double baseRadius, double topRadius) implements SupportSurface {
+    record Lateral(Vec3 base, Vec3 top, Vec3 axis, double baseRadius, double topRadius) implements SupportSurface {
         @Override
         public boolean coincides(SupportSurface other, double tolerance) {
             // The axis of the shorter one is known less well far away from it.
@@ -180,7 +181,7 @@ public sealed interface SupportSurface
         }
 
         private Vec3 unitAxis() {
-            return top.minus(base).normalized();
+            return axis.normalized();
         }
 
         private double along(Vec3 p) {
@@ -192,13 +193,12 @@ public sealed interface SupportSurface
         }
 
         private double radiusAt(double along) {
-            return baseRadius
-                    + (topRadius - baseRadius) * (along / top.minus(base).length());
+            return baseRadius + (topRadius - baseRadius) * (along / axis.length());
         }
 
         @Override
         public boolean passes(Vec3 point, double tolerance) {
-            double length = top.minus(base).length();
+            double length = axis.length();
             double slant = Math.sqrt(length * length + (topRadius - baseRadius) * (topRadius - baseRadius));
             return Math.abs(across(point) - radiusAt(along(point))) * (length / slant) <= tolerance;
         }
@@ -208,12 +208,12 @@ public sealed interface SupportSurface
             Lateral o = (Lateral) other;
             double from = Math.min(along(o.base), along(o.top));
             double to = Math.max(along(o.base), along(o.top));
-            return Math.min(to, top.minus(base).length()) - Math.max(from, 0) > tolerance;
+            return Math.min(to, axis.length()) - Math.max(from, 0) > tolerance;
         }
 
         @Override
         public double extent() {
-            return top.minus(base).length() + baseRadius + topRadius;
+            return axis.length() + baseRadius + topRadius;
         }
     }
 

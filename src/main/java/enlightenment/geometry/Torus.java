@@ -33,7 +33,10 @@ public record Torus(Point center, Vec3 axis, double majorRadius, double minorRad
     @Override
     public Primitive place(SceneFrame frame) {
         return new TorusPrimitive(
-                frame.toFrame(center), axis.normalized(), frame.toFrame(majorRadius), frame.toFrame(minorRadius));
+                frame.toFrame(center),
+                axis.normalized(),
+                Sizes.inFrame(majorRadius, frame),
+                Sizes.inFrame(minorRadius, frame));
     }
 
     @Override

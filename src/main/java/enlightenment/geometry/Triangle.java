@@ -24,7 +24,8 @@ public record Triangle(Point a, Point b, Point c) implements Shape {
 
     @Override
     public Primitive place(SceneFrame frame) {
-        return new TrianglePrimitive(frame.toFrame(a), frame.toFrame(b), frame.toFrame(c));
+        return new TrianglePrimitive(
+                Parallelograms.lostNormal(a, b, c, frame), frame.toFrame(a), frame.toFrame(b), frame.toFrame(c));
     }
 
     @Override

@@ -17,6 +17,11 @@ public final class TrianglePrimitive extends Primitive {
     private final Plane plane;
 
     TrianglePrimitive(Vec3 a, Vec3 b, Vec3 c) {
+        this(null, a, b, c);
+    }
+
+    /** @param lost the normal where rounding put the corners into one line; null where it did not */
+    TrianglePrimitive(Vec3 lost, Vec3 a, Vec3 b, Vec3 c) {
         super(
                 Math.max(a.maxAbs(), Math.max(b.maxAbs(), c.maxAbs())),
                 Math.min(
@@ -25,7 +30,7 @@ public final class TrianglePrimitive extends Primitive {
         this.a = a;
         this.b = b;
         this.c = c;
-        plane = new Plane(a, b.minus(a), c.minus(a), b, c);
+        plane = new Plane(lost, a, b.minus(a), c.minus(a), b, c);
     }
 
     @Override
@@ -78,7 +83,7 @@ public final class TrianglePrimitive extends Primitive {
 
     @Override
     Primitive scaledBy(int k) {
-        return new TrianglePrimitive(a.scaledBy(k), b.scaledBy(k), c.scaledBy(k));
+        return new TrianglePrimitive(plane.lost(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k));
     }
 
     @Override

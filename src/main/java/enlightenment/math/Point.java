@@ -16,6 +16,15 @@ import java.util.Objects;
 public record Point(BigDecimal x, BigDecimal y, BigDecimal z) {
     public static final Point ORIGIN = new Point(BigDecimal.ZERO, BigDecimal.ZERO, BigDecimal.ZERO);
 
+    /** Beyond this binary exponent, components of a difference may have lost digits to the limits of doubles. */
+    private static final int ORDINARY_EXPONENT = 900;
+
+    /**
+     * A cross product of two directions that is longer than this share of the product of their lengths is one: the roundings
+     * of the directions and of the products are below 2^-50 of that product.
+     */
+    private static final double CERTAIN = 0x1p-40;
+
     /** Whole numbers of fewer digits are kept without an exponent. */
     private static final int SHORT = 9;
 
@@ -66,6 +75,58 @@ public record Point(BigDecimal x, BigDecimal y, BigDecimal z) {
                 x.subtract(o.x).doubleValue(),
                 y.subtract(o.y).doubleValue(),
                 z.subtract(o.z).doubleValue());
+    }
+
+    /**
+     * The direction from here to another point, of any length that is handy: right to rounding even where the difference is
+     * beyond the range of doubles. Zero if and only if the two are the same point.
+     */
+    public Vec3 directionTo(Point o) {
+        Vec3 d = o.minus(this);
+        int e = d.exponent();
+        if (Math.abs(e) < ORDINARY_EXPONENT && d.isFinite()) {
+            return d.scaledBy(-e);
+        }
+        return Decimals.direction(o.x.subtract(x), o.y.subtract(y), o.z.subtract(z));
+    }
+
+    /** The binary exponent of the largest component of the difference from here to another point, or one near it. */
+    public int exponentTo(Point o) {
+        Vec3 d = o.minus(this);
+        int e = d.exponent();
+        if (Math.abs(e) < ORDINARY_EXPONENT && d.isFinite()) {
+            return e;
+        }
+        return Math.max(
+                Decimals.exponent(o.x.subtract(x)),
+                Math.max(Decimals.exponent(o.y.subtract(y)), Decimals.exponent(o.z.subtract(z))));
+    }
+
+    /** Whether three points lie exactly in one line. */
+    public static boolean inLine(Point a, Point b, Point c) {
+        Vec3 p = a.directionTo(b);
+        Vec3 q = a.directionTo(c);
+        return !(p.cross(q).length() > p.length() * q.length() * CERTAIN)
+                && normal(a, b, c).maxAbs() == 0;
+    }
+
+    /**
+     * The direction (b − a) × (c − a), of any length that is handy; right to rounding however thin the triangle is. Zero if
+     * and only if the points lie in one line.
+     */
+    public static Vec3 normal(Point a, Point b, Point c) {
+        BigDecimal[] n = new BigDecimal[3];
+        for (int k = 0; k < 3; k++) {
+            int i = (k + 1) % 3;
+            int j = (k + 2) % 3;
+            BigDecimal left = difference(a, b, i).multiply(difference(a, c, j));
+            n[k] = left.subtract(difference(a, b, j).multiply(difference(a, c, i)));
+        }
+        return Decimals.direction(n[0], n[1], n[2]);
+    }
+
+    private static BigDecimal difference(Point from, Point to, int axis) {
+        return to.component(axis).subtract(from.component(axis));
     }
 
     /** The coordinates, each rounded once. */

@@ -1,7 +1,6 @@
 package enlightenment.math;
 
 import java.math.BigDecimal;
-import java.math.BigInteger;
 import java.util.Objects;
 
 /**
@@ -42,14 +41,8 @@ public record SceneFrame(Point origin, int exponent) {
         if (rounded != 0 && Math.abs(e) < SAFE_EXPONENT && Math.abs(e - exponent) < SAFE_EXPONENT) {
             return Scale.scalb(rounded, -exponent);
         }
-        return exact.signum() == 0 ? 0 : timesPowerOfTwo(exact, -exponent).doubleValue();
-    }
-
-    private static BigDecimal timesPowerOfTwo(BigDecimal v, int k) {
-        BigDecimal power = new BigDecimal(BigInteger.TWO.pow(Math.abs(k)));
-        // 2^-k = 5^k / 10^k has a finite decimal expansion, so the division is exact too.
-        return k >= 0
-                ? v.multiply(power)
-                : v.multiply(new BigDecimal(BigInteger.valueOf(5).pow(-k), -k));
+        return exact.signum() == 0
+                ? 0
+                : Decimals.timesPowerOfTwo(exact, -exponent).doubleValue();
     }
 }

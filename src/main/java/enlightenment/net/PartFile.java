@@ -7,9 +7,11 @@ import java.io.BufferedOutputStream;
 import java.io.Closeable;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.UTFDataFormatException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -102,14 +104,44 @@ final class PartFile implements Closeable {
             for (int i = 0; i + 1 < list.size(); i += 2) {
                 text.put(list.get(i), list.get(i + 1));
             }
-            Head head = new Head(job, outline, text, in.readInt(), Math.max(in.readInt(), 1));
-            return new PartFile(file, in, head, in.readInt());
-        } catch (IllegalArgumentException e) {
+            Head head = new Head(job, outline, text, in.readInt(), in.readInt());
+            int tiles = in.readInt();
+            if (head.part() < 1 || head.part() > head.parts() || tiles < 0) {
+                throw new IllegalArgumentException(
+                        tiles + " tiles of part " + head.part() + " of " + head.parts() + " parts");
+            }
+            return new PartFile(file, in, head, tiles);
+        } catch (IllegalArgumentException | UTFDataFormatException e) {
             in.close();
-            throw new IOException(file + ": makes no sense: " + e.getMessage(), e);
+            throw senseless(file, e);
+        } catch (EOFException e) {
+            in.close();
+            throw endsTooEarly(file);
         } catch (IOException e) {
             in.close();
             throw e;
+        }
+    }
+
+    /** What a file is whose numbers, one by one or together, cannot be right, although nothing is missing. */
+    private static IOException senseless(Path file, Exception e) {
+        return new IOException(file + ": makes no sense: " + e.getMessage(), e);
+    }
+
+    private static IOException endsTooEarly(Path file) {
+        return new IOException(file + ": ends too early");
+    }
+
+    /**
+     * A picture to put the tiles into.
+     *
+     * @throws IOException if there can be no picture of the kind that the head tells of
+     */
+    FilmAssembly assembly() throws IOException {
+        try {
+            return new FilmAssembly(head.outline());
+        } catch (IllegalArgumentException | ArithmeticException e) {
+            throw senseless(file, e);
         }
     }
 
@@ -147,7 +179,18 @@ final class PartFile implements Closeable {
 
     /** The next tile, checked; null after the last. */
     Tile next(FilmAssembly film) throws IOException {
+        try {
+            return read(film);
+        } catch (EOFException e) {
+            throw endsTooEarly(file);
+        }
+    }
+
+    private Tile read(FilmAssembly film) throws IOException {
         if (left == 0) {
+            if (in.readNBytes(ContentHash.BYTES + 1).length != ContentHash.BYTES) {
+                throw new IOException(file + ": its tiles are not as long as they say");
+            }
             return null;
         }
         left--;

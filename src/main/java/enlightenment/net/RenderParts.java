@@ -100,7 +100,7 @@ public final class RenderParts {
             try (PartFile part = PartFile.open(file)) {
                 if (first == null) {
                     first = part.head();
-                    film = new FilmAssembly(first.outline());
+                    film = part.assembly();
                     hashes = new ContentHash[film.tiles()];
                     from = new Path[film.tiles()];
                 }
@@ -131,6 +131,9 @@ public final class RenderParts {
     }
 
     private static void checkSame(Path first, PartFile.Head a, Path file, PartFile.Head b) throws IOException {
+        if (a.job().equals(b.job()) && !a.outline().equals(b.outline())) {
+            throw new IOException(file + ": tells of its picture otherwise than " + first + "; one of them is damaged");
+        }
         if (!a.job().equals(b.job()) || !a.text().equals(b.text())) {
             throw new IOException(file + ": is a part of another picture than " + first + " (" + b.text()
                     + " instead of " + a.text() + (a.text().equals(b.text()) ? "; the scenes differ" : "") + ")");

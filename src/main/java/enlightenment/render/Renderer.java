@@ -2,6 +2,7 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.compiled.SceneHints;
 import enlightenment.image.Image;
 import enlightenment.math.Check;
 import enlightenment.scene.RenderSettings;
@@ -99,7 +100,8 @@ public final class Renderer {
                 compiled.features(),
                 compiled.absent(),
                 primitives,
-                memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE);
+                memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE,
+                SceneHints.of(scene, compiled));
     }
 
     /** The memory that the picture needs while it is rendered, in bytes. */
@@ -138,7 +140,13 @@ public final class Renderer {
      * @param notModelled what is left out because the scene does not require it
      * @param primitives number of primitives in the compiled scene
      * @param expectedMemoryBytes estimate of the memory for the compiled scene and the picture
+     * @param hints what is surely not meant, such as a camera inside a solid, each with its place; empty for a scene that
+     *     makes sense
      */
     public record Inspection(
-            List<String> modelled, List<String> notModelled, int primitives, long expectedMemoryBytes) {}
+            List<String> modelled,
+            List<String> notModelled,
+            int primitives,
+            long expectedMemoryBytes,
+            List<String> hints) {}
 }

@@ -14,6 +14,7 @@ public record TilePlan(String method, double level, double samples, String decid
     public TilePlan {
         Renderer.checkMethod(method);
         Check.that(level >= 0 && level < Double.POSITIVE_INFINITY, "plan", "must not be negative, but is " + level);
+        Check.that(samples >= 0 && samples < Double.POSITIVE_INFINITY, "plan", "cannot be of " + samples + " samples");
     }
 
     static TilePlan of(RenderPlan plan) {

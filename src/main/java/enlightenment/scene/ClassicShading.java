@@ -11,7 +11,7 @@ import java.util.Objects;
  * @param ambient the share of light that comes from everywhere, 0..1
  * @param shadow how much of the direct light an occluded point keeps, 0..1; 0.5 in the paper
  * @param background what is seen where nothing is
- * @param maxBounces how many mirrors and glass surfaces a path may follow, 0..1,000,000; beyond them it sees black
+ * @param maxBounces how often a path may be reflected or refracted, 0..1,000,000; beyond that it sees black
  */
 public record ClassicShading(double ambient, double shadow, DisplayRgb background, int maxBounces) {
     /** The greatest limit on mirrors and glass surfaces that a path may follow. */

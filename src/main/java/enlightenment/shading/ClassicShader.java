@@ -29,6 +29,9 @@ import enlightenment.sampling.Sobol;
  * renderer once at each level of calls (docs/benchmarks.md).
  */
 public final class ClassicShader {
+    /** A line meets no primitive more often: the torus, of the fourth degree, is the worst. */
+    private static final int MOST_CROSSINGS = 4;
+
     private final CompiledScene scene;
     private final RayCounters counters;
     private final Tracer tracer;
@@ -42,6 +45,10 @@ public final class ClassicShader {
     private final int[] starts = new int[8];
 
     private final int maxBounces;
+
+    /** More surfaces than one line can meet: a path that seems to has been led in circles by rounding, and ends. */
+    private final int mostStraight;
+
     private final double ambient;
     private final double shadow;
 
@@ -63,6 +70,9 @@ public final class ClassicShader {
     /** How much direct light the last call of {@code meanCosine} left to rays. */
     private double atStake;
 
+    /** Whether the last step was through glass that did not turn the ray. */
+    private boolean passedStraight;
+
     private long pathKey;
     private int askedPoints;
     private int blockedPoints;
@@ -83,6 +93,7 @@ public final class ClassicShader {
         tracer = new Tracer(scene, counters);
         glass = new GlassTracer(scene, counters);
         maxBounces = scene.shading.maxBounces();
+        mostStraight = MOST_CROSSINGS * scene.primitives.length;
         ambient = scene.shading.ambient();
         shadow = scene.shading.shadow();
     }
@@ -163,9 +174,21 @@ public final class ClassicShader {
         lightSpread = 0;
         counters.cameraRays++;
         glass.begin(ray);
-        int bounce = 0;
-        while (step(ray, address, bounce)) {
-            if (++bounce > maxBounces) {
+        int surfaces = 0;
+        int bounces = 0;
+        int straight = 0;
+        passedStraight = false;
+        // Surfaces that leave the ray's direction alone are no bounces: how often a scene is cut up does not show.
+        while (step(ray, address, surfaces)) {
+            surfaces++;
+            if (!passedStraight) {
+                bounces++;
+                straight = 0;
+            } else if (++straight > mostStraight) {
+                break;
+            }
+            passedStraight = false;
+            if (bounces > maxBounces) {
                 break;
             }
         }
@@ -220,6 +243,7 @@ public final class ClassicShader {
 
     private void crossGlass(Ray ray, SampleAddress address, int bounce) {
         boolean through = glass.cross(ray, hit);
+        passedStraight = glass.passedStraight();
         pathKey += through ? 1 : 0;
         for (int k = 0; k < glass.surfaces(); k++) {
             if (glass.filters(k, through)) {

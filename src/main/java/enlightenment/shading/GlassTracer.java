@@ -34,6 +34,9 @@ final class GlassTracer {
     /** The opaque surface that lies behind the glass surface in the same place, or -1. */
     private int next = NONE;
 
+    /** Whether the last {@link #cross} left the ray's direction as it was. */
+    private boolean straight;
+
     /** Index of the contact whose surface is the border of the two media, or -1. */
     private int border;
 
@@ -124,12 +127,14 @@ final class GlassTracer {
         }
         int after = inside.current();
         border = before == after ? NONE : borderOf(before, after);
-        if (border == NONE) {
+        double to = inside.indexOfRefraction();
+        straight = border == NONE || from == to;
+        if (straight) {
             Optics.pass(ray, hit);
             startOnAll(ray, -1);
             return true;
         }
-        if (Optics.refract(ray, hit, from / inside.indexOfRefraction())) {
+        if (Optics.refract(ray, hit, from / to)) {
             counters.refractedRays++;
             startOnAll(ray, -1);
             return true;
@@ -140,6 +145,11 @@ final class GlassTracer {
         Optics.reflect(ray, hit);
         startOnAll(ray, 1);
         return false;
+    }
+
+    /** Whether the last {@link #cross} did not turn the ray: through a pane, or between media of one index. */
+    boolean passedStraight() {
+        return straight;
     }
 
     private boolean isGlassSolid(int k) {

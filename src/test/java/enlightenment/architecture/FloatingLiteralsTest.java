@@ -53,6 +53,8 @@ class FloatingLiteralsTest {
                     "validation limit, relative to the rectangle's own longer edge"),
             new Explained(
                     "compiled/CompiledCamera.java", "-16", "units of the frame, in which every coordinate is below 2"),
+            new Explained("math/Decimals.java", "3.3219280948873626", "the binary logarithm of ten, for an estimate"),
+            new Explained("math/Point.java", "0x1p-40", "relative: when a sum of roundings asks for exact arithmetic"),
             new Explained(
                     "compiled/Contacts.java", "4", "tolerances: how far to look for a face that is known to coincide"),
             new Explained("sampling/Hash.java", "0x1p-53", "maps 53 random bits to [0, 1)"),

@@ -135,7 +135,7 @@ class BadDocumentsTest {
                 radius("true", "must be a number, not true"),
                 radius("[1]", "must be a number, not an array"),
                 radius("{}", "must be a number, not an object"),
-                radius("1" + "0".repeat(1300), "has 1301 digits"),
+                radius("1" + "0".repeat(2300), "has 2301 digits"),
                 object(
                         "radius missing",
                         "¤{ 'type': 'sphere', 'center': [0, 0, 0], 'material': 'white' }",
@@ -429,16 +429,16 @@ class BadDocumentsTest {
 
     @ParameterizedTest
     @CsvSource({"cylinder, top", "cone, apex"})
-    void endsThatNoDoubleTellsApartAreRefused(String type, String key) throws IOException {
+    void endsThatNoDoubleTellsApartMakeAWafer(String type, String key) throws IOException {
         String object = "{ 'type': '" + type + "', 'base': [1, 1, 1], '" + key
                 + "': [1, 1, 1.00000000000000000001], 'radius': 1, 'material': 'white' }";
         Path scene = Files.writeString(
                 folder.resolve("scene.json"), object(type, object, "").document());
         Path picture = folder.resolve("picture.png");
-        CliRun run = CliRun.of("render", scene, "-o", picture, "--progress", "none");
-        assertEquals(2, run.code());
-        assertTrue(run.err().startsWith(scene + ": /objects/3/" + key + ": is so close to \"base\""), run.err());
-        assertFalse(Files.exists(picture));
+        assertEquals(
+                new CliRun(0, "", ""),
+                CliRun.of("render", scene, "-o", picture, "--progress", "none", "--antialias", 1));
+        assertTrue(Files.exists(picture));
     }
 
     @Test

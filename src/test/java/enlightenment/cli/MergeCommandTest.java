@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -103,12 +106,28 @@ class MergeCommandTest {
             assertEquals(1, run.code(), "byte " + at);
             assertTrue(run.err().contains("part-1-1.film: is "), run.err());
         }
-        Files.write(a, java.util.Arrays.copyOf(good, good.length - 40));
+        Files.write(a, Arrays.copyOf(good, good.length - 40));
         assertSays(CliRun.of("merge", a, "-o", merged), 1, "cut short");
         Files.write(a, new byte[5]);
         assertSays(CliRun.of("merge", a, "-o", merged), 1, "is not a part of a render");
         Files.write(a, good);
         assertEquals(0, CliRun.of("merge", a, "-o", merged).code());
+    }
+
+    /** Damage that has a hash that fits, as from a program that writes parts and has a fault. */
+    @Test
+    void aMethodThatThereIsNotIsRefusedWithTheFile() throws Exception {
+        Path a = part(1, 1);
+        byte[] bad = Files.readAllBytes(a);
+        int content = bad.length - 32;
+        int at = new String(bad, StandardCharsets.ISO_8859_1).indexOf("raytrace");
+        bad[at + 3] = 'x';
+        byte[] hash = MessageDigest.getInstance("SHA-256").digest(Arrays.copyOf(bad, content));
+        System.arraycopy(hash, 0, bad, content, hash.length);
+        Files.write(a, bad);
+        CliRun run = CliRun.of("merge", a, "-o", merged);
+        assertSays(run, 1, "part-1-1.film: makes no sense: ");
+        assertTrue(run.err().contains("\"rayxrace\""), run.err());
     }
 
     @Test

@@ -330,11 +330,11 @@ class AxialPrimitiveTest {
     void placingRoundShapesMovesThemIntoTheFrame() {
         SceneFrame frame = new SceneFrame(Point.of(1, 2, 3), 1);
         Primitive p = new Cone(Point.of(1, 2, 3), Point.of(1, 6, 3), 2, 1, false).place(frame);
-        assertArrayEquals(new double[] {0, 0, 0, 0, 2, 0, 1, 0.5, 0}, p.parameters());
+        assertArrayEquals(new double[] {0, 0, 0, 0, 2, 0, 1, 0.5, 0, 0, 2, 0}, p.parameters());
         Primitive q = new Cylinder(Point.of(1, 2, 3), Point.of(1, 6, 3), 2, true).place(frame);
-        assertArrayEquals(new double[] {0, 0, 0, 0, 2, 0, 1, 1, 1}, q.parameters());
+        assertArrayEquals(new double[] {0, 0, 0, 0, 2, 0, 1, 1, 1, 0, 2, 0}, q.parameters());
         assertArrayEquals(
-                new double[] {0, 0, 0, 0, 4, 0, 2, 2, 1}, q.scaledBy(1).parameters());
+                new double[] {0, 0, 0, 0, 4, 0, 2, 2, 1, 0, 4, 0}, q.scaledBy(1).parameters());
         Primitive disk = new Disk(Point.of(3, 2, 3), Vec3.Y, 4).place(frame);
         assertArrayEquals(new double[] {1, 0, 0, 0, 1, 0, 2}, disk.parameters());
     }

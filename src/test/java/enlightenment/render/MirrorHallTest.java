@@ -40,7 +40,7 @@ class MirrorHallTest {
     })
     void aPaneBetweenThemAddsAGeometricSeries(int limit, double reflectance, double opaque) {
         // The path meets pane, mirror, pane, mirror, ...: pane k (from 0) adds opaque · q^k, q = (1 - opaque) · r.
-        // After `limit` bounces one more surface is seen, so limit + 1 surfaces, of which limit/2 + 1 are panes.
+        // Panes are no bounces: after `limit` mirrors one more pane is seen.
         Material pane = new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 1 - opaque, 0, true);
         Scene scene = Scene.builder()
                 .size(2, 2)
@@ -51,7 +51,7 @@ class MirrorHallTest {
                 .object(panel(-4, 9), TestScenes.mirror(reflectance))
                 .build();
         double q = (1 - opaque) * reflectance;
-        int panes = limit / 2 + 1;
+        int panes = limit + 1;
         double expected = opaque * -StrictMath.expm1(panes * StrictMath.log(q)) / (1 - q);
         DoublePicture p = DoublePicture.of(scene, 1, 1);
         assertEquals(expected, p.least(), 1e-12);

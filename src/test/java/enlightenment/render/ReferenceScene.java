@@ -167,7 +167,12 @@ record ReferenceScene(String camera, String content) {
 
     /** The scene with t added to every coordinate in its text. */
     Scene translated(BigDecimal t) {
-        return read(text(v -> v.add(t), v -> v));
+        return read(translatedText(t));
+    }
+
+    /** Its text. */
+    String translatedText(BigDecimal t) {
+        return text(v -> v.add(t), v -> v);
     }
 
     /** What the protocol says of pixels whose rays lie on edges. */

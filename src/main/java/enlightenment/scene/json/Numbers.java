@@ -9,8 +9,8 @@ final class Numbers {
     /** Twice the range of doubles and a little: what lies beyond can only be a mistake, or an attack. */
     static final int LARGEST_EXPONENT = 400;
 
-    /** More digits than the longest exact double has (767). */
-    static final int MOST_DIGITS = 1200;
+    /** More digits than the longest exact double has (767), and than the number of any frame ({@link Tracks}). */
+    static final int MOST_DIGITS = 2000;
 
     /** With so few digits and no exponent, no number is beyond the range of doubles. */
     private static final int SAFE = 300;
@@ -27,18 +27,19 @@ final class Numbers {
     static String objection(String text) {
         int e = exponentIndex(text);
         int digits = 0;
-        boolean zero = true;
         for (int i = 0; i < e; i++) {
             char c = text.charAt(i);
             if (c >= '0' && c <= '9') {
                 digits++;
-                zero &= c == '0';
             } else if (c != '.' && !(c == '-' && i == 0)) {
                 return "must be a finite number, not " + JsonValue.shortened(text);
             }
         }
         if (digits > MOST_DIGITS) {
             return "has " + digits + " digits; a number may have at most " + MOST_DIGITS;
+        }
+        if (isZero(text)) {
+            return null;
         }
         if (!exponentIsModest(text, e)) {
             return "must be a number that a double can hold, not " + JsonValue.shortened(text)
@@ -51,7 +52,7 @@ final class Numbers {
         if (Double.isInfinite(d)) {
             return "must be a number that a double can hold (at most 1.8e308), not " + JsonValue.shortened(text);
         }
-        if (d == 0 && !zero) {
+        if (d == 0) {
             return "must be 0 or a number that a double can hold (at least 4.9e-324), not " + JsonValue.shortened(text);
         }
         return null;
@@ -80,9 +81,19 @@ final class Numbers {
         return true;
     }
 
-    /** The exact value of a text without {@linkplain #objection objections}. */
+    /** The exact value of a text without {@linkplain #objection objections}; zero is zero, however it is spelled. */
     static BigDecimal exact(String text) {
-        return new BigDecimal(text);
+        // Only a zero's exponent may be beyond what a BigDecimal holds.
+        return exponentIsModest(text, exponentIndex(text)) ? new BigDecimal(text) : BigDecimal.ZERO;
+    }
+
+    private static boolean isZero(String text) {
+        for (int i = 0, e = exponentIndex(text); i < e; i++) {
+            if (text.charAt(i) >= '1' && text.charAt(i) <= '9') {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**

@@ -37,7 +37,7 @@ public final class SceneReader {
 
     /**
      * Reads one frame of an animated scene: the numbers that its tracks lead to are replaced by those of the frame,
-     * which are exact or rounded to 40 digits.
+     * which are as good as exact fractions.
      *
      * @param frame the frame, counted from 0
      * @throws SceneException if the file cannot be read or is not a scene, or the scene has no such frame

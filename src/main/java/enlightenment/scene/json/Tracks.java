@@ -2,7 +2,7 @@ package enlightenment.scene.json;
 
 import enlightenment.scene.Animation;
 import java.math.BigDecimal;
-import java.math.MathContext;
+import java.math.BigInteger;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -12,10 +12,20 @@ import java.util.NavigableMap;
 import java.util.Set;
 import java.util.TreeMap;
 
-/** Reads the animation, and puts the numbers of one of its frames into the document. */
+/**
+ * Reads the animation, and puts the numbers of one of its frames into the document.
+ *
+ * <p>A number between two keys is a fraction. Where it is a decimal, it is kept exactly. Where it is none (a third), it is
+ * cut after {@link #DECIMALS} decimals, always downwards. That is as good as keeping the fraction until it is rounded to a
+ * double: moved by a decimal, the cut number moves by just that; if two numbers differ by a decimal, so do the cut ones;
+ * and a difference that is no decimal is no number halfway between two doubles either, and cannot be so close to one
+ * that 10^-1600 matters. (A fraction whose denominator is a product of two lengths of time and 10^k differs from a
+ * multiple of 2^-2150, which no double's halves go below even in a scene's frame, by 10^-(k + 666) or not at all: that
+ * holds for keys and coordinates of up to 900 decimals.)
+ */
 final class Tracks {
-    /** Numbers between keys are exact, or rounded to this many digits: far more than a double's 17. */
-    static final MathContext DIGITS = new MathContext(40, RoundingMode.HALF_EVEN);
+    /** Where a number between keys that is no decimal is cut. */
+    static final int DECIMALS = 1600;
 
     private final JsonValue root;
     private final Values values;
@@ -119,9 +129,21 @@ final class Tracks {
         }
         BigDecimal length = BigDecimal.valueOf(after.getKey() - before.getKey());
         BigDecimal late = BigDecimal.valueOf(frame - before.getKey());
-        return before.getValue()
+        BigDecimal sum = before.getValue()
                 .multiply(length.subtract(late))
-                .add(after.getValue().multiply(late))
-                .divide(length, DIGITS);
+                .add(after.getValue().multiply(late));
+        return isDecimal(sum, length) ? sum.divide(length) : sum.divide(length, DECIMALS, RoundingMode.FLOOR);
+    }
+
+    /** Whether the quotient has an end: whether nothing but twos and fives is left of the divisor when it is reduced. */
+    private static boolean isDecimal(BigDecimal sum, BigDecimal length) {
+        long divisor = length.longValueExact();
+        divisor /= sum.unscaledValue().gcd(BigInteger.valueOf(divisor)).longValueExact();
+        for (int prime : new int[] {2, 5}) {
+            while (divisor % prime == 0) {
+                divisor /= prime;
+            }
+        }
+        return divisor == 1;
     }
 }

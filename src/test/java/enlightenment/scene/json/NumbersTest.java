@@ -89,7 +89,6 @@ class NumbersTest {
                 "2e-324",
                 "1e401",
                 "1e-401",
-                "0e401",
                 "1e1000000000",
                 "1e-99999999999999999999",
                 "0.1e1000000000"
@@ -101,8 +100,53 @@ class NumbersTest {
     }
 
     @Test
-    void aNumberMayHaveTwelveHundredDigits() {
-        assertNull(Numbers.objection("0." + "1".repeat(1199)));
-        assertNotNull(Numbers.objection("0." + "1".repeat(1200)));
+    void aNumberMayHaveTwoThousandDigits() {
+        assertNull(Numbers.objection("0." + "1".repeat(1999)));
+        assertNotNull(Numbers.objection("0." + "1".repeat(2000)));
+        assertNotNull(Numbers.objection("0." + "0".repeat(2000)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "0",
+                "-0",
+                "-0.0",
+                "0e0",
+                "0e-900",
+                "-0e900",
+                "0E+400",
+                "0.000e401",
+                "0e-99999999999999999999",
+                "-0.0e99999999999999999999",
+                "0e0000000000000000000000000001"
+            })
+    void zeroIsZeroHoweverItIsSpelled(String text) {
+        assertNull(Numbers.objection(text));
+        assertEquals(0, Numbers.exact(text).signum());
+        assertTrue(Double.parseDouble(text) == 0);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1e+0000000000000000000000000000000005, 1e5",
+        "1e-0000000000000000000000000000000005, 1e-5",
+        "-2.50E-000320, -2.5e-320",
+        "00000.1e00001, 1",
+        "4.9e-324, 4.9e-324",
+        "2.5e-324, 2.5e-324",
+        "1.7976931348623158e308, 1.7976931348623157e308",
+        "0.00000000000000000001e328, 1e308"
+    })
+    void oddSpellingsAreTheNumbersThatTheyMean(String text, double v) {
+        assertNull(Numbers.objection(text));
+        assertEquals(v, Double.parseDouble(text));
+        assertEquals(v, Numbers.exact(text).doubleValue());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1.797693134862315808e308", "1e400", "2.4e-324", "1e-400", "0.0001e401"})
+    void justBeyondTheRangeIsBeyondIt(String text) {
+        assertNotNull(Numbers.objection(text));
     }
 }

@@ -131,9 +131,9 @@ class SceneErrorsTest {
     void deepNestingAndLongNumbersAreRefused() {
         String deep = "[".repeat(100_000);
         assertTrue(Documents.problem(deep, folder).message().contains("100 levels"));
-        String number = "9".repeat(1201);
+        String number = "9".repeat(2001);
         Problem problem = Documents.problem(Documents.edited("1.25", number), Documents.withImage(folder));
-        assertTrue(problem.message().contains("has 1201 digits"), problem.message());
+        assertTrue(problem.message().contains("has 2001 digits"), problem.message());
         String longer = "1" + "0".repeat(10_000_000);
         Problem far = Documents.problem(Documents.edited("1.25", longer), folder);
         assertTrue(far.message().contains("a number may have 5000 characters"), far.message());

@@ -1,0 +1,251 @@
+package enlightenment.compiled;
+
+import enlightenment.geometry.Primitive;
+import enlightenment.geometry.Ray;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.math.Bounds;
+import enlightenment.math.Rotation;
+import enlightenment.math.Scale;
+import enlightenment.math.Vec3;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
+
+/**
+ * What is right by the scene format, but surely not what was meant: each hint says what it found and where. A scene that
+ * makes sense gets none, so a hint is given only where no picture of the kind is wanted by anyone.
+ */
+public final class SceneHints {
+    /** Nobody writes a smaller angle of view on purpose, unless something is seen whole through it. */
+    private static final double NARROW_DEGREES = 1;
+
+    /** Every hint: looks at the scene, adds what it finds. */
+    private static final List<BiConsumer<SceneHints, List<String>>> ALL = List.of(
+            SceneHints::nothingToSee,
+            SceneHints::noLight,
+            SceneHints::cameraInSolid,
+            SceneHints::lightInSolid,
+            SceneHints::narrowView,
+            (hints, found) -> found.addAll(DistanceHint.of(hints.scene, hints.compiled)));
+
+    private final Scene scene;
+    private final CompiledScene compiled;
+
+    /** Where the rays through the corners and the middle of the picture start. */
+    private final List<Vec3> starts = new ArrayList<>();
+
+    private SceneHints(Scene scene, CompiledScene compiled) {
+        this.scene = scene;
+        this.compiled = compiled;
+        for (double[] place : new double[][] {{0.5, 0.5}, {0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+            Ray r = ray(place[0], place[1]);
+            starts.add(new Vec3(r.ox, r.oy, r.oz).plus(new Vec3(r.dx, r.dy, r.dz).times(r.tMin)));
+        }
+    }
+
+    /** The hints for a scene, in plain words; empty for one that makes sense. */
+    public static List<String> of(Scene scene, CompiledScene compiled) {
+        SceneHints hints = new SceneHints(scene, compiled);
+        List<String> found = new ArrayList<>();
+        ALL.forEach(hint -> hint.accept(hints, found));
+        return List.copyOf(found);
+    }
+
+    private void nothingToSee(List<String> found) {
+        if (compiled.primitives.length == 0 && compiled.visibleLights.length == 0) {
+            found.add("/objects: there is nothing to see");
+        }
+    }
+
+    private void noLight(List<String> found) {
+        double ambient = scene.shading().ambient();
+        if (ambient == 1 || scene.objects().stream().noneMatch(SceneHints::isShaded)) {
+            return;
+        }
+        if (scene.lights().isEmpty()) {
+            found.add("/lights: there is no light; things show " + ambient
+                    + " (/shading/ambient) of their colours, without shades");
+        } else if (scene.lights().stream().allMatch(SceneHints::isBlack)) {
+            found.add("/lights: no light has another colour than black");
+        }
+    }
+
+    private static boolean isBlack(Light light) {
+        return light.color().r() == 0 && light.color().g() == 0 && light.color().b() == 0;
+    }
+
+    /** Whether light falls on the object: on mirrors and clear glass it does not. */
+    private static boolean isShaded(SceneObject object) {
+        return materials(object).stream()
+                .anyMatch(m -> m instanceof Material.Matte || m instanceof Material.Glass g && g.transparency() < 1);
+    }
+
+    private static List<Material> materials(SceneObject object) {
+        return object.faces().isEmpty() ? List.of(object.material()) : object.faces();
+    }
+
+    /** A viewer in an opaque solid sees its inner wall; without a light in there that is a wall in the dark. */
+    private void cameraInSolid(List<String> found) {
+        if (scene.shading().ambient() == 1) {
+            return;
+        }
+        for (int id = 0; id < compiled.primitives.length; id++) {
+            if (isOpaqueSolid(id) && startsIn(compiled.primitives[id]) && !holdsLight(compiled.primitives[id])) {
+                found.add("/camera: is inside " + name(id) + ", which is opaque and holds no light");
+            }
+        }
+    }
+
+    private boolean holdsLight(Primitive solid) {
+        for (CompiledLight light : compiled.lights) {
+            if (points(light).stream().anyMatch(p -> solid.contains(p.x(), p.y(), p.z()))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** A light in an opaque solid gives light to nobody, unless the viewer is in there, too. */
+    private void lightInSolid(List<String> found) {
+        for (int i = 0; i < compiled.lights.length; i++) {
+            CompiledLight light = compiled.lights[i];
+            for (int id = 0; id < compiled.primitives.length; id++) {
+                Primitive solid = compiled.primitives[id];
+                if (isOpaqueSolid(id)
+                        && isInside(solid, new Vec3(light.ballX, light.ballY, light.ballZ))
+                        && points(light).stream().allMatch(p -> isInside(solid, p))
+                        && starts.stream().noneMatch(p -> solid.contains(p.x(), p.y(), p.z()))) {
+                    found.add("/lights/" + i + ": is inside " + name(id) + ", which is opaque: no light comes out");
+                }
+            }
+        }
+    }
+
+    private boolean isOpaqueSolid(int id) {
+        return compiled.primitives[id].isSolid()
+                && materials(scene.objects().get(compiled.object[id])).stream()
+                        .noneMatch(m -> m instanceof Material.Glass g && g.transparency() > 0);
+    }
+
+    private boolean startsIn(Primitive solid) {
+        return starts.stream().allMatch(p -> isInside(solid, p));
+    }
+
+    private Ray ray(double x, double y) {
+        Ray ray = new Ray();
+        compiled.camera.ray(x, y, ray);
+        return ray;
+    }
+
+    /** Whether the point is inside by more than rounding: a point on the surface is not. */
+    private static boolean isInside(Primitive solid, Vec3 p) {
+        if (!solid.contains(p.x(), p.y(), p.z())) {
+            return false;
+        }
+        double d = Scale.gamma(64) * Math.max(p.maxAbs(), solid.bounds().maxAbs());
+        return solid.contains(p.x() - d, p.y(), p.z())
+                && solid.contains(p.x() + d, p.y(), p.z())
+                && solid.contains(p.x(), p.y() - d, p.z())
+                && solid.contains(p.x(), p.y() + d, p.z())
+                && solid.contains(p.x(), p.y(), p.z() - d)
+                && solid.contains(p.x(), p.y(), p.z() + d);
+    }
+
+    /** Points of a light: its middle and so many of its rim that nothing of note lies beyond them. */
+    private static List<Vec3> points(CompiledLight light) {
+        List<Vec3> points = new ArrayList<>();
+        Vec3 middle = new Vec3(light.ballX, light.ballY, light.ballZ);
+        points.add(middle);
+        int steps = light.kind == CompiledLight.Kind.POINT ? 0 : 4;
+        for (int i = -steps; i <= steps; i++) {
+            for (int j = -steps; j <= steps; j++) {
+                if (light.kind == CompiledLight.Kind.RECTANGLE) {
+                    points.add(middle.plus(light.right.times(0.5 * i / steps)).plus(light.up.times(0.5 * j / steps)));
+                } else if (steps > 0) {
+                    addOnBall(middle, light.radius, i, j, steps, points);
+                }
+            }
+        }
+        return points;
+    }
+
+    /** Points of a cube's surface, moved onto the ball around its middle. */
+    private static void addOnBall(Vec3 middle, double radius, int i, int j, int k, List<Vec3> points) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            points.add(middle.plus(new Vec3(i, j, sign * k).normalized().times(radius)));
+            points.add(middle.plus(new Vec3(j, sign * k, i).normalized().times(radius)));
+            points.add(middle.plus(new Vec3(sign * k, i, j).normalized().times(radius)));
+        }
+    }
+
+    /** Radians for degrees, mostly. Through a telescope something is seen whole. */
+    private void narrowView(List<String> found) {
+        Ray top = ray(0.5, 0);
+        Ray bottom = ray(0.5, 1);
+        Vec3 up = new Vec3(top.dx, top.dy, top.dz);
+        Vec3 down = new Vec3(bottom.dx, bottom.dy, bottom.dz);
+        double sine = up.cross(down).length();
+        double cosine = up.dot(down);
+        boolean parallel = top.ox != bottom.ox || top.oy != bottom.oy || top.oz != bottom.oz;
+        if (parallel || sine * Rotation.cos(NARROW_DEGREES) >= cosine * Rotation.sin(NARROW_DEGREES)) {
+            return;
+        }
+        Predicate<Bounds> seenWhole = seenWhole();
+        for (Primitive p : compiled.primitives) {
+            if (seenWhole.test(p.bounds())) {
+                return;
+            }
+        }
+        for (Bounds light : compiled.lightBounds) {
+            if (seenWhole.test(light)) {
+                return;
+            }
+        }
+        found.add("/camera: the angle of view is less than 1 degree, and nothing is seen whole through it");
+    }
+
+    /** Whether a box lies in the pyramid of the camera's rays. */
+    private Predicate<Bounds> seenWhole() {
+        Vec3[] corners = new Vec3[4];
+        Ray middle = ray(0.5, 0.5);
+        Vec3 eye = new Vec3(middle.ox, middle.oy, middle.oz);
+        Vec3 forward = new Vec3(middle.dx, middle.dy, middle.dz);
+        for (int k = 0; k < 4; k++) {
+            Ray r = ray(k == 1 || k == 2 ? 1 : 0, k >> 1);
+            corners[k] = new Vec3(r.dx, r.dy, r.dz);
+        }
+        return box -> {
+            for (int k = 0; k < 8; k++) {
+                Vec3 corner = new Vec3(
+                        (k & 1) == 0 ? box.min().x() : box.max().x(),
+                        (k & 2) == 0 ? box.min().y() : box.max().y(),
+                        (k & 4) == 0 ? box.min().z() : box.max().z());
+                if (!isInPyramid(corners, forward, corner.minus(eye))) {
+                    return false;
+                }
+            }
+            return true;
+        };
+    }
+
+    private static boolean isInPyramid(Vec3[] corners, Vec3 forward, Vec3 v) {
+        for (int k = 0; k < 4; k++) {
+            Vec3 wall = corners[k].cross(corners[(k + 1) % 4]);
+            if (wall.dot(forward) * wall.dot(v) <= 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** How to find an object in the scene file. */
+    private String name(int id) {
+        int index = compiled.object[id];
+        String name = scene.objects().get(index).name();
+        return "/objects/" + index + (name.isEmpty() ? "" : " (\"" + name + "\")");
+    }
+}

@@ -127,6 +127,17 @@ public final class Renderer {
                 SceneHints.of(scene, compiled));
     }
 
+    /**
+     * Fails if the scene's camera, lights or shapes cannot be used, as {@link #inspect} does, but does not look at textures and
+     * builds nothing to render with: for the frames of an animation, which have the same textures.
+     *
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.Check.InvalidValueException if one of its shapes cannot
+     */
+    public static void checkShapes(Scene scene) {
+        SceneCompiler.check(scene);
+    }
+
     /** The memory that the picture needs while it is rendered, in bytes. */
     public static long memoryFor(RenderSettings settings) {
         RenderSettings.Crop region = settings.region();

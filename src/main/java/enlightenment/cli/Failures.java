@@ -52,7 +52,11 @@ final class Failures {
     private int wrongUsage(CommandLine.ParameterException e) {
         String command = e.getCommandLine().getCommandName();
         String topic = command.replaceFirst("^enlightenment ?", "");
-        terminal.say(firstLetterSmall(e.getMessage()) + Typos.suggestion(e));
+        List<String> typos = Typos.unknownOptions(e);
+        if (typos.isEmpty()) {
+            terminal.say(firstLetterSmall(e.getMessage()));
+        }
+        typos.forEach(terminal::say);
         terminal.say("see 'enlightenment help" + (topic.isEmpty() ? "" : " " + topic) + "'");
         return CliException.WRONG_INPUT;
     }

@@ -11,21 +11,19 @@ import picocli.CommandLine.Model.OptionSpec;
 final class Typos {
     private Typos() {}
 
-    /** {@code ; did you mean ...?}, or nothing where nothing is near. */
-    static String suggestion(CommandLine.ParameterException e) {
-        if (!(e instanceof CommandLine.UnmatchedArgumentException unmatched)
-                || unmatched.getUnmatched().isEmpty()) {
-            return "";
+    /** What to say of options that there are not: nothing if something else is wrong, or what follows them. */
+    static List<String> unknownOptions(CommandLine.ParameterException e) {
+        if (!(e instanceof CommandLine.UnmatchedArgumentException unmatched)) {
+            return List.of();
         }
-        String written = unmatched.getUnmatched().get(0);
-        return written.startsWith("-")
-                ? meant(
-                        written.replaceFirst("=.*", ""),
-                        options(e.getCommandLine().getCommandSpec()))
-                : command(written, e.getCommandLine());
+        List<String> names = options(e.getCommandLine().getCommandSpec());
+        return unmatched.getUnmatched().stream()
+                .filter(word -> word.startsWith("-"))
+                .map(word -> "unknown option: '" + word + "'" + meant(word.replaceFirst("=.*", ""), names))
+                .toList();
     }
 
-    /** The same for a command. */
+    /** {@code ; did you mean ...?} for a command, or nothing where nothing is near. */
     static String command(String written, CommandLine root) {
         return meant(written, new ArrayList<>(root.getSubcommands().keySet()));
     }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
@@ -117,6 +118,20 @@ class RenderServerTest {
             image.setRGB(i % 64, i / 64, i * 0x010305);
         }
         javax.imageio.ImageIO.write(image, "jpeg", file.toFile());
+    }
+
+    @Test
+    void anInterruptEndsTheServerWithWhatThereIs() throws Exception {
+        int port;
+        try (RenderServer server =
+                RenderServer.start(Farm.SCENE, Farm.SETTINGS, Farm.options().withLocalThreads(1), () -> false)) {
+            port = server.port();
+            Thread.currentThread().interrupt();
+            assertFalse(server.await(RenderProgress.NONE, () -> false).complete());
+            assertTrue(Thread.interrupted(), "the interrupt stays set");
+        }
+        // The place is free again.
+        new java.net.ServerSocket(port, 1, java.net.InetAddress.getLoopbackAddress()).close();
     }
 
     @Test

@@ -37,7 +37,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
     record Window(Point eye, Point lowerLeft, Point upperLeft, Point upperRight, Point lowerRight, double pupilRadius)
             implements Camera {
         public Window {
-            Parallelograms.check("", lowerLeft, upperLeft, upperRight, lowerRight);
+            checkCorners(lowerLeft, upperLeft, upperRight, lowerRight);
             Check.notNegative("pupilRadius", pupilRadius);
             Vec3 normal = Point.normal(lowerLeft, upperLeft, lowerRight).normalized();
             Vec3 toEye = lowerLeft.directionTo(eye);
@@ -159,6 +159,18 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         @Override
         public List<Point> anchors() {
             return List.of(lookAt);
+        }
+    }
+
+    /** The check of four corners counts them; here they have names. */
+    private static void checkCorners(Point lowerLeft, Point upperLeft, Point upperRight, Point lowerRight) {
+        try {
+            Parallelograms.check("", lowerLeft, upperLeft, upperRight, lowerRight);
+        } catch (Check.InvalidValueException e) {
+            List<String> corners = List.of("lowerLeft", "upperLeft", "upperRight", "lowerRight");
+            boolean counted = e.key().matches("/[0-3]");
+            throw new Check.InvalidValueException(
+                    counted ? corners.get(e.key().charAt(1) - '0') : e.key(), e.problem());
         }
     }
 

@@ -3,6 +3,9 @@ package enlightenment.cli;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import java.io.PrintStream;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
@@ -15,6 +18,7 @@ final class BarProgress implements RenderProgress, AutoCloseable {
     private static final int PERIOD_MILLIS = 250;
 
     private final PrintStream err;
+    private final TimeLeft timeLeft = new TimeLeft();
     private ProgressBar bar;
 
     BarProgress(PrintStream err) {
@@ -29,11 +33,21 @@ final class BarProgress implements RenderProgress, AutoCloseable {
                     .setInitialMax(total)
                     .setStyle(ProgressBarStyle.ASCII)
                     .setUpdateIntervalMillis(PERIOD_MILLIS)
+                    .setEtaFunction(state -> foretold())
                     // With a width of our own, the library need not load native code to ask the terminal for it.
                     .setConsumer(new ConsoleProgressBarConsumer(err, columns()))
                     .build();
         }
+        timeLeft.at(System.nanoTime(), done, total);
         bar.stepTo(done);
+    }
+
+    /** Nothing is drawn as a question mark. */
+    private Optional<Duration> foretold() {
+        OptionalDouble left = timeLeft.seconds();
+        return left.isPresent()
+                ? Optional.of(Duration.ofSeconds((long) Math.ceil(left.getAsDouble())))
+                : Optional.empty();
     }
 
     /** How wide a bar may be. */

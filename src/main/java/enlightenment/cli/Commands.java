@@ -57,10 +57,9 @@ final class Commands {
         tree.addSubcommand("completion", new AutoComplete.GenerateCompletion());
         tree.addSubcommand("help", new CommandLine.HelpCommand());
         configure(tree, terminal);
-        if (args.length > 0
-                && !args[0].startsWith("-")
-                && !tree.getSubcommands().containsKey(args[0])) {
-            throw new CommandLine.ParameterException(tree, "unknown command \"" + args[0] + "\"");
+        checkName(args, 0, tree);
+        if (args.length > 0 && args[0].equals("help")) {
+            checkName(args, 1, tree);
         }
         CommandLine.ParseResult parsed = tree.parseArgs(args);
         if (!parsed.hasSubcommand() && !parsed.isUsageHelpRequested() && !parsed.isVersionHelpRequested()) {
@@ -72,5 +71,15 @@ final class Commands {
         }
         new CommandLine.RunLast().execute(parsed);
         return CliException.DONE;
+    }
+
+    /** Fails if the word at this place is there and should be a command, but is none. */
+    private static void checkName(String[] args, int at, CommandLine tree) {
+        if (args.length > at
+                && !args[at].startsWith("-")
+                && !tree.getSubcommands().containsKey(args[at])) {
+            throw new CommandLine.ParameterException(
+                    tree, "unknown command \"" + args[at] + "\"" + Typos.command(args[at], tree));
+        }
     }
 }

@@ -62,7 +62,7 @@ final class CompareCommand extends Subcommand {
             error = ImageError.between(a, b);
             flip = Flip.between(a, b, density);
         } catch (InvalidValueException e) {
-            throw CliException.wrongUsage((e.key().equals("test") ? test : reference) + ": " + e.getMessage());
+            throw CliException.wrongUsage((e.key().equals("test") ? test : reference) + ": " + e.problem());
         }
         if (heatMap != null) {
             ImageFiles.writePng(HeatMap.withScale(flip), heatMap, comments(flip, density));

@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.nff.NffReader;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
@@ -11,11 +12,13 @@ import picocli.CommandLine.Parameters;
 /** {@code enlightenment convert}: makes a scene file of an NFF file. */
 @Command(name = "convert", description = "Makes a scene file of a file in the Neutral File Format.")
 final class ConvertCommand extends Subcommand {
-    @Parameters(index = "0", paramLabel = "IN.nff", description = "the file to read")
+    @Parameters(index = "0", paramLabel = "IN.nff", description = "the file to read; - for standard input")
     private Path input;
 
-    @Parameters(index = "1", paramLabel = "OUT.json", description = "the scene file to write")
+    @Parameters(index = "1", paramLabel = "OUT.json", description = "the scene file to write; - for standard output")
     private Path output;
+
+    private static final String STANDARD = "standard input";
 
     ConvertCommand(Terminal terminal) {
         super(terminal);
@@ -23,21 +26,34 @@ final class ConvertCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        if (!Target.extension(output).equals(".json")) {
+        if (!Standard.is(output) && !Target.extension(output).equals(".json")) {
             throw CliException.wrongUsage("OUT.json must name a file that ends in .json, not \"" + output + "\"");
         }
-        if (!Files.exists(input)) {
+        if (!Standard.is(input) && !Files.exists(input)) {
             throw CliException.wrongUsage(input + ": there is no such file");
         }
         if (Target.same(input, output)) {
             throw CliException.wrongUsage("OUT.json must name another file than IN.nff, not \"" + output + "\"");
         }
-        Target.check(output);
-        NffReader.Result result = NffReader.read(input);
-        for (String note : result.notes()) {
-            terminal.err().println(input + ": " + note);
+        if (!Standard.is(output)) {
+            Target.check(output);
         }
-        SceneWriter.write(result.scene(), output);
+        NffReader.Result result = read();
+        for (String note : result.notes()) {
+            terminal.err().println((Standard.is(input) ? STANDARD : input) + ": " + note);
+        }
+        if (Standard.is(output)) {
+            terminal.out().write(SceneWriter.toJson(result.scene(), Path.of("")).getBytes(StandardCharsets.UTF_8));
+        } else {
+            SceneWriter.write(result.scene(), output);
+        }
         return CliException.DONE;
+    }
+
+    private NffReader.Result read() throws IOException {
+        return Standard.is(input)
+                // The format is ASCII; comments may hold anything.
+                ? NffReader.parse(new String(terminal.in().readAllBytes(), StandardCharsets.ISO_8859_1), STANDARD, "")
+                : NffReader.read(input);
     }
 }

@@ -52,7 +52,11 @@ final class Failures {
     private int wrongUsage(CommandLine.ParameterException e) {
         String command = e.getCommandLine().getCommandName();
         String topic = command.replaceFirst("^enlightenment ?", "");
-        terminal.say(firstLetterSmall(e.getMessage()));
+        List<String> typos = Typos.unknownOptions(e);
+        if (typos.isEmpty()) {
+            terminal.say(firstLetterSmall(e.getMessage()));
+        }
+        typos.forEach(terminal::say);
         terminal.say("see 'enlightenment help" + (topic.isEmpty() ? "" : " " + topic) + "'");
         return CliException.WRONG_INPUT;
     }
@@ -83,8 +87,8 @@ final class Failures {
 
     /** A value that turned out to be of no use only when the scene in this file was put together. */
     static SceneException inFile(String file, InvalidValueException e) {
-        return new SceneException(List.of(
-                new SceneException.Problem(file, 0, 0, e.key().isEmpty() ? "" : "/" + e.key(), e.getMessage())));
+        return new SceneException(
+                List.of(new SceneException.Problem(file, 0, 0, e.key().isEmpty() ? "" : "/" + e.key(), e.problem())));
     }
 
     /** What a failed access to a file is about, in words. */

@@ -9,8 +9,8 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
-import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -27,11 +27,13 @@ import picocli.CommandLine.Parameters;
 final class InspectCommand extends Subcommand {
     private static final double MEBI = 1 << 20;
 
-    @Parameters(paramLabel = "SCENE", description = "the scene file")
+    @Parameters(paramLabel = "SCENE", description = "the scene file; - for standard input")
     private Path sceneFile;
 
     @Mixin
     private RenderOptions options = new RenderOptions();
+
+    private SceneInput input;
 
     InspectCommand(Terminal terminal) {
         super(terminal);
@@ -40,10 +42,9 @@ final class InspectCommand extends Subcommand {
     @Override
     int execute() {
         options.check();
-        Scene scene = options.frame().isPresent()
-                ? SceneReader.read(sceneFile, options.frame().get())
-                : SceneReader.read(sceneFile);
-        RenderSettings settings = options.settings(scene, sceneFile.toString());
+        input = new SceneInput(sceneFile, terminal);
+        Scene scene = input.read(options.frame());
+        RenderSettings settings = options.settings(scene, input.name());
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);
         line("settings", options.canonical(settings) + " threads=" + settings.threads());
@@ -51,8 +52,10 @@ final class InspectCommand extends Subcommand {
         list("not modelled", inspection.notModelled());
         line("primitives", Integer.toString(inspection.primitives()));
         line("expected memory", String.format(Locale.ROOT, "%.1f MiB", inspection.expectedMemoryBytes() / MEBI));
-        if (!inspection.hints().isEmpty()) {
-            list("hints", inspection.hints());
+        List<String> hints = new ArrayList<>(inspection.hints());
+        Stretch.of(scene, settings).ifPresent(hints::add);
+        if (!hints.isEmpty()) {
+            list("hints", hints);
         }
         return CliException.DONE;
     }
@@ -61,9 +64,9 @@ final class InspectCommand extends Subcommand {
         try {
             return Renderer.inspect(scene, settings);
         } catch (InvalidValueException e) {
-            throw options.blame(e, sceneFile.toString());
+            throw options.blame(e, input.name());
         } catch (SceneException e) {
-            throw Failures.inFile(sceneFile.toString(), e);
+            throw Failures.inFile(input.name(), e);
         }
     }
 

@@ -20,7 +20,7 @@ public final class Main {
         }
         int code;
         try {
-            code = run(args, new Terminal(System.out, System.err, stop));
+            code = run(args, new Terminal(System.in, System.out, System.err, stop));
         } finally {
             // Only now has everything been said.
             stop.finished();

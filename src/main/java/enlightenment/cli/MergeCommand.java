@@ -1,6 +1,5 @@
 package enlightenment.cli;
 
-import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.net.RenderParts;
 import java.io.IOException;
@@ -23,8 +22,14 @@ final class MergeCommand extends Subcommand {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "the picture: .png, or .pfm for exact floats")
+            description = "the picture: .png, or .pfm for exact floats; - for standard output")
     private Path output;
+
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            description = "with -o -: png (default) or pfm, to standard output")
+    private String format;
 
     @Option(names = "--depth", paramLabel = "BITS", description = "bits per component of a PNG file: 8 (default) or 16")
     private String depth;
@@ -44,24 +49,25 @@ final class MergeCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        PictureOptions.check(output, depth);
-        Target.check(output);
+        PictureOptions.check(output, depth, format);
+        PictureOptions.checkTarget(output);
         if (report != null) {
             Target.check(report);
         }
         RenderParts.Merged merged = RenderParts.merge(parts);
         if (!merged.missing().isEmpty() && !partial) {
             say(merged.missing());
-            terminal.say(output + " was not written; --partial writes what there is");
+            terminal.say(Standard.output(output) + " was not written; --partial writes what there is");
             return CliException.FAILED;
         }
         int bits = "16".equals(depth) ? 16 : 8;
-        ImageFiles.write(merged.result().image(), output, new PngOptions(bits, merged.text()));
+        PngOptions png = new PngOptions(bits, merged.text());
+        PictureOptions.write(merged.result().image(), output, format, png, terminal);
         if (report != null) {
             Target.write(report, ReportJson.of(merged.result()));
         }
         if (stats) {
-            terminal.out().print(StatsTable.of(merged.result().report()));
+            PictureOptions.printStatistics(merged.result().report(), output, terminal);
         }
         say(merged.missing());
         return merged.missing().isEmpty() ? CliException.DONE : CliException.FAILED;

@@ -1,6 +1,11 @@
 package enlightenment.cli;
 
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.PngOptions;
+import enlightenment.render.RenderReport;
 import enlightenment.scene.Scene;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -9,18 +14,52 @@ import java.util.Map;
 final class PictureOptions {
     private PictureOptions() {}
 
-    /** Fails unless the file's kind is known and may have that depth, which may be null. */
-    static void check(Path output, String depth) {
+    /** Fails unless the picture's format is known and may have that depth; depth and format may be null. */
+    static void check(Path output, String depth, String format) {
         String extension = Target.extension(output);
+        String file = "a .pfm file";
+        if (Standard.is(output)) {
+            file = "--format pfm";
+            extension = "." + (format == null ? "png" : OptionValues.word("--format", format, "png", "pfm"));
+            if (System.console() != null) {
+                throw CliException.wrongUsage("-o - writes a picture to standard output, which is a terminal here");
+            }
+        } else if (format != null) {
+            throw CliException.wrongUsage("--format must only be given with -o -: the name of a file tells its format");
+        }
         if (!extension.equals(".png") && !extension.equals(".pfm")) {
             throw CliException.wrongUsage("-o must name a file that ends in .png or .pfm, not \"" + output + "\"");
         }
         if (depth != null) {
             OptionValues.word("--depth", depth, "8", "16");
             if (extension.equals(".pfm")) {
-                throw CliException.wrongUsage("--depth must not be given for a .pfm file, which holds floats");
+                throw CliException.wrongUsage("--depth must not be given for " + file + ", which holds floats");
             }
         }
+    }
+
+    /** Fails unless the picture can be written there, as far as can be told. */
+    static void checkTarget(Path output) {
+        if (!Standard.is(output)) {
+            Target.check(output);
+        }
+    }
+
+    /** Writes the picture to its file or to standard output. */
+    static void write(Image image, Path output, String format, PngOptions options, Terminal terminal)
+            throws IOException {
+        if (!Standard.is(output)) {
+            ImageFiles.write(image, output, options);
+        } else if ("pfm".equals(format)) {
+            ImageFiles.toPfm(image, terminal.out());
+        } else {
+            ImageFiles.toPng(image, terminal.out(), options);
+        }
+    }
+
+    /** Shows the statistics where they are not mixed with the picture. */
+    static void printStatistics(RenderReport report, Path output, Terminal terminal) {
+        (Standard.is(output) ? terminal.err() : terminal.out()).print(StatsTable.of(report));
     }
 
     /** What a picture's file says of itself: nothing that differs from run to run. */

@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import java.io.PrintStream;
+import java.util.OptionalDouble;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
@@ -13,26 +14,27 @@ final class PlainProgress implements RenderProgress {
 
     private final PrintStream err;
     private final LongSupplier clock;
-    private final long start;
+    private final TimeLeft timeLeft = new TimeLeft();
     private long last;
 
     /** @param clock nanoseconds */
     PlainProgress(PrintStream err, LongSupplier clock) {
         this.err = err;
         this.clock = clock;
-        start = clock.getAsLong();
-        last = start;
+        last = clock.getAsLong();
     }
 
     @Override
     public void progress(long done, long total, Supplier<Image> soFar) {
         long now = clock.getAsLong();
+        timeLeft.at(now, done, total);
         // Before the first tile is finished there is nothing to judge by.
         if (now - last < PERIOD || done == 0 || done == total) {
             return;
         }
         last = now;
-        double left = (double) (now - start) * (total - done) / done / SECOND;
-        err.println((int) (100.0 * done / total) + " % done, " + (long) Math.ceil(left) + " s left");
+        OptionalDouble left = timeLeft.seconds();
+        String foretold = left.isPresent() ? ", " + (long) Math.ceil(left.getAsDouble()) + " s left" : "";
+        err.println((int) (100.0 * done / total) + " % done" + foretold);
     }
 }

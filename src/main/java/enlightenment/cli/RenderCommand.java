@@ -13,11 +13,11 @@ import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.function.LongSupplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -29,18 +29,24 @@ final class RenderCommand extends Subcommand {
     private static final double LEAST_PREVIEW = 0.01;
     private static final double MOST_PREVIEW = 1e9;
 
-    @Parameters(paramLabel = "SCENE", description = "the scene file")
+    @Parameters(paramLabel = "SCENE", description = "the scene file; - for standard input")
     private Path sceneFile;
 
     @Option(
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "the picture: .png, or .pfm for exact floats")
+            description = "the picture: .png, or .pfm for exact floats; - for standard output")
     private Path output;
 
     @Mixin
     private RenderOptions options = new RenderOptions();
+
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            description = "with -o -: png (default) or pfm, to standard output")
+    private String format;
 
     @Option(names = "--depth", paramLabel = "BITS", description = "bits per component of a PNG file: 8 (default) or 16")
     private String depth;
@@ -78,18 +84,28 @@ final class RenderCommand extends Subcommand {
             description = "only part I of N, into a .film file; 'merge' makes a picture of all N")
     private String part;
 
+    private final LongSupplier clock;
     private Companions companions;
+    private SceneInput input;
 
     RenderCommand(Terminal terminal) {
+        this(terminal, System::nanoTime);
+    }
+
+    /** @param clock nanoseconds, for previews */
+    RenderCommand(Terminal terminal, LongSupplier clock) {
         super(terminal);
+        this.clock = clock;
     }
 
     @Override
     int execute() throws IOException {
         checkOptions();
-        Scene scene = read();
-        RenderSettings settings = options.settings(scene, sceneFile.toString());
-        Target.check(output);
+        input = new SceneInput(sceneFile, terminal);
+        Scene scene = input.read(options.frame());
+        RenderSettings settings = options.settings(scene, input.name());
+        PictureOptions.checkTarget(output);
+        options.tellOfStretch(scene, settings, terminal);
         if (part != null) {
             return renderPart(scene, settings);
         }
@@ -102,11 +118,11 @@ final class RenderCommand extends Subcommand {
         }
         RenderResult result = render(scene, settings);
         if (result.shownPixels() == 0) {
-            terminal.say("stopped before anything was rendered; " + output + " was not written");
+            terminal.say("stopped before anything was rendered; " + Standard.output(output) + " was not written");
             return CliException.FAILED;
         }
         PngOptions options = pngOptions(scene, settings, result.report().sampling());
-        ImageFiles.write(result.image(), output, options);
+        PictureOptions.write(result.image(), output, format, options, terminal);
         companions.write(result.auxiliary(), options);
         if (report != null) {
             Target.write(report, ReportJson.of(result));
@@ -119,15 +135,16 @@ final class RenderCommand extends Subcommand {
             }
         }
         if (stats) {
-            terminal.out().print(StatsTable.of(result.report()));
+            PictureOptions.printStatistics(result.report(), output, terminal);
         }
         if (!result.complete()) {
             RenderSettings.Crop region = settings.region();
             long percent = 100 * result.report().pixels() / ((long) region.width() * region.height());
             String rest = result.shownPixels() > result.report().pixels() ? ", and a preview of the rest" : "";
-            terminal.say("stopped: " + output + " holds " + percent + " % of the picture" + rest);
+            terminal.say("stopped: " + Standard.output(output) + " holds " + percent + " % of the picture" + rest);
             return CliException.FAILED;
         }
+        OneColor.tell(scene, settings, result, terminal);
         warnOfError(result.report());
         return CliException.DONE;
     }
@@ -174,9 +191,9 @@ final class RenderCommand extends Subcommand {
                     display,
                     terminal.stop());
         } catch (InvalidValueException e) {
-            throw options.blame(e, sceneFile.toString());
+            throw options.blame(e, input.name());
         } catch (SceneException e) {
-            throw Failures.inFile(sceneFile.toString(), e);
+            throw Failures.inFile(input.name(), e);
         } finally {
             ProgressDisplay.end(display);
         }
@@ -193,9 +210,15 @@ final class RenderCommand extends Subcommand {
             throw CliException.wrongUsage(
                     "with --part, -o must name a file that ends in .film, not \"" + output + "\"");
         }
-        if (depth != null || report != null || stats || aov != null || preview != null || clusters != null) {
+        if (depth != null
+                || format != null
+                || report != null
+                || stats
+                || aov != null
+                || preview != null
+                || clusters != null) {
             throw CliException.wrongUsage(
-                    "with --part there is no picture yet: --depth, --report, --stats, --aov, --preview and "
+                    "with --part there is no picture yet: --depth, --format, --report, --stats, --aov, --preview and "
                             + "--dump-clusters must not be given");
         }
         if (options.hasTime()) {
@@ -208,13 +231,17 @@ final class RenderCommand extends Subcommand {
         if (part != null) {
             checkPart();
         } else {
-            PictureOptions.check(output, depth);
+            PictureOptions.check(output, depth, format);
         }
         if (progress != null) {
             OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
         }
         if (report != null && (Target.same(report, output) || Target.same(report, sceneFile))) {
             throw CliException.wrongUsage("--report must name a file of its own, not \"" + report + "\"");
+        }
+        if (Standard.is(output) && (aov != null || preview != null)) {
+            throw CliException.wrongUsage((aov != null ? "--aov writes files beside" : "--preview replaces")
+                    + " the picture: -o must name a file, not standard output");
         }
         companions = new Companions(aov, output);
         companions.mustNotBe(sceneFile, "the scene itself");
@@ -233,12 +260,6 @@ final class RenderCommand extends Subcommand {
         options.check();
     }
 
-    private Scene read() {
-        return options.frame().isPresent()
-                ? SceneReader.read(sceneFile, options.frame().get())
-                : SceneReader.read(sceneFile);
-    }
-
     private RenderResult render(Scene scene, RenderSettings settings) {
         RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
         RenderProgress told = settings.budget().seconds().isPresent()
@@ -250,14 +271,13 @@ final class RenderCommand extends Subcommand {
                 .withCancelled(terminal.stop())
                 .withAuxiliary(companions.kinds())
                 .withClusters(clusters != null)
-                .withClusters(clusters != null)
                 .withProgressive(writer != null);
         try {
             return Renderer.render(request);
         } catch (InvalidValueException e) {
-            throw options.blame(e, sceneFile.toString());
+            throw options.blame(e, input.name());
         } catch (SceneException e) {
-            throw Failures.inFile(sceneFile.toString(), e);
+            throw Failures.inFile(input.name(), e);
         } finally {
             if (writer != null) {
                 writer.finish();
@@ -273,7 +293,7 @@ final class RenderCommand extends Subcommand {
                 Double.parseDouble(preview),
                 image -> ImageFiles.write(image, output, plain.withText("Comment", "preview")),
                 terminal,
-                System::nanoTime);
+                clock);
     }
 
     /** With the number of samples in place of a time that decided it. */

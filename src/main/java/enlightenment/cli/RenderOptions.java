@@ -90,6 +90,13 @@ final class RenderOptions {
                 : Optional.of(OptionValues.integer("--frame", frame, 0, Integer.MAX_VALUE));
     }
 
+    /** Says that {@code --size} stretches the picture, if it does. */
+    void tellOfStretch(Scene scene, RenderSettings settings, Terminal terminal) {
+        if (size != null) {
+            Stretch.of(scene, settings).ifPresent(terminal::say);
+        }
+    }
+
     /** Fails on what is wrong whatever the scene; called before the scene is read. */
     void check() {
         frame();
@@ -127,7 +134,7 @@ final class RenderOptions {
             try {
                 s = s.withCrop(new RenderSettings.Crop(c[0], c[1], c[2], c[3]));
             } catch (InvalidValueException e) {
-                throw CliException.wrongUsage("--crop " + e.getMessage());
+                throw CliException.wrongUsage("--crop " + e.problem());
             }
         }
         return s;
@@ -228,8 +235,8 @@ final class RenderOptions {
         if (e.key().equals("size")) {
             // The message speaks of a picture of so many pixels, which may come from the scene as well.
             return size != null
-                    ? CliException.wrongUsage("--size: " + e.getMessage())
-                    : Failures.inFile(sceneFile, new InvalidValueException("image", e.getMessage()));
+                    ? CliException.wrongUsage("--size: " + e.problem())
+                    : Failures.inFile(sceneFile, new InvalidValueException("image", e.problem()));
         }
         return Failures.inFile(sceneFile, e);
     }

@@ -1,6 +1,5 @@
 package enlightenment.cli;
 
-import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.math.Check.InvalidValueException;
 import enlightenment.net.RenderServer;
@@ -10,7 +9,6 @@ import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Path;
@@ -28,14 +26,14 @@ final class ServerCommand extends Subcommand {
     private static final int MAX_THREADS = 4096;
     private static final double MAX_WAIT = 1e7;
 
-    @Parameters(paramLabel = "SCENE", description = "the scene file")
+    @Parameters(paramLabel = "SCENE", description = "the scene file; - for standard input")
     private Path sceneFile;
 
     @Option(
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "the picture: .png, or .pfm for exact floats")
+            description = "the picture: .png, or .pfm for exact floats; - for standard output")
     private Path output;
 
     @Option(names = "--host", paramLabel = "ADDRESS", description = "where to listen: 127.0.0.1 (default), 0.0.0.0 ...")
@@ -98,6 +96,12 @@ final class ServerCommand extends Subcommand {
     @Mixin
     private RenderOptions options = new RenderOptions();
 
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            description = "with -o -: png (default) or pfm, to standard output")
+    private String format;
+
     @Option(names = "--depth", paramLabel = "BITS", description = "bits per component of a PNG file: 8 (default) or 16")
     private String depth;
 
@@ -110,19 +114,22 @@ final class ServerCommand extends Subcommand {
     @Option(names = "--progress", paramLabel = "KIND", description = "auto (default), bar, plain or none")
     private String progress;
 
+    private SceneInput input;
+
     ServerCommand(Terminal terminal) {
         super(terminal);
     }
 
     @Override
     int execute() throws IOException {
-        PictureOptions.check(output, depth);
+        PictureOptions.check(output, depth, format);
         if (progress != null) {
             OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
         }
         options.check();
         ServerOptions server = serverOptions();
-        for (Path file : new Path[] {output, report, checkpoint}) {
+        PictureOptions.checkTarget(output);
+        for (Path file : new Path[] {report, checkpoint}) {
             if (file != null) {
                 Target.check(file);
             }
@@ -131,10 +138,10 @@ final class ServerCommand extends Subcommand {
         if (Target.same(output, sceneFile) || (checkpoint != null && Target.same(checkpoint, sceneFile))) {
             throw CliException.wrongUsage("-o and --checkpoint must not name the scene itself, \"" + sceneFile + "\"");
         }
-        Scene scene = options.frame().isPresent()
-                ? SceneReader.read(sceneFile, options.frame().get())
-                : SceneReader.read(sceneFile);
-        RenderSettings settings = options.settings(scene, sceneFile.toString());
+        input = new SceneInput(sceneFile, terminal);
+        Scene scene = input.read(options.frame());
+        RenderSettings settings = options.settings(scene, input.name());
+        options.tellOfStretch(scene, settings, terminal);
         return finish(serve(scene, settings, server), scene, settings);
     }
 
@@ -224,11 +231,11 @@ final class ServerCommand extends Subcommand {
             }
             return server.await(display, terminal.stop());
         } catch (InvalidValueException e) {
-            throw options.blame(e, sceneFile.toString());
+            throw options.blame(e, input.name());
         } catch (IllegalArgumentException e) {
             throw CliException.wrongUsage(e.getMessage());
         } catch (SceneException e) {
-            throw Failures.inFile(sceneFile.toString(), e);
+            throw Failures.inFile(input.name(), e);
         } finally {
             ProgressDisplay.end(display);
         }
@@ -236,23 +243,25 @@ final class ServerCommand extends Subcommand {
 
     private int finish(RenderResult result, Scene scene, RenderSettings settings) throws IOException {
         if (result.report().pixels() == 0) {
-            terminal.say("stopped before anything was rendered; " + output + " was not written");
+            terminal.say("stopped before anything was rendered; " + Standard.output(output) + " was not written");
             return CliException.FAILED;
         }
         Map<String, String> text = PictureOptions.text(scene, options.canonical(settings));
-        ImageFiles.write(result.image(), output, new PngOptions("16".equals(depth) ? 16 : 8, text));
+        PngOptions png = new PngOptions("16".equals(depth) ? 16 : 8, text);
+        PictureOptions.write(result.image(), output, format, png, terminal);
         if (report != null) {
             Target.write(report, ReportJson.of(result));
         }
         if (stats) {
-            terminal.out().print(StatsTable.of(result.report()));
+            PictureOptions.printStatistics(result.report(), output, terminal);
         }
         if (!result.complete()) {
             RenderSettings.Crop region = settings.region();
             long percent = 100 * result.report().pixels() / ((long) region.width() * region.height());
-            terminal.say("stopped: " + output + " holds " + percent + " % of the picture");
+            terminal.say("stopped: " + Standard.output(output) + " holds " + percent + " % of the picture");
             return CliException.FAILED;
         }
+        OneColor.tell(scene, settings, result, terminal);
         return CliException.DONE;
     }
 }

@@ -16,6 +16,10 @@ final class Target {
 
     /** Fails unless the file can be written there, as far as can be told without trying. */
     static void check(Path file) {
+        if (Standard.is(file)) {
+            throw CliException.wrongUsage(
+                    "only the picture (-o) can go to standard output, \"-\"; \"./-\" is a file of that name");
+        }
         if (Files.isDirectory(file)) {
             throw CliException.failed(file + ": cannot be written: it is a folder");
         }
@@ -36,6 +40,9 @@ final class Target {
 
     /** Whether both are names of one file. */
     static boolean same(Path a, Path b) throws IOException {
+        if (Standard.is(a) || Standard.is(b)) {
+            return false;
+        }
         if (a.toAbsolutePath().normalize().equals(b.toAbsolutePath().normalize())) {
             return true;
         }

@@ -1,15 +1,21 @@
 package enlightenment.cli;
 
+import java.io.InputStream;
 import java.io.PrintStream;
 
 /**
- * Where a command writes to and what can stop it.
+ * Where a command reads from and writes to, and what can stop it.
  *
- * @param out results
+ * @param in what {@code -} stands for as an input
+ * @param out results; what {@code -} stands for as an output
  * @param err messages and progress
  * @param stop tells when the user wants a render to end
  */
-record Terminal(PrintStream out, PrintStream err, Stop stop) {
+record Terminal(InputStream in, PrintStream out, PrintStream err, Stop stop) {
+    /** Without input. */
+    Terminal(PrintStream out, PrintStream err, Stop stop) {
+        this(InputStream.nullInputStream(), out, err, stop);
+    }
 
     /** One message for the user. */
     void say(String message) {

@@ -91,6 +91,9 @@ final class TradeCommand extends Subcommand {
         options.refuseBudgets("the trade tries methods and budgets itself; see --methods and --budget");
         options.check();
         OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
+        if (Standard.is(sceneFile)) {
+            throw CliException.wrongUsage("a trade needs a scene file, not standard input: it can be resumed");
+        }
         List<String> chosen = methods();
         double seconds = OptionValues.number("--budget", budget, LEAST_BUDGET, MOST_BUDGET);
         int count = OptionValues.integer("--seeds", seeds, 1, TradeSettings.MAX_SEEDS);
@@ -99,6 +102,7 @@ final class TradeCommand extends Subcommand {
                 ? SceneReader.read(sceneFile, options.frame().get())
                 : SceneReader.read(sceneFile);
         RenderSettings base = options.settings(scene, sceneFile.toString());
+        options.tellOfStretch(scene, base, terminal);
         if (!chosen.contains(base.method())) {
             base = base.withMethod(chosen.get(0));
         }
@@ -107,7 +111,7 @@ final class TradeCommand extends Subcommand {
         try {
             settings = new TradeSettings(base, chosen, seconds, count, switches, truth, sceneKey(scene));
         } catch (InvalidValueException e) {
-            throw CliException.wrongUsage("--" + optionOf(e.key()) + " " + e.getMessage());
+            throw CliException.wrongUsage("--" + optionOf(e.key()) + " " + e.problem());
         }
         return measure(scene, settings);
     }
@@ -119,10 +123,10 @@ final class TradeCommand extends Subcommand {
             result = Trade.run(scene, settings, folder, resume, display, terminal.stop());
         } catch (InvalidValueException e) {
             if (e.key().equals("output")) {
-                throw CliException.wrongUsage("-o: " + e.getMessage());
+                throw CliException.wrongUsage("-o: " + e.problem());
             }
             if (e.key().equals("resume")) {
-                throw CliException.wrongUsage("--resume: " + e.getMessage());
+                throw CliException.wrongUsage("--resume: " + e.problem());
             }
             throw options.blame(e, sceneFile.toString());
         } catch (SceneException e) {

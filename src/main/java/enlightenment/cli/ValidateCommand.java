@@ -2,19 +2,24 @@ package enlightenment.cli;
 
 import enlightenment.math.Check.InvalidValueException;
 import enlightenment.render.Renderer;
+import enlightenment.scene.Animation;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
 /** {@code enlightenment validate}: finds all problems of scenes without rendering them. */
-@Command(name = "validate", description = "Finds all problems of scenes without rendering them.")
+@Command(name = "validate", description = "Finds all problems of scenes, in all their frames, without rendering them.")
 final class ValidateCommand extends Subcommand {
-    @Parameters(arity = "1..*", paramLabel = "SCENE", description = "the scene files")
+    @Parameters(arity = "1..*", paramLabel = "SCENE", description = "the scene files; - for standard input")
     private List<Path> sceneFiles;
 
     ValidateCommand(Terminal terminal) {
@@ -22,12 +27,18 @@ final class ValidateCommand extends Subcommand {
     }
 
     @Override
-    int execute() {
+    int execute() throws IOException {
         int code = CliException.DONE;
         for (Path file : sceneFiles) {
+            SceneInput input = new SceneInput(file, terminal);
             try {
-                validate(file);
-                terminal.out().println(file + ": valid");
+                Scene scene = read(input);
+                Optional<Animation> animation = scene.animation();
+                boolean valid = animation.isEmpty() || validateFrames(input, scene, animation.get());
+                code = valid ? code : CliException.WRONG_INPUT;
+                if (animation.isEmpty()) {
+                    terminal.out().println(input.name() + ": valid");
+                }
             } catch (SceneException e) {
                 new Failures(terminal).problems(e);
                 code = CliException.WRONG_INPUT;
@@ -37,14 +48,57 @@ final class ValidateCommand extends Subcommand {
     }
 
     /** Reads the scene and puts it together, which also looks at its textures. */
-    private static void validate(Path file) {
-        Scene scene = SceneReader.read(file);
+    private static Scene read(SceneInput input) {
+        Scene scene = input.read(Optional.empty());
         try {
             Renderer.inspect(scene, RenderSettings.of(scene));
+            return scene;
         } catch (InvalidValueException e) {
-            throw Failures.inFile(file.toString(), e);
+            throw Failures.inFile(input.name(), e);
         } catch (SceneException e) {
-            throw Failures.inFile(file.toString(), e);
+            throw Failures.inFile(input.name(), e);
+        }
+    }
+
+    /** Says what is wrong with the frames: each problem once, in the first frame that has it. */
+    private boolean validateFrames(SceneInput input, Scene scene, Animation animation) throws IOException {
+        FrameChoice choice = FrameChoice.of(animation, input.size());
+        Set<String> places = new HashSet<>();
+        List<Integer> bad = new ArrayList<>();
+        for (int frame : choice.frames()) {
+            try {
+                checkFrame(input, frame);
+            } catch (SceneException e) {
+                bad.add(frame);
+                List<SceneException.Problem> fresh = e.problems().stream()
+                        .filter(p -> places.add(p.pointer()))
+                        .toList();
+                if (!fresh.isEmpty()) {
+                    new Failures(terminal).problems(new SceneException(fresh));
+                }
+            }
+        }
+        if (bad.isEmpty()) {
+            terminal.out().println(input.name() + ": valid in " + choice.inWords());
+        } else {
+            terminal.err()
+                    .println(input.name() + ": " + bad.size() + " of " + choice.inWords() + " cannot be used: "
+                            + FrameChoice.ranges(bad));
+        }
+        return bad.isEmpty();
+    }
+
+    private static void checkFrame(SceneInput input, int frame) {
+        Scene scene = input.read(Optional.of(frame));
+        String inFrame = " (in frame " + frame + ")";
+        try {
+            Renderer.checkShapes(scene);
+        } catch (InvalidValueException e) {
+            throw Failures.inFile(input.name(), new InvalidValueException(e.key(), e.problem() + inFrame));
+        } catch (SceneException e) {
+            throw new SceneException(e.problems().stream()
+                    .map(p -> new SceneException.Problem(input.name(), 0, 0, p.pointer(), p.message() + inFrame))
+                    .toList());
         }
     }
 }

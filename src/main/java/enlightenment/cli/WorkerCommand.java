@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.math.Check.InvalidValueException;
 import enlightenment.net.RenderWorker;
 import enlightenment.net.WorkerOptions;
 import java.io.BufferedReader;
@@ -80,8 +81,8 @@ final class WorkerCommand extends Subcommand {
         o = reconnect == null ? o : o.withReconnect(OptionValues.number("--reconnect", reconnect, 0, MAX_RECONNECT));
         try {
             return pin == null ? o : o.withPin(pin);
-        } catch (IllegalArgumentException e) {
-            throw CliException.wrongUsage("--pin: " + e.getMessage());
+        } catch (InvalidValueException e) {
+            throw CliException.wrongUsage("--pin " + e.problem());
         }
     }
 

@@ -1,5 +1,7 @@
 package enlightenment.color;
 
+import enlightenment.math.Check;
+
 /**
  * A display-referred colour: sRGB-encoded components, 0 (none) to 1 (as bright as the screen gets).
  *
@@ -14,10 +16,9 @@ public record DisplayRgb(double r, double g, double b) {
     public static final DisplayRgb WHITE = new DisplayRgb(1, 1, 1);
 
     public DisplayRgb {
-        if (!(r >= 0 && r <= 1 && g >= 0 && g <= 1 && b >= 0 && b <= 1)) {
-            throw new IllegalArgumentException(
-                    "colour components must lie in 0..1, not (" + r + ", " + g + ", " + b + ")");
-        }
+        Check.range("r", r, 0, 1);
+        Check.range("g", g, 0, 1);
+        Check.range("b", b, 0, 1);
     }
 
     public static DisplayRgb of(double r, double g, double b) {

@@ -118,12 +118,19 @@ record CompiledPrimitives(
                 ranks(primitives, first, flat, glass));
     }
 
+    /** Fails if one of the objects has no place in the frame. */
+    static void check(List<SceneObject> objects, SceneFrame frame) {
+        for (int i = 0; i < objects.size(); i++) {
+            place(objects.get(i), i, frame);
+        }
+    }
+
     /** The primitive of the object at an index; what it refuses is told with the object's place in the scene. */
     private static Primitive place(SceneObject object, int index, SceneFrame frame) {
         try {
             return object.shape().place(frame);
         } catch (InvalidValueException e) {
-            throw new InvalidValueException("objects/" + index + "/" + e.key(), e.getMessage());
+            throw new InvalidValueException("objects/" + index + "/" + e.key(), e.problem());
         }
     }
 

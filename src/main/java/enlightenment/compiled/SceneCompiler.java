@@ -49,6 +49,14 @@ public final class SceneCompiler {
         return compile(scene, settings, scene.objects().size() > LOOP_LIMIT, files);
     }
 
+    /** Puts camera, lights and shapes into their places and keeps nothing of it: fails where {@link #compile} would. */
+    public static void check(Scene scene) {
+        SceneFrame frame = frameOf(scene);
+        CompiledCamera.of(scene.camera(), frame, scene.width(), scene.height());
+        scene.lights().forEach(light -> new CompiledLight(light, frame));
+        CompiledPrimitives.check(scene.objects(), frame);
+    }
+
     /** As {@link #compile(Scene, RenderSettings)}, with or without a hierarchy: the picture is the same. */
     static CompiledScene compile(Scene scene, RenderSettings settings, boolean withBvh) {
         return compile(scene, settings, withBvh, path -> null);

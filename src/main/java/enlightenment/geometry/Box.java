@@ -4,6 +4,7 @@ import enlightenment.math.Check;
 import enlightenment.math.Point;
 import enlightenment.math.SceneFrame;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A box parallel to the axes.
@@ -13,6 +14,8 @@ import java.util.List;
  */
 public record Box(Point min, Point max) implements Shape {
     public Box {
+        Objects.requireNonNull(min, "min");
+        Objects.requireNonNull(max, "max");
         for (int k = 0; k < 3; k++) {
             Check.that(
                     min.component(k).compareTo(max.component(k)) < 0,

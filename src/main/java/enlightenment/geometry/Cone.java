@@ -4,6 +4,7 @@ import enlightenment.math.Check;
 import enlightenment.math.Point;
 import enlightenment.math.SceneFrame;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A circular cone, or a frustum of one where the top radius is not 0.
@@ -16,6 +17,8 @@ import java.util.List;
  */
 public record Cone(Point base, Point apex, double radius, double topRadius, boolean capped) implements Shape {
     public Cone {
+        Objects.requireNonNull(base, "base");
+        Objects.requireNonNull(apex, "apex");
         Check.that(!base.equals(apex), "apex", "must differ from \"base\"");
         Check.positive("radius", radius);
         Check.notNegative("topRadius", topRadius);

@@ -6,6 +6,7 @@ import enlightenment.math.Rotation;
 import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A cube in any orientation.
@@ -16,6 +17,8 @@ import java.util.List;
  */
 public record Cube(Point center, double radius, Vec3 rotation) implements Shape {
     public Cube {
+        Objects.requireNonNull(center, "center");
+        Objects.requireNonNull(rotation, "rotation");
         Check.positive("radius", radius);
         Check.that(rotation.isFinite(), "rotation", "must be three finite numbers");
     }

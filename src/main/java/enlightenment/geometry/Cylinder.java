@@ -4,6 +4,7 @@ import enlightenment.math.Check;
 import enlightenment.math.Point;
 import enlightenment.math.SceneFrame;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A circular cylinder between two end points.
@@ -15,6 +16,8 @@ import java.util.List;
  */
 public record Cylinder(Point base, Point top, double radius, boolean capped) implements Shape {
     public Cylinder {
+        Objects.requireNonNull(base, "base");
+        Objects.requireNonNull(top, "top");
         Check.that(!base.equals(top), "top", "must differ from \"base\"");
         Check.positive("radius", radius);
     }

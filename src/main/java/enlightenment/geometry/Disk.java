@@ -5,6 +5,7 @@ import enlightenment.math.Point;
 import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A flat disk, seen from both sides.
@@ -15,6 +16,8 @@ import java.util.List;
  */
 public record Disk(Point center, Vec3 normal, double radius) implements Shape {
     public Disk {
+        Objects.requireNonNull(center, "center");
+        Objects.requireNonNull(normal, "normal");
         Check.direction("normal", normal);
         Check.positive("radius", radius);
     }

@@ -6,6 +6,7 @@ import enlightenment.math.Rotation;
 import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A ball's surface.
@@ -16,6 +17,7 @@ import java.util.List;
  */
 public record Sphere(Point center, double radius, double rotation) implements Shape {
     public Sphere {
+        Objects.requireNonNull(center, "center");
         Check.positive("radius", radius);
         Check.finite("rotation", rotation);
     }

@@ -5,6 +5,7 @@ import enlightenment.math.Point;
 import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A ring of circular section.
@@ -16,6 +17,8 @@ import java.util.List;
  */
 public record Torus(Point center, Vec3 axis, double majorRadius, double minorRadius) implements Shape {
     public Torus {
+        Objects.requireNonNull(center, "center");
+        Objects.requireNonNull(axis, "axis");
         Check.direction("axis", axis);
         Check.positive("majorRadius", majorRadius);
         Check.positive("minorRadius", minorRadius);

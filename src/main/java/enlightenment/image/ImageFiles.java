@@ -67,6 +67,11 @@ public final class ImageFiles {
         WholeFile.write(file, out -> PfmFormat.write(image, out));
     }
 
+    /** Writes what {@link #writePfm} would to a stream, which stays open. */
+    public static void toPfm(Image image, OutputStream out) throws IOException {
+        PfmFormat.write(image, out);
+    }
+
     /** Reads a portable float map of either byte order; a grey one gets three equal components. */
     public static Image readPfm(Path file) throws IOException {
         return decode(file, bytes -> {

@@ -12,7 +12,7 @@ final class ImagePair {
     static void check(Image test, Image reference) {
         if (test.width() != reference.width() || test.height() != reference.height()) {
             throw new InvalidValueException(
-                    "size", "the images differ in size: " + size(test) + " and " + size(reference) + " pixels");
+                    "size", "must be that of the reference, " + size(reference) + " pixels, not " + size(test));
         }
         checkFinite("test", test);
         checkFinite("reference", reference);

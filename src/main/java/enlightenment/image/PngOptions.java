@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.math.Check;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -17,9 +18,7 @@ public record PngOptions(int depth, Map<String, String> text) {
 
     /** @throws IllegalArgumentException if the depth, a keyword or a text is not allowed */
     public PngOptions {
-        if (depth != 8 && depth != 16) {
-            throw new IllegalArgumentException("a PNG file has 8 or 16 bits per component here, not " + depth);
-        }
+        Check.that(depth == 8 || depth == 16, "depth", "must be 8 or 16 bits per component, not " + depth);
         text = Collections.unmodifiableMap(new LinkedHashMap<>(text));
         text.forEach(PngOptions::check);
     }

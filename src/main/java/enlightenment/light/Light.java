@@ -30,6 +30,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      */
     record Sphere(enlightenment.math.Point center, double radius, DisplayRgb color) implements Light {
         public Sphere {
+            Objects.requireNonNull(center, "center");
             Check.positive("radius", radius);
             Objects.requireNonNull(color, "color");
         }

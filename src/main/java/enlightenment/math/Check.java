@@ -1,31 +1,42 @@
 package enlightenment.math;
 
 /**
- * Checks of values that come from outside. A failed check names the key of the scene format that holds the value, so
- * that a reader can point at it.
+ * Checks of values that come from outside. A failed check names the key of the scene format (or the setting) that holds the
+ * value, so that a reader can point at it, and whoever makes the value in a program knows which it is.
  */
 public final class Check {
     private Check() {}
 
-    /** A value that cannot be used; the message says why, {@link #key()} where. */
+    /** A value that cannot be used. The message is {@code KEY: PROBLEM}, such as {@code radius: must be ..., not -1.0}. */
     public static final class InvalidValueException extends IllegalArgumentException {
         private static final long serialVersionUID = 1L;
         private final String key;
+        private final String problem;
 
-        public InvalidValueException(String key, String message) {
-            super(message);
+        /**
+         * @param key where the value is, see {@link #key}; "" where that is what the message speaks of as a whole
+         * @param problem what is wrong with it, see {@link #problem}
+         */
+        public InvalidValueException(String key, String problem) {
+            super(key.isEmpty() ? problem : key + ": " + problem);
             this.key = key;
+            this.problem = problem;
         }
 
         /** The key of the scene format that holds the value, as a relative JSON pointer without the leading slash. */
         public String key() {
             return key;
         }
+
+        /** What is wrong, without the key: for who tells the place in another way. */
+        public String problem() {
+            return problem;
+        }
     }
 
-    public static void that(boolean condition, String key, String message) {
+    public static void that(boolean condition, String key, String problem) {
         if (!condition) {
-            throw new InvalidValueException(key, message);
+            throw new InvalidValueException(key, problem);
         }
     }
 

@@ -49,6 +49,9 @@ public record Point(BigDecimal x, BigDecimal y, BigDecimal z) {
 
     /** The point with exactly these coordinates: 0.1 means the double nearest to a tenth, not a tenth. */
     public static Point of(double x, double y, double z) {
+        Check.finite("x", x);
+        Check.finite("y", y);
+        Check.finite("z", z);
         return new Point(exact(x), exact(y), exact(z));
     }
 

@@ -173,6 +173,7 @@ final class Link implements Closeable {
             queue.wait(millis);
         } catch (InterruptedException e) {
             isClosed = true;
+            Thread.currentThread().interrupt();
         }
     }
 

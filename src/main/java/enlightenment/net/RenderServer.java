@@ -105,16 +105,19 @@ public final class RenderServer implements Closeable {
     }
 
     /**
-     * Renders until the picture is done or it is cancelled, and closes the server.
+     * Renders until the picture is done, it is cancelled, or the calling thread is interrupted, and closes the server. An
+     * interrupt stays set.
      *
-     * @param progress hears how it gets on, a few times a second
+     * @param progress hears how it gets on, a few times a second, on the calling thread
+     * @param cancelled asked a few times a second on the calling thread
      * @throws IOException if something in this process failed
      */
     public RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
         long told = -1;
-        while (!isOver() && !cancelled.getAsBoolean()) {
+        boolean interrupted = Thread.interrupted();
+        while (!isOver() && !interrupted && !cancelled.getAsBoolean()) {
             synchronized (this) {
-                pause(TICK_MILLIS);
+                interrupted = pause(TICK_MILLIS);
             }
             long done = job.film().pixelsDone();
             if (done != told) {
@@ -126,7 +129,11 @@ public final class RenderServer implements Closeable {
         synchronized (this) {
             failed = failure;
         }
+        // An interrupted thread could not write the last of the checkpoint.
         close();
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
         if (failed != null) {
             throw new IOException("rendering failed here: " + failed, failed);
         }
@@ -137,12 +144,13 @@ public final class RenderServer implements Closeable {
         return isFinished || isClosed || failure != null;
     }
 
-    private void pause(long millis) {
+    /** Whether it was interrupted. */
+    private boolean pause(long millis) {
         try {
             wait(millis);
+            return false;
         } catch (InterruptedException e) {
-            isClosed = true;
-            Thread.currentThread().interrupt();
+            return true;
         }
     }
 

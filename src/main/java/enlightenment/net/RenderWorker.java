@@ -26,7 +26,8 @@ public final class RenderWorker {
     /**
      * Works until the picture is done, the server refuses, or it has been away for too long.
      *
-     * @param cancelled asked a few times a second; once true, the worker says good-bye and ends
+     * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the
+     *     worker says good-bye and ends
      * @throws IOException if a file of the options cannot be used
      */
     public static Outcome run(String host, int port, WorkerOptions options, BooleanSupplier cancelled)
@@ -41,7 +42,8 @@ public final class RenderWorker {
         WorkerSession.Place place =
                 new WorkerSession.Place(host, port, token, tls, HexFormat.of().formatHex(key));
         try {
-            return work(place, options, jobs, cancelled);
+            Thread caller = Thread.currentThread();
+            return work(place, options, jobs, () -> caller.isInterrupted() || cancelled.getAsBoolean());
         } finally {
             jobs.close();
         }

@@ -1,5 +1,6 @@
 package enlightenment.net;
 
+import enlightenment.math.Check;
 import java.nio.file.Path;
 import java.util.HexFormat;
 import java.util.Optional;
@@ -83,7 +84,7 @@ public final class WorkerOptions implements Cloneable {
      */
     public WorkerOptions withPin(String pin) {
         if (!pin.matches("[0-9a-fA-F]{64}")) {
-            throw new IllegalArgumentException("a pin has 64 hexadecimal digits, not \"" + pin + "\"");
+            throw new Check.InvalidValueException("pin", "must have 64 hexadecimal digits, not \"" + pin + "\"");
         }
         WorkerOptions o = copy();
         o.pin = Optional.of(ContentHash.fromBytes(HexFormat.of().parseHex(pin)));

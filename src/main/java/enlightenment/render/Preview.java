@@ -9,18 +9,24 @@ import enlightenment.scene.RenderSettings;
 import java.util.function.BooleanSupplier;
 
 /**
- * The whole picture from early on: coarse passes with a small share of the samples, over which the finished tiles are put.
- * Nothing of it goes into the picture that is rendered.
+ * The whole picture from early on: a first pass that costs the same whatever is asked for, finer ones with a small share of the
+ * samples, over which the finished tiles are put. Nothing of it goes into the picture that is rendered.
  */
 final class Preview {
-    /** The passes' shares of the samples. */
-    private static final double[] SHARES = {1.0 / 64, 1.0 / 8};
-
-    /** What the passes take together. */
-    static final double SHARE = SHARES[0] + SHARES[1];
-
     /** The longest side of the squares that show one sample. */
     private static final int COARSEST = 8;
+
+    /** Samples per pixel of the first pass, with one light point each: as many as the squares take. */
+    private static final double FIRST = 1.0 / (COARSEST * COARSEST);
+
+    /** The last pass takes this share of the samples. */
+    private static final double LAST_SHARE = 1.0 / 8;
+
+    /** With this many samples per pixel, the step from one to the last pass is so long that one per pixel comes between. */
+    private static final double MANY = 64;
+
+    /** What the passes take together, as a share of the samples, at most: where there are {@link #MANY}. */
+    static final double SHARE = LAST_SHARE + (1 + FIRST) / MANY;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
@@ -43,17 +49,19 @@ final class Preview {
 
     /** Renders the passes. Tells of the progress of all but the first, with which the picture becomes whole. */
     void run(RenderPlan plan, RenderProgress progress, BooleanSupplier cancelled) {
-        for (int pass = 0; pass < SHARES.length; pass++) {
-            pass(SHARES[pass] * plan.samples(), pass > 0, progress, cancelled);
+        pass(FIRST, null, RenderProgress.NONE, cancelled);
+        double last = LAST_SHARE * plan.samples();
+        for (double samples : plan.samples() < MANY ? new double[] {Math.min(last, 1)} : new double[] {1, last}) {
+            pass(samples, planner.planFor(samples), progress, cancelled);
         }
     }
 
-    private void pass(double samples, boolean tell, RenderProgress progress, BooleanSupplier cancelled) {
-        RenderPlan few = planner.planFor(samples);
+    /** @param few the method's plan for so few samples, or null if there is none */
+    private void pass(double samples, RenderPlan few, RenderProgress progress, BooleanSupplier cancelled) {
         boolean own = few != null;
         // Where the method cannot do with so few: evenly spaced rays, one light point each, if need be not in all
         // pixels.
-        RenderSettings how = own ? settings : plain();
+        RenderSettings how = own ? settings : settings.withMethod("raytrace").withShadowSamples(1);
         RenderPlan plan = own ? few : new RenderPlan(RenderPlan.RAYTRACE, Math.max(samples, 1), samples, "preview");
         int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
         long total = (long) region.width() * region.height();
@@ -67,20 +75,11 @@ final class Preview {
                 } else {
                     renderSquares(method, tile, side);
                 }
-                if (tell) {
-                    synchronized (this) {
-                        progress.progress(0, total, this::image);
-                    }
+                synchronized (this) {
+                    progress.progress(0, total, this::image);
                 }
             };
         });
-    }
-
-    /** The same scene seen by evenly spaced rays, as cheaply as the method would. */
-    private RenderSettings plain() {
-        return settings.method().equals("raytrace")
-                ? settings
-                : settings.withMethod("raytrace").withShadowSamples(1);
     }
 
     /** One sample for each square of pixels; squares are cut from the whole picture's corner and at the tile's border. */

@@ -3,7 +3,10 @@ package enlightenment.render;
 import enlightenment.image.Image;
 import java.util.function.Supplier;
 
-/** Hears how a render gets on. Called from the thread that renders or from its workers, one call at a time. */
+/**
+ * Hears how a render gets on. Called from the thread that asked for the render or from one of its helpers, one call at a time;
+ * threads that finish a tile meanwhile wait, so a call should be short. What it throws ends the render.
+ */
 @FunctionalInterface
 public interface RenderProgress {
     /** Hears nothing. */
@@ -20,7 +23,8 @@ public interface RenderProgress {
     void progress(long done, long total, Supplier<Image> soFar);
 
     /**
-     * It is decided how many samples there will be; called once, before the first progress.
+     * It is decided how many samples there will be; called once, before the first progress, on the
+     * thread that asked for the render.
      *
      * @param samples camera rays per pixel in the mean: as {@code --samples} this makes the same picture
      * @param decidedBy which part of the budget was decisive: antialias, samples, error or time

@@ -13,8 +13,9 @@ import java.util.function.BooleanSupplier;
  *
  * @param scene what to render
  * @param settings how
- * @param progress hears how it gets on
- * @param cancelled asked now and then from several threads; once true, the render ends with what it has
+ * @param progress hears how it gets on: called from several threads, one at a time
+ * @param cancelled asked from several threads at once; once true, the render ends with what it has. An interrupt of the
+ *     thread that renders is the same wish
  * @param auxiliary what to tell of each pixel beside its colour
  * @param progressive whether coarse passes over the whole picture come first, so that from then on there is always a whole
  *     picture to show; they take about a seventh more time

@@ -12,7 +12,7 @@ import java.util.Map;
  * @param image the picture; where the render was cancelled, the pixels that were not reached are those of the coarse passes of
  *     a progressive render, or else black
  * @param report what was done and how long it took
- * @param complete false where the render was cancelled before its end
+ * @param complete false where the render was cancelled, or its thread interrupted, before its end
  * @param shownPixels how many pixels of the picture are not left black: the finished ones, and those that only a coarse pass
  *     reached
  * @param auxiliary what was asked for beside the colours, in raw numbers: {@link Auxiliary} tells what they mean

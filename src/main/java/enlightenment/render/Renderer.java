@@ -10,6 +10,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -17,6 +18,16 @@ import java.util.function.BooleanSupplier;
  *
  * <p>The picture is a pure function of the scene and of those settings that say they influence it: the same bytes on any
  * number of threads, on any machine.
+ *
+ * <p><b>Threads.</b> A render uses the calling thread and, with more than one thread in its settings, helpers of its own that
+ * end before it returns. {@code cancelled} is asked from all of them, by several at once: between any two tiles and between
+ * the phases. The listener is called from any of them, too, but by one at a time; while it runs, threads that finish a tile
+ * wait for it. Neither should block. What they throw ends the render, which throws it on.
+ *
+ * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the tiles under way are finished
+ * and the render returns with what it has: {@link RenderResult#complete} is false. An interrupt stays set: whoever goes on with
+ * what there is, and writes it to a file, has to take it back first ({@link Thread#interrupted}), since channels to files do
+ * not work on an interrupted thread. An interrupt of a helper has no effect.
  */
 public final class Renderer {
     /** The methods that exist, by their names in scene files and on the command line. */
@@ -33,15 +44,26 @@ public final class Renderer {
 
     private Renderer() {}
 
-    /** Renders the scene. Fails with {@link SceneException} where the scene cannot be used. */
+    /**
+     * Renders the scene.
+     *
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     * @throws CancellationException if the thread was interrupted before the picture was whole; the interrupt stays set
+     */
     public static Image render(Scene scene, RenderSettings settings) {
-        return render(scene, settings, RenderProgress.NONE, () -> false).image();
+        RenderResult result = render(scene, settings, RenderProgress.NONE, () -> false);
+        if (!result.complete()) {
+            throw new CancellationException("the thread was interrupted before the picture was whole");
+        }
+        return result.image();
     }
 
     /**
      * Renders the scene, tells how it gets on, and can be stopped.
      *
-     * @param cancelled asked now and then from several threads; once true, the render ends with what it has
+     * @param progress called from several threads, one at a time
+     * @param cancelled asked from several threads at once; once true, the render ends with what it has
      * @throws SceneException if the scene cannot be used
      * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
      */
@@ -62,20 +84,21 @@ public final class Renderer {
         checkMethod(settings.method());
         checkMemory(
                 settings, (request.progressive() ? 1 : 0) + request.auxiliary().size());
+        BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         Phases phases = new Phases();
         CompiledScene scene = phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings));
         AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.auxiliary());
         if (request.auxiliary().stream().anyMatch(Auxiliary::needsRays)) {
-            phases.run("auxiliary", () -> pass.run(request.cancelled()));
+            phases.run("auxiliary", () -> pass.run(cancelled));
         }
-        Planner planner = new Planner(scene, settings, request.cancelled());
+        Planner planner = new Planner(scene, settings, cancelled);
         RenderPlan plan = phases.run("plan", () -> planner.plan(start, request.progressive() ? Preview.SHARE : 0));
         request.progress().planned(plan.samples(), plan.decidedBy());
         Preview preview = request.progressive() ? new Preview(scene, settings, planner) : null;
         if (preview != null) {
-            phases.run("preview", () -> preview.run(plan, request.progress(), request.cancelled()));
+            phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
         }
-        TileRender render = new TileRender(scene, settings, plan, request.progress(), request.cancelled(), preview);
+        TileRender render = new TileRender(scene, settings, plan, request.progress(), cancelled, preview);
         if (request.clusters()) {
             render.gatherClusters();
         }
@@ -102,6 +125,17 @@ public final class Renderer {
                 primitives,
                 memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE,
                 SceneHints.of(scene, compiled));
+    }
+
+    /**
+     * Fails if the scene's camera, lights or shapes cannot be used, as {@link #inspect} does, but does not look at textures and
+     * builds nothing to render with: for the frames of an animation, which have the same textures.
+     *
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.Check.InvalidValueException if one of its shapes cannot
+     */
+    public static void checkShapes(Scene scene) {
+        SceneCompiler.check(scene);
     }
 
     /** The memory that the picture needs while it is rendered, in bytes. */

@@ -37,7 +37,8 @@ public final class TiledRender {
     /**
      * Compiles the scene and plans the render.
      *
-     * @param cancelled asked now and then from several threads; once true, a plan is made in haste
+     * @param cancelled asked from several threads at once; once true, or once the calling thread is interrupted, a plan is
+     *     made in haste
      * @throws enlightenment.scene.SceneException if the scene cannot be used
      * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
      */
@@ -46,8 +47,8 @@ public final class TiledRender {
         Renderer.check(settings);
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
-        TilePlan plan =
-                phases.run("plan", () -> TilePlan.of(new Planner(compiled, settings, cancelled).plan(start, 0)));
+        TilePlan plan = phases.run(
+                "plan", () -> TilePlan.of(new Planner(compiled, settings, Cancellation.of(cancelled)).plan(start, 0)));
         return new TiledRender(scene.name(), compiled, settings, plan, phases);
     }
 
@@ -103,10 +104,11 @@ public final class TiledRender {
     /**
      * Makes some tiles with as many threads as the settings say.
      *
-     * @param cancelled asked now and then from several threads; once true, the rest is left undone
+     * @param cancelled asked from several threads at once; once true, or once the calling thread is interrupted, the rest is
+     *     left undone
      */
     public void make(int[] tiles, BooleanSupplier cancelled, TileSink sink) {
-        Workers.run(settings.threads(), tiles.length, cancelled, () -> {
+        Workers.run(settings.threads(), tiles.length, Cancellation.of(cancelled), () -> {
             TileMaker maker = maker();
             return i -> sink.made(tiles[i], maker.make(tiles[i]));
         });

@@ -15,6 +15,9 @@ final class Workers {
     private final int count;
     private final BooleanSupplier cancelled;
 
+    /** While the calling thread waits for its helpers, an interrupt is taken from it: they would not see it otherwise. */
+    private volatile boolean interrupted;
+
     private Workers(int count, BooleanSupplier cancelled) {
         this.count = count;
         this.cancelled = cancelled;
@@ -22,7 +25,8 @@ final class Workers {
 
     /**
      * Does pieces 0 .. count − 1 on so many threads, the calling one among them, and returns when all are done or it is
-     * cancelled. What a piece throws ends the work and is thrown here.
+     * cancelled. What a piece throws ends the work and is thrown here. An interrupt while it waits for the helpers ends the
+     * work, too, and is set again before it returns.
      *
      * @param work makes what one thread works with; called by one thread at a time, in order
      */
@@ -43,11 +47,10 @@ final class Workers {
         if (!each.isEmpty()) {
             workers.work(each.get(0));
         }
-        boolean interrupted = false;
         for (Thread helper : helpers) {
-            interrupted |= join(helper);
+            workers.join(helper);
         }
-        if (interrupted) {
+        if (workers.interrupted) {
             Thread.currentThread().interrupt();
         }
         rethrow(workers.failure.get());
@@ -55,7 +58,7 @@ final class Workers {
 
     private void work(IntConsumer piece) {
         try {
-            while (failure.get() == null && !cancelled.getAsBoolean()) {
+            while (failure.get() == null && !interrupted && !cancelled.getAsBoolean()) {
                 int index = next.getAndIncrement();
                 if (index >= count) {
                     return;
@@ -67,12 +70,11 @@ final class Workers {
         }
     }
 
-    private static boolean join(Thread helper) {
-        boolean interrupted = false;
+    private void join(Thread helper) {
         while (true) {
             try {
                 helper.join();
-                return interrupted;
+                return;
             } catch (InterruptedException e) {
                 interrupted = true;
             }

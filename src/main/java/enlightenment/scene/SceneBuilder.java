@@ -5,6 +5,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.math.Check;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -85,9 +86,7 @@ public final class SceneBuilder {
 
     /** The scene; fails where the camera is missing or a value is out of range. */
     public Scene build() {
-        if (camera == null) {
-            throw new IllegalStateException("a scene needs a camera");
-        }
+        Check.that(camera != null, "camera", "is missing; a scene needs it");
         return new Scene(
                 name,
                 width,

@@ -155,7 +155,7 @@ class CommandsTest {
     @Test
     void wrongUsageGetsOneMessageAndAHint() {
         wrong("no command given", "");
-        wrong("unknown command \"rendr\"", "", "rendr");
+        wrong("unknown command \"rendr\"; did you mean \"render\"?", "", "rendr");
         wrong("unknown option: '--foo'", "", "--foo");
         wrong("missing required options and parameters: '--output=FILE', 'SCENE'", " render", "render");
         wrong("missing required option: '--output=FILE'", " render", "render", "a.json");

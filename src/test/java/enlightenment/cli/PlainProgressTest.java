@@ -10,21 +10,52 @@ import org.junit.jupiter.api.Test;
 class PlainProgressTest {
     private static final long MILLI = 1_000_000;
     private long now = 77;
+    private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+    private final PlainProgress progress = new PlainProgress(new PrintStream(err, true), () -> now);
 
     @Test
-    void linesComeEveryTwoSecondsAndForetellByWhatWasDone() {
-        ByteArrayOutputStream err = new ByteArrayOutputStream();
-        PlainProgress progress = new PlainProgress(new PrintStream(err, true), () -> now);
-        at(progress, 1_999, 10);
-        at(progress, 2_000, 50);
-        at(progress, 3_900, 60);
-        at(progress, 4_000, 99);
-        at(progress, 9_000, 200);
-        // 50 of 200 in 2 s leave 6 s; 99 of 200 in 4 s leave 4.08 s.
-        assertEquals("25 % done, 6 s left\n49 % done, 5 s left\n", err.toString(StandardCharsets.UTF_8));
+    void linesComeEveryTwoSecondsAndForetellByWhatWasDoneSinceTheFirstTile() {
+        at(1_900, 10);
+        at(2_000, 50);
+        at(3_800, 60);
+        at(4_000, 90);
+        at(9_000, 200);
+        // 80 in the 2.1 s since the first tile: 110 more take 2.9 s.
+        assertEquals("25 % done\n45 % done, 3 s left\n", said());
     }
 
-    private void at(PlainProgress progress, long millis, long done) {
+    /** Planning took a minute: that says nothing of the tiles. */
+    @Test
+    void whatCameBeforeTheFirstTileDoesNotCount() {
+        at(60_000, 1);
+        at(62_500, 51);
+        assertEquals("0 % done\n25 % done, 8 s left\n", said());
+    }
+
+    @Test
+    void nothingIsForetoldFromAFewTilesUnlessTheyTakeLong() {
+        at(0, 1);
+        at(3_000, 2);
+        at(6_000, 3);
+        assertEquals("1 % done\n1 % done\n", said());
+        at(20_000, 3);
+        // Two in 20 s: 197 more take 1970 s.
+        assertEquals("1 % done\n1 % done\n1 % done, 1970 s left\n", said());
+    }
+
+    /** As previews do, which come before the first tile. */
+    @Test
+    void whileNothingIsFinishedNothingIsSaid() {
+        at(10_000, 0);
+        at(20_000, 0);
+        assertEquals("", said());
+    }
+
+    private String said() {
+        return err.toString(StandardCharsets.UTF_8);
+    }
+
+    private void at(long millis, long done) {
         now = 77 + millis * MILLI;
         progress.progress(done, 200, () -> {
             throw new AssertionError("no picture is needed");

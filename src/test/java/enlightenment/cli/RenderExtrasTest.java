@@ -6,15 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
+import enlightenment.image.ImageError;
 import enlightenment.image.ImageFiles;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
@@ -27,6 +31,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** The options for what there is beside the finished picture. */
 class RenderExtrasTest {
     private static final String ALL = "error,samples,depth,normal,object";
+    private static final String WRITER = "preview";
     private static final int SIGTERM_EXIT = 128 + 15;
 
     @TempDir
@@ -119,7 +124,7 @@ class RenderExtrasTest {
     }
 
     @Test
-    void aPreviewIsWrittenAFewTimesAndTheEndIsTheSame() throws IOException {
+    void thePictureIsTheSameWithPreviews() throws IOException {
         for (String method : List.of("raytrace", "cluster")) {
             render("--method", method, "--antialias", "8");
             byte[] plain = Files.readAllBytes(picture);
@@ -129,6 +134,59 @@ class RenderExtrasTest {
         assertEquals(Set.of("p.png", "scene.json"), files());
         refused("--preview must be a number in 0.01..1000000000, not \"0\"", "--preview", "0");
         refused("--preview must be a number in 0.01..1000000000, not \"soon\"", "--preview", "soon");
+    }
+
+    /** The clock of this test goes on by a minute at each look, after the preview that is under way has been written. */
+    @Test
+    @Timeout(300)
+    void previewsAreWholePicturesAndBecomeFiner() throws IOException {
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        Terminal terminal = new Terminal(null, new PrintStream(err, true), new Stop());
+        AtomicLong minutes = new AtomicLong();
+        List<Image> previews = new ArrayList<>();
+        RenderCommand command = new RenderCommand(terminal, () -> {
+            if (!Thread.currentThread().getName().equals(WRITER)) {
+                takePreview(previews);
+                minutes.incrementAndGet();
+            }
+            return minutes.get() * 60_000_000_000L;
+        });
+        Commands.line(command)
+                .parseArgs(scene.toString(), "-o", picture.toString(), "--preview", "1", "--threads", "1");
+        assertEquals(0, command.execute());
+        assertEquals("", err.toString(StandardCharsets.UTF_8));
+        Image end = ImageFiles.read(picture);
+        assertTrue(previews.size() >= 3, previews.size() + " previews");
+        double before = Double.POSITIVE_INFINITY;
+        for (Image preview : List.of(previews.get(0), previews.get(previews.size() / 2))) {
+            assertEquals(40, preview.width());
+            assertEquals(24, preview.height());
+            for (int x = 0; x < 40; x++) {
+                assertTrue(preview.component(x, 23, 0) > 0, "the ground fills the lowest row");
+            }
+            double error = ImageError.between(preview, end).rmse();
+            assertTrue(error > 0 && error < before, "error " + error);
+            before = error;
+        }
+    }
+
+    /** Waits for a preview that is being written, and takes it away, so that the next one is seen to come. */
+    private void takePreview(List<Image> previews) {
+        try {
+            for (Thread thread : Thread.getAllStackTraces().keySet()) {
+                if (thread.getName().equals(WRITER)) {
+                    thread.join();
+                }
+            }
+            if (Files.exists(picture)) {
+                String bytes = Files.readString(picture, StandardCharsets.ISO_8859_1);
+                assertTrue(bytes.contains("preview"), "it says that it is a preview");
+                previews.add(ImageFiles.read(picture));
+                Files.delete(picture);
+            }
+        } catch (IOException | InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     private void refused(String message, Object... options) {
@@ -164,7 +222,7 @@ class RenderExtrasTest {
     }
 
     @Test
-    @Timeout(60)
+    @Timeout(300)
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
     void aSignalAfterAPreviewLeavesAWholePicture() throws IOException, InterruptedException {
         Process process = new ProcessBuilder(
@@ -178,8 +236,11 @@ class RenderExtrasTest {
                         picture.toString(),
                         "--size",
                         "400x240",
+                        // Minutes of work wherever it runs, in tiles of less than a second.
+                        "--threads",
+                        "2",
                         "--samples",
-                        "100000",
+                        "5000",
                         "--preview",
                         "0.1",
                         "--progress",
@@ -193,7 +254,7 @@ class RenderExtrasTest {
             }
             assertEquals(400, ImageFiles.read(picture).width());
             process.destroy();
-            assertTrue(process.waitFor(40, TimeUnit.SECONDS));
+            process.waitFor();
         } finally {
             process.destroyForcibly();
         }

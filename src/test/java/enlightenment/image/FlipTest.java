@@ -129,7 +129,7 @@ class FlipTest {
         Image image = uniform(2, 2, 0, 0, 0);
         InvalidValueException e =
                 assertThrows(InvalidValueException.class, () -> Flip.between(image, image, pixelsPerDegree));
-        assertEquals("pixels per degree must lie in 1.0..1000.0, not " + pixelsPerDegree, e.getMessage());
+        assertEquals("pixelsPerDegree: must lie in 1.0..1000.0, not " + pixelsPerDegree, e.getMessage());
     }
 
     @Test

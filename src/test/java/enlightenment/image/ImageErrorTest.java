@@ -81,7 +81,7 @@ class ImageErrorTest {
                 InvalidValueException.class,
                 () -> ImageError.between(FlipTest.uniform(4, 3, 0, 0, 0), FlipTest.uniform(3, 4, 0, 0, 0)));
         assertEquals("size", e.key());
-        assertEquals("the images differ in size: 4x3 and 3x4 pixels", e.getMessage());
+        assertEquals("size: must be that of the reference, 3x4 pixels, not 4x3", e.getMessage());
     }
 
     @ParameterizedTest
@@ -93,7 +93,7 @@ class ImageErrorTest {
         Image good = FlipTest.uniform(5, 4, 0, 0, 0);
         InvalidValueException e = assertThrows(InvalidValueException.class, () -> ImageError.between(bad, good));
         assertEquals("test", e.key());
-        assertEquals("there is " + value + " in column 3, row 2, green", e.getMessage());
+        assertEquals("test: there is " + value + " in column 3, row 2, green", e.getMessage());
         e = assertThrows(InvalidValueException.class, () -> ImageError.between(good, bad));
         assertEquals("reference", e.key());
     }

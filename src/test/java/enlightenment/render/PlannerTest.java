@@ -8,6 +8,7 @@ import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -187,13 +188,20 @@ class PlannerTest {
         for (String method : METHODS) {
             RenderSettings s = settings(scene, method, 96, 48)
                     .withBudget(Budget.NONE.withError(1e-5).withSeconds(1));
-            long start = System.nanoTime();
+            long start = processorTime();
             Picture p = ManySeeds.render(scene, s);
-            double seconds = (System.nanoTime() - start) * 1e-9;
+            double seconds = (processorTime() - start) * 1e-9;
             assertEquals("time", p.sampling().decidedBy(), method);
-            // Other work on the machine may slow it down after it was planned.
-            assertTrue(seconds < 4, method + ": " + seconds + " seconds instead of 1");
+            // By the clock it takes as long as other work on the machine lets it, but two threads do at most two
+            // seconds of
+            // work in one, and the just-in-time compiler some more. The error would take hours.
+            assertTrue(seconds < 8, method + ": " + seconds + " seconds of work instead of 2");
         }
+    }
+
+    private static long processorTime() {
+        return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
+                .getProcessCpuTime();
     }
 
     @Test

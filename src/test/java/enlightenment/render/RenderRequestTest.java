@@ -23,6 +23,7 @@ import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -189,7 +190,6 @@ class RenderRequestTest {
     void aTimeBecomesANumberOfSamplesThatMakesTheSamePicture(String method) {
         RenderSettings settings = QUICK.withMethod(method).withShadowSamples(1);
         AtomicReference<String> told = new AtomicReference<>();
-        long start = System.nanoTime();
         RenderResult timed = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSeconds(0.5)))
                 .withProgress(new RenderProgress() {
                     @Override
@@ -200,7 +200,6 @@ class RenderRequestTest {
                         assertEquals(null, told.getAndSet(samples + " " + decidedBy));
                     }
                 }));
-        double took = (System.nanoTime() - start) * 1e-9;
         double samples = timed.report().sampling().plannedSamples();
         assertEquals(samples + " time", told.get());
         // Three digits, give or take what a decimal fraction is in binary.
@@ -209,8 +208,27 @@ class RenderRequestTest {
         RenderResult again =
                 Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSamples(samples))));
         assertArrayEquals(again.image().toArray(), timed.image().toArray());
-        // Generous, because the machine may be busy: docs/benchmarks measure it.
-        assertTrue(took > 0.2 && took < 3, took + " s");
+        // Work, not time by the clock, which depends on what else the machine does: docs/benchmarks measure that. The
+        // just-in-time compiler works, too.
+        double work = timed.report().phases().stream()
+                .mapToDouble(RenderReport.Phase::cpuSeconds)
+                .sum();
+        assertTrue(work < 0.5 * (settings.threads() + 4), work + " s of work");
+    }
+
+    /** A 64th of these samples would take an hour. */
+    @ParameterizedTest
+    @Timeout(600)
+    @ValueSource(strings = {"raytrace", "cluster"})
+    void theFirstPassCostsTheSameWhateverIsAskedFor(String method) {
+        AtomicBoolean stop = new AtomicBoolean();
+        RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(Budget.MAX_SAMPLES));
+        RenderResult result = Renderer.render(RenderRequest.of(SMALL, settings)
+                .withProgressive(true)
+                .withCancelled(stop::get)
+                .withProgress((done, total, soFar) -> stop.set(true)));
+        assertEquals(3200, result.shownPixels());
+        assertEquals(0, result.report().pixels());
     }
 
     @Test

@@ -1,14 +1,12 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
-import enlightenment.math.Check.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.util.List;
 
 /** Reads the camera. */
 final class Cameras {
     private static final Fields.Family FAMILY = new Fields.Family("a camera", Vocabulary.CAMERAS, List.of(), List.of());
-    private static final List<String> CORNERS = List.of("lowerLeft", "upperLeft", "upperRight", "lowerRight");
 
     private Cameras() {}
 
@@ -37,16 +35,7 @@ final class Cameras {
         var upperRight = f.point("upperRight");
         var lowerRight = f.point("lowerRight");
         double pupilRadius = f.number("pupilRadius", 0);
-        return f.make(() -> {
-            try {
-                return new Camera.Window(eye, lowerLeft, upperLeft, upperRight, lowerRight, pupilRadius);
-            } catch (InvalidValueException e) {
-                // The check of the four corners counts them; here they have names.
-                boolean counted = e.key().matches("/[0-3]");
-                String key = counted ? CORNERS.get(e.key().charAt(1) - '0') : e.key();
-                throw new InvalidValueException(key, e.getMessage());
-            }
-        });
+        return f.make(() -> new Camera.Window(eye, lowerLeft, upperLeft, upperRight, lowerRight, pupilRadius));
     }
 
     private static Camera perspective(Fields f) {

@@ -196,7 +196,7 @@ final class Fields {
         } catch (InvalidValueException e) {
             String key = e.key();
             List<String> tokens = key.isEmpty() ? List.of() : Place.parse("/" + key);
-            values.problems().add(Place.nearest(object, tokens), place.descend(key), e.getMessage());
+            values.problems().add(Place.nearest(object, tokens), place.descend(key), e.problem());
             return null;
         }
     }

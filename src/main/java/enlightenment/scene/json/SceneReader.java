@@ -3,7 +3,9 @@ package enlightenment.scene.json;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.Reader;
 import java.io.StringReader;
@@ -58,6 +60,20 @@ public final class SceneReader {
     }
 
     /**
+     * Reads a file's bytes that are here already, for example from a pipe.
+     *
+     * @param json a text in UTF-8
+     * @param baseFolder what paths of texture files are relative to
+     * @param displayName what problems call the text; may be ""
+     * @param frame the frame, counted from 0; empty for the scene as its own numbers say
+     * @throws SceneException if the bytes are not a scene, or the scene has no such frame
+     */
+    public static Scene readBytes(byte[] json, Path baseFolder, String displayName, OptionalInt frame) {
+        Problems problems = new Problems(displayName, remark(frame));
+        return read(() -> decoded(new ByteArrayInputStream(json)), baseFolder, problems, frame);
+    }
+
+    /**
      * Reads a text whose image files are called by names and lie somewhere else than on the disk: no file is looked at. A
      * texture's path is then its name.
      *
@@ -76,8 +92,7 @@ public final class SceneReader {
     }
 
     private static Scene read(Path file, OptionalInt frame) {
-        Problems problems =
-                new Problems(file.toString(), frame.isPresent() ? " (in frame " + frame.getAsInt() + ")" : "");
+        Problems problems = new Problems(file.toString(), remark(frame));
         if (!Files.exists(file)) {
             problems.add(0, 0, "", "there is no such file");
         } else if (Files.isDirectory(file)) {
@@ -88,7 +103,12 @@ public final class SceneReader {
             problems.add(0, 0, "", "cannot be read: permission denied");
         }
         problems.throwIfAny();
-        return read(() -> open(file), file.toAbsolutePath().getParent(), problems, frame);
+        return read(
+                () -> decoded(Files.newInputStream(file)), file.toAbsolutePath().getParent(), problems, frame);
+    }
+
+    private static String remark(OptionalInt frame) {
+        return frame.isPresent() ? " (in frame " + frame.getAsInt() + ")" : "";
     }
 
     private static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame) {
@@ -99,10 +119,10 @@ public final class SceneReader {
     }
 
     /** A reader that refuses what is not UTF-8, and skips the mark that some editors begin files with. */
-    private static Reader open(Path file) throws IOException {
+    private static Reader decoded(InputStream bytes) throws IOException {
         BufferedReader reader = new BufferedReader(
                 new InputStreamReader(
-                        Files.newInputStream(file),
+                        bytes,
                         StandardCharsets.UTF_8
                                 .newDecoder()
                                 .onMalformedInput(CodingErrorAction.REPORT)

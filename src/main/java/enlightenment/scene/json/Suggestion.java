@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Guesses what somebody meant to write. */
-final class Suggestion {
+public final class Suggestion {
     private static final int MOST_LISTED = 20;
 
     private Suggestion() {}
@@ -29,7 +29,7 @@ final class Suggestion {
     }
 
     /** The nearest valid word, or null if none is near: at most a third of the letters may differ. */
-    static String nearest(String written, Collection<String> valid) {
+    public static String nearest(String written, Collection<String> valid) {
         String a = written.toLowerCase(Locale.ROOT);
         String best = null;
         int least = Integer.MAX_VALUE;

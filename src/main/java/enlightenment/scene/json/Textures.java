@@ -17,8 +17,7 @@ import java.util.Set;
 final class Textures {
     private static final Fields.Family FAMILY =
             new Fields.Family("a texture", Vocabulary.TEXTURES, List.of(), List.of());
-    private static final String COLOR =
-            "a colour: \"#rrggbb\", [r, g, b] with components in 0..1, or {\"texture\": NAME}";
+    private static final String COLOR = Values.COLOR + ", [r, g, b] with components in 0..1, or {\"texture\": NAME}";
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, (byte) 0xff};
     private static final byte[] BMP = {'B', 'M'};

@@ -12,6 +12,9 @@ import java.util.Collection;
  * was expected; what is returned then only lets the search for further problems go on.
  */
 final class Values {
+    /** How a colour may be written in a word. */
+    static final String COLOR = "a colour: \"#rrggbb\", \"#rgb\", a CSS colour name such as \"teal\"";
+
     private final Problems problems;
 
     Values(Problems problems) {
@@ -137,26 +140,40 @@ final class Values {
                 number(a.get(0), place.child(0)), number(a.get(1), place.child(1)), number(a.get(2), place.child(2)));
     }
 
-    /** A colour without texture: {@code "#rrggbb"} or {@code [r, g, b]}; black after a problem. */
+    /** A colour without texture: a word ({@link #named}) or {@code [r, g, b]}; black after a problem. */
     DisplayRgb color(JsonValue v, Place place) {
-        return color(v, place, "a colour: \"#rrggbb\" or [r, g, b] with components in 0..1");
+        return color(v, place, COLOR + ", or [r, g, b] with components in 0..1");
     }
 
     /** The same, where more than that is allowed and the message is to say so. */
     DisplayRgb color(JsonValue v, Place place, String expected) {
         if (v instanceof JsonValue.Str s) {
-            if (s.text.matches("#[0-9a-fA-F]{6}")) {
-                int rgb = Integer.parseInt(s.text.substring(1), 16);
-                return DisplayRgb.ofBytes(rgb >> 16, rgb >> 8 & 255, rgb & 255);
+            int rgb = named(s.text);
+            if (rgb < 0) {
+                String meant = Suggestion.nearest(s.text, ColorNames.ALL.keySet());
+                String suggestion = meant == null ? "" : "; did you mean \"" + meant + "\"?";
+                problems.add(v, place, "must be " + expected + ", not " + v.describe() + suggestion);
+                return DisplayRgb.BLACK;
             }
-            problems.add(v, place, "must be " + expected + ", not " + v.describe());
-            return DisplayRgb.BLACK;
+            return DisplayRgb.ofBytes(rgb >> 16, rgb >> 8 & 255, rgb & 255);
         }
         JsonValue.Arr a = array(v, place, 3, expected);
         if (a == null) {
             return DisplayRgb.BLACK;
         }
         return new DisplayRgb(component(a, 0, place), component(a, 1, place), component(a, 2, place));
+    }
+
+    /** 0xrrggbb of {@code "#rrggbb"}, {@code "#rgb"} (each digit twice) or a colour's name; -1 for anything else. */
+    private static int named(String text) {
+        if (text.matches("#[0-9a-fA-F]{6}")) {
+            return Integer.parseInt(text.substring(1), 16);
+        }
+        if (text.matches("#[0-9a-fA-F]{3}")) {
+            int digits = Integer.parseInt(text.substring(1), 16);
+            return 0x11 * ((digits >> 8) << 16 | (digits >> 4 & 15) << 8 | digits & 15);
+        }
+        return ColorNames.ALL.getOrDefault(text, -1);
     }
 
     private double component(JsonValue.Arr a, int i, Place place) {

@@ -1,0 +1,59 @@
+package enlightenment.cli;
+
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/** Where a scene comes from: a file, or standard input, whose textures are relative to the working folder. */
+final class SceneInput {
+    private static final String STANDARD = "standard input";
+
+    private final Path file;
+    private final Terminal terminal;
+
+    /** What standard input held, once it has been read. */
+    private byte[] bytes;
+
+    SceneInput(Path file, Terminal terminal) {
+        this.file = file;
+        this.terminal = terminal;
+    }
+
+    /** What messages call it. */
+    String name() {
+        return Standard.is(file) ? STANDARD : file.toString();
+    }
+
+    /**
+     * The scene at a frame, or as its own numbers say; may be read any number of times.
+     *
+     * @throws SceneException if it cannot be used
+     */
+    Scene read(Optional<Integer> frame) {
+        if (Standard.is(file)) {
+            OptionalInt at = frame.map(OptionalInt::of).orElse(OptionalInt.empty());
+            return SceneReader.readBytes(bytes(), Path.of(""), STANDARD, at);
+        }
+        return frame.isPresent() ? SceneReader.read(file, frame.get()) : SceneReader.read(file);
+    }
+
+    /** The size of the scene's text in bytes. */
+    long size() throws IOException {
+        return Standard.is(file) ? bytes().length : java.nio.file.Files.size(file);
+    }
+
+    private byte[] bytes() {
+        if (bytes == null) {
+            try {
+                bytes = terminal.in().readAllBytes();
+            } catch (IOException e) {
+                throw CliException.failed("cannot read " + STANDARD + ": " + Failures.describe(e));
+            }
+        }
+        return bytes;
+    }
+}

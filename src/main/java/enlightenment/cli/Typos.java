@@ -1,0 +1,45 @@
+package enlightenment.cli;
+
+import enlightenment.scene.json.Suggestion;
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+
+/** What was meant by options and commands that there are not. picocli's own guesses for options look at two letters only. */
+final class Typos {
+    private Typos() {}
+
+    /** What to say of options that there are not: nothing if something else is wrong, or what follows them. */
+    static List<String> unknownOptions(CommandLine.ParameterException e) {
+        if (!(e instanceof CommandLine.UnmatchedArgumentException unmatched)) {
+            return List.of();
+        }
+        List<String> names = options(e.getCommandLine().getCommandSpec());
+        return unmatched.getUnmatched().stream()
+                .filter(word -> word.startsWith("-"))
+                .map(word -> "unknown option: '" + word + "'" + meant(word.replaceFirst("=.*", ""), names))
+                .toList();
+    }
+
+    /** {@code ; did you mean ...?} for a command, or nothing where nothing is near. */
+    static String command(String written, CommandLine root) {
+        return meant(written, new ArrayList<>(root.getSubcommands().keySet()));
+    }
+
+    private static List<String> options(CommandSpec command) {
+        List<String> names = new ArrayList<>();
+        for (OptionSpec option : command.options()) {
+            if (!option.hidden()) {
+                names.addAll(List.of(option.names()));
+            }
+        }
+        return names;
+    }
+
+    private static String meant(String written, List<String> names) {
+        String nearest = Suggestion.nearest(written, names);
+        return nearest == null ? "" : "; did you mean \"" + nearest + "\"?";
+    }
+}

@@ -29,10 +29,7 @@ final class ConvertCommand extends Subcommand {
         if (!Files.exists(input)) {
             throw CliException.wrongUsage(input + ": there is no such file");
         }
-        if (Target.same(input, output)) {
-            throw CliException.wrongUsage("OUT.json must name another file than IN.nff, not \"" + output + "\"");
-        }
-        Target.check(output);
+        new OutputFiles().reads("IN.nff", input).writes("OUT.json", output).check();
         NffReader.Result result = NffReader.read(input);
         for (String note : result.notes()) {
             terminal.err().println(input + ": " + note);

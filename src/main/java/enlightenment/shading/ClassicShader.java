@@ -11,6 +11,8 @@ import enlightenment.geometry.Ray;
 import enlightenment.geometry.SpherePrimitive;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 
 /**
  * The paper's cosine shading of one camera ray: what is the colour seen along it?
@@ -29,6 +31,9 @@ import enlightenment.sampling.Sobol;
  * renderer once at each level of calls (docs/benchmarks.md).
  */
 public final class ClassicShader {
+    /** After so many paths, surfaces and light points together it is asked whether anybody still wants them. */
+    static final int ASK_EVERY = 1024;
+
     private final CompiledScene scene;
     private final RayCounters counters;
     private final Tracer tracer;
@@ -67,6 +72,9 @@ public final class ClassicShader {
 
     /** The variance of the cosine among the light points of the last call of {@code meanCosine}. */
     private double cosineSpread;
+
+    private BooleanSupplier cancelled = () -> false;
+    private int untilAsked = ASK_EVERY;
 
     private LightObserver observer;
     private int observedLight;
@@ -108,6 +116,27 @@ public final class ClassicShader {
         observer = watcher;
     }
 
+    /**
+     * Lets {@link #shade} end in the middle of a path: it throws a {@link CancellationException} soon after this becomes true,
+     * however long the path is.
+     */
+    public void stopWhen(BooleanSupplier asked) {
+        cancelled = asked;
+    }
+
+    private void tick() {
+        if (--untilAsked <= 0) {
+            ask();
+        }
+    }
+
+    private void ask() {
+        untilAsked = ASK_EVERY;
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException();
+        }
+    }
+
     /** A hash of what the last path met, in order: where it is the same for neighbouring rays, no edge lies between. */
     public long pathKey() {
         return pathKey;
@@ -144,6 +173,7 @@ public final class ClassicShader {
      *
      * @param address which sample this is
      * @param out receives red, green and blue, display-referred
+     * @throws CancellationException as {@link #stopWhen} tells
      */
     public void shade(Ray ray, SampleAddress address, double[] out) {
         red = 0;
@@ -160,10 +190,12 @@ public final class ClassicShader {
         counters.cameraRays++;
         glass.begin(ray);
         int bounce = 0;
+        tick();
         while (step(ray, address, bounce)) {
             if (++bounce > maxBounces) {
                 break;
             }
+            tick();
         }
         out[0] = red;
         out[1] = green;
@@ -363,6 +395,7 @@ public final class ClassicShader {
         double squares = 0;
         for (int j = 0; j < count; j++) {
             sampler.sample(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
+            tick();
             double cosine = nx * sampler.dx + ny * sampler.dy + nz * sampler.dz;
             if (cosine > 0) {
                 sum += !rays || isBlocked() ? blockedFactor * cosine : cosine;
@@ -423,6 +456,7 @@ public final class ClassicShader {
     }
 
     private boolean isBlocked() {
+        tick();
         sampler.ray(shadowRay, hit.px, hit.py, hit.pz);
         shadowRay.from(hit.primitive, hit.side);
         boolean blocked = tracer.occluded(shadowRay, sampler.length);

@@ -20,6 +20,7 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -256,6 +257,53 @@ class OutputFilesTest {
         CliRun run = CliRun.of(CommandLines.RENDER.args(files, folder).toArray());
         assertEquals(0, run.code(), run.err());
         assertTrue(Files.exists(folder.resolve("X.png")) && Files.exists(folder.resolve("x.png")));
+    }
+
+    @Test
+    void aLinkToNowhereIsToldBeforeTheWork() throws IOException {
+        Map<String, Path> files = inputs(CommandLines.RENDER, "", "");
+        Path missing = folder.toRealPath().resolve("missing");
+        Path link = Files.createSymbolicLink(folder.resolve("o.png"), missing.resolve("p.png"));
+        files.put("-o", link);
+        CliRun run = CliRun.of(CommandLines.RENDER.args(files, folder).toArray());
+        String reason = ": cannot be written: it is a link to where nothing can be written, " + missing;
+        assertEquals(new CliRun(1, "", "enlightenment: " + link + reason + "\n"), run);
+    }
+
+    @Test
+    @Timeout(120)
+    void whatAKilledRenderLeftIsGoneWhenTheNextOneStarts() throws Exception {
+        Map<String, Path> files = inputs(CommandLines.RENDER, "", "");
+        Path out = Files.createDirectory(folder.resolve("out"));
+        files.put("-o", out.resolve("p.png"));
+        Object[] args = CommandLines.RENDER.args(files, folder).toArray();
+        Process killed = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        HeldRender.class.getName(),
+                        out.resolve("p.png").toString())
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        try {
+            assertEquals('r', killed.getInputStream().read());
+            assertEquals(1, left(out).size());
+            killed.destroyForcibly().waitFor();
+        } finally {
+            killed.destroyForcibly();
+        }
+        assertEquals(1, left(out).size());
+        // A start is enough, whatever becomes of it: this one is told to stop before it begins.
+        Stop stop = new Stop();
+        stop.request();
+        assertEquals(1, CliRun.of(stop, args).code());
+        assertEquals(List.of(), left(out));
+    }
+
+    private static List<Path> left(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.toList();
+        }
     }
 
     @Test

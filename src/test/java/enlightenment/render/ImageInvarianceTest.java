@@ -226,7 +226,7 @@ class ImageInvarianceTest {
         }
     }
 
-    private static Scene withObjects(Scene s, List<SceneObject> objects) {
+    static Scene withObjects(Scene s, List<SceneObject> objects) {
         return new Scene(
                 s.name(),
                 s.width(),

@@ -8,6 +8,7 @@ import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -17,9 +18,12 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.nio.file.attribute.UserPrincipal;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadLocalRandom;
@@ -33,7 +37,7 @@ import java.util.regex.Pattern;
  *
  * <p>A file is removed only if nobody holds its lock and, beyond that, its process is not alive where that can be told: on
  * this machine by its number, elsewhere by a day's age, for there are network file systems whose locks reach no further
- * than one machine. Creator and remover may meet: so the creator locks first and then looks whether the file is still there,
+ * than one machine. What another user owns is left alone. Creator and remover may meet: so the creator locks first and then looks whether the file is still there,
  * and the remover removes while it holds the lock.
  */
 public final class TemporaryFile implements Closeable {
@@ -162,7 +166,8 @@ public final class TemporaryFile implements Closeable {
 
     private static void remove(Path file) throws IOException {
         Path folder = folderOf(file);
-        if (Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+        if (Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)
+                && owner(folder).equals(owner(file))) {
             try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
                 for (Path inner : all) {
                     Files.deleteIfExists(inner);
@@ -182,17 +187,45 @@ public final class TemporaryFile implements Closeable {
 
     /** Removes what processes that are dead have left in a folder; what cannot be removed stays. */
     public static void clean(Path folder) {
+        try {
+            List<Path> left = left(folder);
+            if (!left.isEmpty()) {
+                removeOurs(folder, left);
+            }
+        } catch (IOException | DirectoryIteratorException | UnsupportedOperationException e) {
+            // It is no more than tidying: whoever cannot write there is told so when it matters.
+            return;
+        }
+    }
+
+    private static List<Path> left(Path folder) throws IOException {
+        List<Path> left = new ArrayList<>();
         try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, GLOB)) {
             for (Path file : all) {
                 Matcher name = NAME.matcher(file.getFileName().toString());
                 if (name.matches() && !IN_USE.contains(name.group()) && mayBeDead(file, name)) {
-                    removeUnlessLocked(file);
+                    left.add(file);
                 }
             }
-        } catch (IOException | java.nio.file.DirectoryIteratorException e) {
-            // It is no more than tidying: whoever cannot write there is told so when it matters.
-            return;
         }
+        return left;
+    }
+
+    /** Leaves alone what belongs to others: in a folder for everybody they might exchange it while it is looked at. */
+    private static void removeOurs(Path folder, List<Path> left) throws IOException {
+        UserPrincipal us;
+        try (TemporaryFile own = in(folder)) {
+            us = owner(own.file);
+        }
+        for (Path file : left) {
+            if (owner(file).equals(us)) {
+                removeUnlessLocked(file);
+            }
+        }
+    }
+
+    private static UserPrincipal owner(Path file) throws IOException {
+        return Files.getOwner(file, LinkOption.NOFOLLOW_LINKS);
     }
 
     private static boolean mayBeDead(Path file, Matcher name) throws IOException {

@@ -3,6 +3,7 @@ package enlightenment.file;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -102,6 +103,22 @@ class TemporaryFileTest {
         TemporaryFile.clean(folder);
         assertEquals(before, names());
         TemporaryFile.clean(folder.resolve("missing"));
+    }
+
+    @Test
+    void whatAnotherUserOwnsStays() throws IOException {
+        long pid = ProcessHandle.current().pid();
+        Path theirs = folder.resolve(".enlightenment-" + Machine.HASH + "-" + pid + "-1.tmp");
+        Files.writeString(theirs, "x");
+        try {
+            Files.setOwner(
+                    theirs,
+                    folder.getFileSystem().getUserPrincipalLookupService().lookupPrincipalByName("nobody"));
+        } catch (IOException | UnsupportedOperationException e) {
+            assumeTrue(false, "only the superuser can try this");
+        }
+        TemporaryFile.clean(folder);
+        assertEquals(1, names().size());
     }
 
     @Test

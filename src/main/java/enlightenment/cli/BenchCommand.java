@@ -43,10 +43,12 @@ final class BenchCommand extends Subcommand {
     @Override
     int execute() throws IOException {
         int repeats = repeat == null ? REPEATS : OptionValues.integer("--repeat", repeat, 1, 1000);
-        if (json != null) {
-            Target.check(json);
-        }
         List<Path> files = files();
+        if (json != null) {
+            OutputFiles outputs = new OutputFiles().writes("--json", json);
+            files.forEach(file -> outputs.reads(file, SceneReader.read(file)));
+            outputs.check();
+        }
         Map<String, String> machine = Machine.facts();
         machine.forEach((label, value) -> terminal.out().printf(Locale.ROOT, "%-20s%s%n", label + ":", value));
         terminal.out().println();

@@ -6,7 +6,7 @@ import picocli.CommandLine;
 
 /** All commands by name. */
 final class Commands {
-    private static final String[] NAMES = {
+    static final String[] NAMES = {
         "render", "validate", "inspect", "schema", "convert", "compare", "trade", "bench", "merge", "server", "worker"
     };
 

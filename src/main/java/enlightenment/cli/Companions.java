@@ -46,18 +46,9 @@ final class Companions {
         return kinds;
     }
 
-    /** Fails if one of the files is the same as that one. */
-    void mustNotBe(Path other, String what) throws IOException {
-        for (Path file : files.values()) {
-            if (Target.same(file, other)) {
-                throw CliException.wrongUsage("--aov would write \"" + file + "\", which is " + what);
-            }
-        }
-    }
-
-    /** Fails unless all can be written. */
-    void check() {
-        files.values().forEach(Target::check);
+    /** Says that all of them will be written. */
+    void register(OutputFiles outputs) {
+        files.forEach((kind, file) -> outputs.writes("--aov " + kind.word(), file));
     }
 
     /** Writes all of them: pictures as PNG, raw numbers as PFM. */

@@ -83,10 +83,11 @@ final class CompareCommand extends Subcommand {
         if (!Target.extension(heatMap).equals(".png")) {
             throw CliException.wrongUsage("--heatmap must name a file that ends in .png, not \"" + heatMap + "\"");
         }
-        if (Target.same(heatMap, test) || Target.same(heatMap, reference)) {
-            throw CliException.wrongUsage("--heatmap must name a file of its own, not \"" + heatMap + "\"");
-        }
-        Target.check(heatMap);
+        new OutputFiles()
+                .reads("picture A", test)
+                .reads("the reference B", reference)
+                .writes("--heatmap", heatMap)
+                .check();
     }
 
     /** Whatever keeps a picture from being read, the exit code must not be the one of pictures that differ. */

@@ -32,12 +32,7 @@ final class ConvertCommand extends Subcommand {
         if (!Standard.is(input) && !Files.exists(input)) {
             throw CliException.wrongUsage(input + ": there is no such file");
         }
-        if (Target.same(input, output)) {
-            throw CliException.wrongUsage("OUT.json must name another file than IN.nff, not \"" + output + "\"");
-        }
-        if (!Standard.is(output)) {
-            Target.check(output);
-        }
+        new OutputFiles().reads("IN.nff", input).writes("OUT.json", output).check();
         NffReader.Result result = read();
         for (String note : result.notes()) {
             terminal.err().println((Standard.is(input) ? STANDARD : input) + ": " + note);

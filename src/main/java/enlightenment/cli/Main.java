@@ -14,7 +14,7 @@ public final class Main {
 
     /** Does what the arguments say and ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used. */
     public static void main(String[] args) {
-        Stop stop = new Stop();
+        Stop stop = new Stop(() -> System.err.println("enlightenment: stopped in the middle: nothing was written"));
         if (args.length > 0 && STOPPABLE.contains(args[0])) {
             stop.listen();
         }

@@ -50,10 +50,9 @@ final class MergeCommand extends Subcommand {
     @Override
     int execute() throws IOException {
         PictureOptions.check(output, depth, format);
-        PictureOptions.checkTarget(output);
-        if (report != null) {
-            Target.check(report);
-        }
+        OutputFiles files = new OutputFiles();
+        parts.forEach(part -> files.reads("a part", part));
+        files.writes("-o", output).writes("--report", report).check();
         RenderParts.Merged merged = RenderParts.merge(parts);
         if (!merged.missing().isEmpty() && !partial) {
             say(merged.missing());

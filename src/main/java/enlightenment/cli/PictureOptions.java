@@ -38,13 +38,6 @@ final class PictureOptions {
         }
     }
 
-    /** Fails unless the picture can be written there, as far as can be told. */
-    static void checkTarget(Path output) {
-        if (!Standard.is(output)) {
-            Target.check(output);
-        }
-    }
-
     /** Writes the picture to its file or to standard output. */
     static void write(Image image, Path output, String format, PngOptions options, Terminal terminal)
             throws IOException {

@@ -104,17 +104,15 @@ final class RenderCommand extends Subcommand {
         input = new SceneInput(sceneFile, terminal);
         Scene scene = input.read(options.frame());
         RenderSettings settings = options.settings(scene, input.name());
-        PictureOptions.checkTarget(output);
         options.tellOfStretch(scene, settings, terminal);
-        if (part != null) {
-            return renderPart(scene, settings);
-        }
-        if (report != null) {
-            Target.check(report);
-        }
-        companions.check();
         if (clusters != null) {
             checkClusters(settings);
+        }
+        OutputFiles files = new OutputFiles().reads(sceneFile, scene).writes("-o", output);
+        companions.register(files.writes("--report", report).writes("--dump-clusters", clusters));
+        files.check();
+        if (part != null) {
+            return renderPart(scene, settings);
         }
         RenderResult result = render(scene, settings);
         if (result.shownPixels() == 0) {
@@ -149,7 +147,7 @@ final class RenderCommand extends Subcommand {
         return CliException.DONE;
     }
 
-    private void checkClusters(RenderSettings settings) throws IOException {
+    private void checkClusters(RenderSettings settings) {
         if (!settings.method().equals("cluster")) {
             throw CliException.wrongUsage("--dump-clusters needs --method cluster; " + settings.method() + " has none");
         }
@@ -158,10 +156,6 @@ final class RenderCommand extends Subcommand {
             throw CliException.wrongUsage(
                     "--dump-clusters must name a file that ends in .json or .csv, not \"" + clusters + "\"");
         }
-        if (Target.same(clusters, sceneFile) || report != null && Target.same(clusters, report)) {
-            throw CliException.wrongUsage("--dump-clusters must name a file of its own, not \"" + clusters + "\"");
-        }
-        Target.check(clusters);
     }
 
     /** Another part of the budget may have ended the render before the error was as small as asked. */
@@ -227,7 +221,7 @@ final class RenderCommand extends Subcommand {
         }
     }
 
-    private void checkOptions() throws IOException {
+    private void checkOptions() {
         if (part != null) {
             checkPart();
         } else {
@@ -236,26 +230,16 @@ final class RenderCommand extends Subcommand {
         if (progress != null) {
             OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
         }
-        if (report != null && (Target.same(report, output) || Target.same(report, sceneFile))) {
-            throw CliException.wrongUsage("--report must name a file of its own, not \"" + report + "\"");
-        }
         if (Standard.is(output) && (aov != null || preview != null)) {
             throw CliException.wrongUsage((aov != null ? "--aov writes files beside" : "--preview replaces")
                     + " the picture: -o must name a file, not standard output");
         }
         companions = new Companions(aov, output);
-        companions.mustNotBe(sceneFile, "the scene itself");
-        if (report != null) {
-            companions.mustNotBe(report, "the file of --report");
-        }
         if (preview != null) {
             OptionValues.number("--preview", preview, LEAST_PREVIEW, MOST_PREVIEW);
             if (Files.exists(output) && !Files.isRegularFile(output) && !Files.isDirectory(output)) {
                 throw CliException.wrongUsage("--preview needs a file that can be replaced, unlike \"" + output + "\"");
             }
-        }
-        if (Target.same(output, sceneFile)) {
-            throw CliException.wrongUsage("-o must not name the scene itself, \"" + output + "\"");
         }
         options.check();
     }

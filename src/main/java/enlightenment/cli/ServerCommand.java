@@ -128,20 +128,11 @@ final class ServerCommand extends Subcommand {
         }
         options.check();
         ServerOptions server = serverOptions();
-        PictureOptions.checkTarget(output);
-        for (Path file : new Path[] {report, checkpoint}) {
-            if (file != null) {
-                Target.check(file);
-            }
-        }
-        checkSecrets();
-        if (Target.same(output, sceneFile) || (checkpoint != null && Target.same(checkpoint, sceneFile))) {
-            throw CliException.wrongUsage("-o and --checkpoint must not name the scene itself, \"" + sceneFile + "\"");
-        }
         input = new SceneInput(sceneFile, terminal);
         Scene scene = input.read(options.frame());
         RenderSettings settings = options.settings(scene, input.name());
         options.tellOfStretch(scene, settings, terminal);
+        outputFiles(scene).check();
         return finish(serve(scene, settings, server), scene, settings);
     }
 
@@ -192,19 +183,16 @@ final class ServerCommand extends Subcommand {
         return tls == null ? o : o.withTls(tls);
     }
 
-    /** Secrets are not written over, nor one into the place of another file. */
-    private void checkSecrets() throws IOException {
-        for (Path secret : new Path[] {token, tls, certificate, key}) {
-            for (Path file : new Path[] {sceneFile, output, report, checkpoint}) {
-                if (secret != null && file != null && Target.same(secret, file)) {
-                    throw CliException.wrongUsage(
-                            "\"" + secret + "\" must not be a secret and another file of this render");
-                }
-            }
-        }
-        if (token != null && tls != null && Target.same(token, tls)) {
-            throw CliException.wrongUsage("--token-file and --tls must be two files");
-        }
+    private OutputFiles outputFiles(Scene scene) {
+        return new OutputFiles()
+                .reads(sceneFile, scene)
+                .reads("the file of --tls-cert", certificate)
+                .reads("the file of --tls-key", key)
+                .makes("--token-file", token)
+                .makes("--tls", tls)
+                .writes("--checkpoint", checkpoint)
+                .writes("-o", output)
+                .writes("--report", report);
     }
 
     private Map<String, Double> shares() {

@@ -12,11 +12,24 @@ final class Stop extends Thread implements BooleanSupplier {
     /** Long enough to write a picture to a slow disk, short enough for whoever waits at the keyboard. */
     private static final long PATIENCE_SECONDS = 30;
 
+    private final Runnable giveUp;
+    private final long patienceSeconds;
     private final CountDownLatch finished = new CountDownLatch(1);
     private volatile boolean requested;
 
     Stop() {
+        this(() -> {});
+    }
+
+    /** @param giveUp called where the work has not come to an end when the process ends all the same */
+    Stop(Runnable giveUp) {
+        this(giveUp, PATIENCE_SECONDS);
+    }
+
+    Stop(Runnable giveUp, long patienceSeconds) {
         super("stop");
+        this.giveUp = giveUp;
+        this.patienceSeconds = patienceSeconds;
     }
 
     /** Listens to the signals of the process from now on. */
@@ -47,7 +60,9 @@ final class Stop extends Thread implements BooleanSupplier {
     public void run() {
         requested = true;
         try {
-            finished.await(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            if (!finished.await(patienceSeconds, TimeUnit.SECONDS)) {
+                giveUp.run();
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

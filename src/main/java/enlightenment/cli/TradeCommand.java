@@ -117,6 +117,11 @@ final class TradeCommand extends Subcommand {
     }
 
     private int measure(Scene scene, TradeSettings settings) throws IOException {
+        new OutputFiles()
+                .reads(sceneFile, scene)
+                .reads("the file of --reference", reference.equals("auto") ? null : Path.of(reference))
+                .writes("-o", folder, TradeOutput.names(settings))
+                .check();
         TradeOutput output = new TradeOutput(terminal, folder, sceneFile, options.given(), scene.name());
         Optional<TradeResult> result;
         try (TradeProgress display = TradeProgress.of(progress, terminal.err())) {

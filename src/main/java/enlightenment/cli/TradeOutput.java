@@ -3,7 +3,9 @@ package enlightenment.cli;
 import enlightenment.image.ImageFiles;
 import enlightenment.measure.Machine;
 import enlightenment.measure.Need;
+import enlightenment.measure.Trade;
 import enlightenment.measure.TradeResult;
+import enlightenment.measure.TradeSettings;
 import enlightenment.measure.Verdict;
 import enlightenment.measure.chart.Chart;
 import enlightenment.measure.chart.TradeCharts;
@@ -11,12 +13,15 @@ import enlightenment.measure.page.PageContext;
 import enlightenment.measure.page.TradePage;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
 /** Writes what a trade found: figures, charts, the page, and the advice on standard output. */
 final class TradeOutput {
+    private static final String FIGURES = "trade.json";
+    private static final String PAGE = "index.html";
     private static final String PROGRAM = "java -jar target/enlightenment.jar";
 
     private final Terminal terminal;
@@ -35,10 +40,18 @@ final class TradeOutput {
         this.title = title.isEmpty() ? stem() : title;
     }
 
+    /** The names of all files that the trade and this may write into the folder. */
+    static List<String> names(TradeSettings settings) {
+        List<String> names = new ArrayList<>(Trade.files(settings));
+        names.addAll(List.of(FIGURES, PAGE));
+        TradeCharts.names(settings).forEach(chart -> names.addAll(List.of(chart + ".png", chart + ".svg")));
+        return names;
+    }
+
     void write(TradeResult result) throws IOException {
-        Target.write(folder.resolve("trade.json"), TradeJson.of(result, machine));
+        Target.write(folder.resolve(FIGURES), TradeJson.of(result, machine));
         List<Chart> charts = charts(result);
-        Target.write(folder.resolve("index.html"), TradePage.of(result, context(), charts));
+        Target.write(folder.resolve(PAGE), TradePage.of(result, context(), charts));
         terminal.out().println(Verdict.headline(result).sentence());
         Verdict.headline(result)
                 .best()
@@ -49,7 +62,7 @@ final class TradeOutput {
                 terminal.out().println(v.sentence());
             }
         }
-        terminal.out().println("All of it: " + folder.resolve("index.html"));
+        terminal.out().println("All of it: " + folder.resolve(PAGE));
     }
 
     /** A machine without fonts, as some small containers are, draws no charts; all else is worth having. */

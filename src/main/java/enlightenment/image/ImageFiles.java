@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.file.WholeFile;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;

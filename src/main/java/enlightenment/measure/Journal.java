@@ -1,5 +1,6 @@
 package enlightenment.measure;
 
+import enlightenment.file.WholeFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -24,7 +25,7 @@ final class Journal {
 
     /** Begins a new file. */
     static Journal create(Path file) throws IOException {
-        Files.writeString(file, HEADER + "\n");
+        WholeFile.write(file, HEADER + "\n");
         return new Journal(file);
     }
 
@@ -41,7 +42,7 @@ final class Journal {
             journal.runs.add(parse(lines.get(i), file + ":" + (i + 1)));
         }
         if (whole.length() < text.length()) {
-            Files.writeString(file, whole);
+            WholeFile.write(file, whole);
         }
         return journal;
     }

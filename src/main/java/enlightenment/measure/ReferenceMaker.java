@@ -1,5 +1,6 @@
 package enlightenment.measure;
 
+import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
@@ -80,7 +81,7 @@ final class ReferenceMaker {
         Image image = session.timed(method, samples, seed(index)).image();
         ImageFiles.writePfm(image, file);
         // Last, as it says that the picture is whole.
-        Files.writeString(note, samples + "\n");
+        WholeFile.write(note, samples + "\n");
         images.add(image);
         parts.add(new Reference.Part(method, samples, seed(index)));
     }

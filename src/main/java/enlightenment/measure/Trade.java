@@ -54,6 +54,11 @@ public final class Trade {
         return session.reference() == null ? Optional.empty() : Optional.of(result(session, pictures, cold, complete));
     }
 
+    /** The names of all files that {@link #run} may write into its folder, whatever it finds. */
+    public static List<String> files(TradeSettings settings) {
+        return TradeFolder.names(settings.methods());
+    }
+
     private static void sweeps(Session session) throws IOException {
         List<Sweep> sweeps = session.settings.sweeps();
         for (int i = 0; i < sweeps.size(); i++) {

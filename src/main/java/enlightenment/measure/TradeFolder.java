@@ -1,9 +1,11 @@
 package enlightenment.measure;
 
+import enlightenment.file.WholeFile;
 import enlightenment.math.Check.InvalidValueException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -11,6 +13,9 @@ import java.util.List;
  * the next one can go on from here.
  */
 final class TradeFolder {
+    private static final String IDENTITY = "settings.txt";
+    private static final String RUNS = "trade.csv";
+
     private final Path folder;
     private final Journal journal;
     private final boolean resumed;
@@ -32,11 +37,11 @@ final class TradeFolder {
             throw new InvalidValueException("output", folder + " is a file; a folder is needed");
         }
         Files.createDirectories(folder);
-        Path identity = folder.resolve("settings.txt");
-        Path runs = folder.resolve("trade.csv");
+        Path identity = folder.resolve(IDENTITY);
+        Path runs = folder.resolve(RUNS);
         if (!Files.exists(identity) || !Files.exists(runs)) {
             Journal journal = Journal.create(runs);
-            Files.write(identity, settings.identity());
+            WholeFile.write(identity, String.join("\n", settings.identity()) + "\n");
             return new TradeFolder(folder, journal, false);
         }
         if (!resume) {
@@ -54,6 +59,20 @@ final class TradeFolder {
             }
         }
         return new TradeFolder(folder, Journal.open(runs), true);
+    }
+
+    /** All files that a trade of these methods may write; those who write them name them the same way. */
+    static List<String> names(List<String> methods) {
+        List<String> names = new ArrayList<>(List.of(IDENTITY, RUNS, "reference.pfm", "reference.png"));
+        // Of a single method the reference has two parts.
+        for (int part = 1; part <= Math.max(methods.size(), 2); part++) {
+            names.addAll(List.of("reference-" + part + ".pfm", "reference-" + part + ".txt"));
+        }
+        for (String method : methods) {
+            String picture = "equal-time-" + method;
+            names.addAll(List.of(picture + ".png", picture + "-flip.png", picture + "-error.png"));
+        }
+        return names;
     }
 
     Path file(String name) {

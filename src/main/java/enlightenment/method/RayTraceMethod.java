@@ -8,6 +8,7 @@ import enlightenment.geometry.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
+import java.util.function.BooleanSupplier;
 
 /**
  * Evenly spaced camera rays, the paper's first phase: well-distributed positions in every pixel, each of them shaded once;
@@ -50,6 +51,11 @@ public final class RayTraceMethod implements TileMethod {
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
         int fewer = Integer.highestOneBit((int) samples);
         return new RayTraceMethod(scene, settings, counters, fewer, samples / fewer - 1);
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier cancelled) {
+        shader.stopWhen(cancelled);
     }
 
     @Override

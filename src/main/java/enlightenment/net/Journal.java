@@ -6,37 +6,35 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.security.SecureRandom;
 import java.util.Arrays;
-import java.util.zip.CRC32C;
 
 /**
  * The checkpoint of a server: what was done, as a file that is only ever appended to.
  *
- * <p>A header of 48 bytes (magic, job hash, number of tiles, CRC32C of these), then records: length of the body (4 bytes),
- * CRC32C of length and body (4), body. Most significant byte first. What was written is forced to the disk at most every 200
- * ms; a record that was cut short or damaged ends the file: it and what follows is cut off when the journal is opened
- * again, and the tiles in it are simply rendered again.
+ * <p>{@link JournalFormat} tells its bytes. What was written is forced to the disk at most every 200 ms. A damaged record costs
+ * itself and no other: whoever reads looks for the next one. What was cut short ends the file: it is cut off when the journal
+ * is opened again. Tiles that are lost so are simply rendered again.
  */
 final class Journal implements Closeable {
-    static final int HEADER_BYTES = 48;
     static final long FORCE_EVERY_NANOS = 200_000_000L;
-
-    private static final byte[] MAGIC = "ENLJRN01".getBytes(StandardCharsets.US_ASCII);
-    private static final int RECORD_HEAD = 2 * Integer.BYTES;
-    private static final int LONGEST_BODY = Limits.FRAME + (64 << 10);
 
     private final FileChannel file;
     private final FileLock lock;
+    private final JournalFormat.Header header;
     private final long cutBytes;
+    private final JournalScan scan;
     private long lastForce;
     private boolean dirty;
 
-    private Journal(FileChannel file, FileLock lock, long cutBytes, long now) {
+    private Journal(
+            FileChannel file, FileLock lock, JournalFormat.Header header, JournalScan scan, long cutBytes, long now) {
         this.file = file;
         this.lock = lock;
+        this.header = header;
+        this.scan = scan;
         this.cutBytes = cutBytes;
         lastForce = now;
     }
@@ -67,19 +65,16 @@ final class Journal implements Closeable {
                 FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         try {
             FileLock lock = lock(file, path);
-            byte[] header = header(job, tiles);
             long length = file.size();
-            long good = HEADER_BYTES;
-            if (checkHeader(file, path, header, job)) {
-                good = readRecords(file, length, tiles, reader);
-            } else {
-                writeFully(file, ByteBuffer.wrap(header), 0);
+            JournalFormat.Header header = header(file, path, job, tiles);
+            JournalScan scan = new JournalScan(file, header);
+            for (byte[] body = scan.next(); body != null; body = scan.next()) {
+                reader.record(JournalRecord.decode(body, tiles));
             }
-            long cut = Math.max(length - good, 0);
-            file.truncate(good);
-            file.position(good);
+            file.truncate(scan.end());
+            file.position(scan.end());
             file.force(true);
-            return new Journal(file, lock, cut, now);
+            return new Journal(file, lock, header, scan, Math.max(length - scan.end(), 0), now);
         } catch (IOException | RuntimeException e) {
             file.close();
             throw e;
@@ -98,67 +93,46 @@ final class Journal implements Closeable {
         throw new JournalException(path + " is in use by another server");
     }
 
-    private static byte[] header(ContentHash job, int tiles) {
-        ByteBuffer header = ByteBuffer.allocate(HEADER_BYTES);
-        header.put(MAGIC).put(job.toBytes()).putInt(tiles);
-        return header.putInt(checksum(header.array(), 0, HEADER_BYTES - Integer.BYTES))
-                .array();
-    }
-
-    /** Whether the file has our header; false if it is a part of it only, from a server that died while it wrote it. */
-    private static boolean checkHeader(FileChannel file, Path path, byte[] ours, ContentHash job) throws IOException {
-        byte[] found = new byte[(int) Math.min(file.size(), HEADER_BYTES)];
-        readFully(file, ByteBuffer.wrap(found), 0);
-        if (Arrays.equals(found, Arrays.copyOf(ours, found.length))) {
-            return found.length == HEADER_BYTES;
+    /** The journal's header; both copies are whole when this returns. */
+    private static JournalFormat.Header header(FileChannel file, Path path, ContentHash job, int tiles)
+            throws IOException {
+        byte[] found = new byte[(int) Math.min(file.size(), JournalFormat.START)];
+        JournalFormat.readFully(file, ByteBuffer.wrap(found), 0);
+        JournalFormat.Header header = JournalFormat.Header.decode(found, 0);
+        if (header == null) {
+            header = JournalFormat.Header.decode(found, JournalFormat.HEADER_BYTES);
         }
-        int checked = HEADER_BYTES - Integer.BYTES;
-        boolean isJournal = found.length == HEADER_BYTES
-                && Arrays.equals(Arrays.copyOf(found, MAGIC.length), MAGIC)
-                && ByteBuffer.wrap(found).getInt(checked) == checksum(found, 0, checked);
-        if (!isJournal) {
-            throw new JournalException(path + " is not a checkpoint of this version; it is left as it is");
-        }
-        ContentHash other =
-                ContentHash.fromBytes(Arrays.copyOfRange(found, MAGIC.length, MAGIC.length + ContentHash.BYTES));
-        throw new JournalException(path + " is the checkpoint of another job: it has the hash " + other
-                + ", this job has " + job + " (scene, textures, settings or version differ)");
-    }
-
-    /** Reads records up to the first bad one; returns where it begins. */
-    private static long readRecords(FileChannel file, long length, int tiles, Reader reader) throws IOException {
-        long at = HEADER_BYTES;
-        ByteBuffer head = ByteBuffer.allocate(RECORD_HEAD);
-        while (length - at >= RECORD_HEAD) {
-            head.clear();
-            readFully(file, head, at);
-            int bodyLength = head.getInt(0);
-            if (bodyLength < 1 || bodyLength > LONGEST_BODY || bodyLength > length - at - RECORD_HEAD) {
-                return at;
+        if (header == null) {
+            header = new JournalFormat.Header(job, tiles, new SecureRandom().nextLong());
+            // A server may have died while it wrote the first one.
+            if (!header.beginsLike(found)) {
+                throw new JournalException(
+                        JournalFormat.isOtherVersion(found)
+                                ? path
+                                        + " is a checkpoint of another version of Enlightenment, which cannot go on here;"
+                                        + " it is left as it is"
+                                : path + " is not a checkpoint; it is left as it is");
             }
-            ByteBuffer whole = ByteBuffer.allocate(Integer.BYTES + bodyLength).putInt(bodyLength);
-            readFully(file, whole, at + RECORD_HEAD);
-            byte[] checked = whole.array();
-            if (checksum(checked, 0, checked.length) != head.getInt(Integer.BYTES)) {
-                return at;
-            }
-            reader.record(JournalRecord.decode(Arrays.copyOfRange(checked, Integer.BYTES, checked.length), tiles));
-            at += RECORD_HEAD + bodyLength;
         }
-        return at;
+        if (!header.job().equals(job) || header.tiles() != tiles) {
+            throw new JournalException(path + " is the checkpoint of another job: it has the hash " + header.job()
+                    + ", this job has " + job + " (scene, textures, settings or version differ)");
+        }
+        byte[] twice = Arrays.copyOf(header.encode(), JournalFormat.START);
+        System.arraycopy(twice, 0, twice, JournalFormat.HEADER_BYTES, JournalFormat.HEADER_BYTES);
+        if (!Arrays.equals(found, twice)) {
+            writeFully(file, ByteBuffer.wrap(twice), 0);
+        }
+        return header;
     }
 
     /** Appends a record; forced to the disk now or within the next calls of this or {@link #tick}. */
     void append(long now, JournalRecord record) throws IOException {
         byte[] body = record.encode();
-        if (body.length > LONGEST_BODY) {
+        if (body.length > JournalFormat.LONGEST_BODY) {
             throw new JournalException("a record of " + body.length + " bytes is too long for a checkpoint");
         }
-        ByteBuffer whole = ByteBuffer.allocate(RECORD_HEAD + body.length);
-        CRC32C crc = new CRC32C();
-        crc.update(ByteBuffer.allocate(Integer.BYTES).putInt(body.length).flip());
-        crc.update(body);
-        whole.putInt(body.length).putInt((int) crc.getValue()).put(body).flip();
+        ByteBuffer whole = header.record(body);
         // One write for the whole record: what tears is the last record only.
         while (whole.hasRemaining()) {
             file.write(whole);
@@ -181,6 +155,16 @@ final class Journal implements Closeable {
         return dirty;
     }
 
+    /** Bytes in the middle that were found damaged on opening; the records in them are lost, those after them are not. */
+    long lostBytes() {
+        return scan.lostBytes();
+    }
+
+    /** In how many places that was. */
+    int gaps() {
+        return scan.gaps();
+    }
+
     /** Bytes of a torn or damaged end that were cut off on opening. */
     long cutBytes() {
         return cutBytes;
@@ -192,23 +176,6 @@ final class Journal implements Closeable {
         try (file;
                 lock) {
             file.force(true);
-        }
-    }
-
-    private static int checksum(byte[] bytes, int from, int to) {
-        CRC32C crc = new CRC32C();
-        crc.update(bytes, from, to - from);
-        return (int) crc.getValue();
-    }
-
-    private static void readFully(FileChannel file, ByteBuffer into, long at) throws IOException {
-        long position = at;
-        while (into.hasRemaining()) {
-            int read = file.read(into, position);
-            if (read < 0) {
-                throw new JournalException("the checkpoint became shorter while it was read");
-            }
-            position += read;
         }
     }
 

@@ -21,13 +21,17 @@ sealed interface JournalRecord {
         }
     }
 
-    /** Two machines agree on the tile. */
-    record Confirmed(int tile) implements JournalRecord {
+    /**
+     * Two machines agree that the tile has this hash. Without the hash, what one machine said alone would be taken for confirmed
+     * where the record of the tile that was meant is lost.
+     */
+    record Confirmed(int tile, ContentHash hash) implements JournalRecord {
         @Override
         public byte[] encode() {
-            return ByteBuffer.allocate(1 + Integer.BYTES)
+            return ByteBuffer.allocate(1 + Integer.BYTES + ContentHash.BYTES)
                     .put(CONFIRMED)
                     .putInt(tile)
+                    .put(hash.toBytes())
                     .array();
         }
     }
@@ -76,8 +80,16 @@ sealed interface JournalRecord {
         if (tile < 0 || tile >= tiles) {
             throw senseless(kind);
         }
-        if (kind != KEPT) {
-            return kind == CONFIRMED ? new Confirmed(tile) : new Revoked(tile);
+        if (kind == REVOKED) {
+            return new Revoked(tile);
+        }
+        if (kind == CONFIRMED) {
+            if (in.remaining() != ContentHash.BYTES) {
+                throw senseless(kind);
+            }
+            byte[] hash = new byte[ContentHash.BYTES];
+            in.get(hash);
+            return new Confirmed(tile, ContentHash.fromBytes(hash));
         }
         int length = in.remaining() >= Integer.BYTES ? in.getInt() : -1;
         if (length < 0 || length > in.remaining()) {

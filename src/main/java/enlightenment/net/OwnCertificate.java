@@ -1,5 +1,6 @@
 package enlightenment.net;
 
+import enlightenment.file.TemporaryFile;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -50,16 +51,13 @@ final class OwnCertificate {
      */
     static void make(Path file, Path keytool, Validity validity) throws IOException {
         String password = SecretFile.random();
-        Path folder = Files.createTempDirectory("enlightenment");
-        Path store = folder.resolve("store.p12");
-        Path words = folder.resolve("words");
-        try {
-            run(file, command(keytool, store, validity), password, words);
+        Path shared = Path.of(System.getProperty("java.io.tmpdir"));
+        TemporaryFile.clean(shared);
+        try (TemporaryFile temporary = TemporaryFile.in(shared, SecretFile.ownersOnly(shared))) {
+            Path folder = temporary.folder();
+            Path store = folder.resolve("store.p12");
+            run(file, command(keytool, store, validity), password, folder.resolve("words"));
             SecretFile.create(file, pem(store, password.toCharArray()));
-        } finally {
-            Files.deleteIfExists(store);
-            Files.deleteIfExists(words);
-            Files.deleteIfExists(folder);
         }
     }
 

@@ -1,9 +1,9 @@
 package enlightenment.net;
 
+import enlightenment.file.WholeFile;
 import enlightenment.render.FilmAssembly;
 import enlightenment.render.RenderOutline;
 import java.io.BufferedInputStream;
-import java.io.BufferedOutputStream;
 import java.io.Closeable;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
@@ -15,7 +15,6 @@ import java.io.UTFDataFormatException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
 import java.util.ArrayList;
@@ -52,28 +51,20 @@ final class PartFile implements Closeable {
 
     /** Writes a part, whole or not at all. */
     static void write(Path file, Head head, Map<Integer, byte[]> tiles) throws IOException {
-        Path absolute = file.toAbsolutePath();
-        Path unfinished = absolute.resolveSibling(
-                "." + absolute.getFileName() + "." + ProcessHandle.current().pid() + ".part");
-        MessageDigest digest = ContentHash.sha256();
-        try {
-            try (OutputStream plain = new BufferedOutputStream(Files.newOutputStream(unfinished), BUFFER)) {
-                DataOutputStream out = new DataOutputStream(new DigestOutputStream(plain, digest));
-                out.write(MAGIC);
-                writeHead(out, head);
-                out.writeInt(tiles.size());
-                for (Map.Entry<Integer, byte[]> tile : tiles.entrySet()) {
-                    out.writeInt(tile.getKey());
-                    out.writeInt(tile.getValue().length);
-                    out.write(tile.getValue());
-                }
-                out.flush();
-                plain.write(digest.digest());
+        WholeFile.write(file, plain -> {
+            MessageDigest digest = ContentHash.sha256();
+            DataOutputStream out = new DataOutputStream(new DigestOutputStream(plain, digest));
+            out.write(MAGIC);
+            writeHead(out, head);
+            out.writeInt(tiles.size());
+            for (Map.Entry<Integer, byte[]> tile : tiles.entrySet()) {
+                out.writeInt(tile.getKey());
+                out.writeInt(tile.getValue().length);
+                out.write(tile.getValue());
             }
-            Files.move(unfinished, absolute, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(unfinished);
-        }
+            out.flush();
+            plain.write(digest.digest());
+        });
     }
 
     private static void writeHead(DataOutputStream out, Head head) throws IOException {

@@ -5,6 +5,7 @@ import enlightenment.render.TiledRender;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 
 /** Threads that render what a {@link WorkerCore} says. All waits end by themselves when the pool is closed. */
@@ -17,7 +18,7 @@ final class RenderPool implements AutoCloseable {
     private final WorkerOptions.Tamper tamper;
     private final List<Thread> threads = new ArrayList<>();
     private Runnable flush = () -> {};
-    private boolean closed;
+    private volatile boolean closed;
     private long made;
 
     /**
@@ -55,12 +56,15 @@ final class RenderPool implements AutoCloseable {
 
     private void work() {
         try {
-            TileMaker maker = render.maker();
+            TileMaker maker = render.maker(() -> closed);
             for (WorkerCore.Task task = next(); task != null; task = next()) {
                 TileData data = TileData.of(tamper.change(task.tile(), maker.make(task.tile())));
                 finished(task, data);
                 flush.run();
             }
+        } catch (CancellationException e) {
+            // Nobody wants the tile any more.
+            return;
         } catch (RuntimeException | Error e) {
             failed.accept(e);
         }
@@ -122,7 +126,7 @@ final class RenderPool implements AutoCloseable {
         return made;
     }
 
-    /** Ends the threads, after the tiles that they have in hand. */
+    /** Ends the threads, soon and in the middle of the tiles that they have in hand. */
     @Override
     public synchronized void close() {
         closed = true;

@@ -24,7 +24,8 @@ public final class RenderWorker {
     public record Outcome(boolean isDone, String reason, long tiles) {}
 
     /**
-     * Works until the picture is done, the server refuses, or it has been away for too long.
+     * Works until the picture is done, the server refuses, shows a certificate that is not to be trusted, or has been away for
+     * too long.
      *
      * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the
      *     worker says good-bye and ends

@@ -28,7 +28,10 @@ record Restored(List<Tile> tiles, Set<String> expelled) {
             if (record instanceof JournalRecord.Kept kept) {
                 kept(kept.tile(), kept.machine(), ContentHash.of(kept.data()));
             } else if (record instanceof JournalRecord.Confirmed confirmed) {
-                tiles.computeIfPresent(confirmed.tile(), (tile, t) -> new Tile(tile, t.machine(), t.hash(), true));
+                tiles.computeIfPresent(
+                        confirmed.tile(),
+                        (tile, t) ->
+                                t.hash().equals(confirmed.hash()) ? new Tile(tile, t.machine(), t.hash(), true) : t);
             } else if (record instanceof JournalRecord.Revoked revoked) {
                 tiles.remove(revoked.tile());
             } else if (record instanceof JournalRecord.Expelled machine) {

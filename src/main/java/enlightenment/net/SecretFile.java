@@ -1,11 +1,14 @@
 package enlightenment.net;
 
+import enlightenment.file.TemporaryFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.security.SecureRandom;
 import java.util.EnumSet;
 import java.util.HexFormat;
@@ -16,6 +19,9 @@ import java.util.function.Consumer;
 final class SecretFile {
     private static final Set<PosixFilePermission> OWNER = EnumSet.of(
             PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE, PosixFilePermission.OWNER_EXECUTE);
+
+    private static final Set<PosixFilePermission> READ_AND_WRITE =
+            EnumSet.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE);
 
     private static final int RANDOM_BYTES = 16;
 
@@ -37,21 +43,25 @@ final class SecretFile {
         if (!Files.isWritable(folder)) {
             throw new IOException(file + ": cannot be made: no permission to write to the folder " + folder);
         }
-        Path part = null;
-        try {
-            // Born with the owner's permissions only, so that there is no moment at which others can read it.
-            part = Files.createTempFile(folder, ".", ".part");
-            Files.writeString(part, text, StandardCharsets.US_ASCII);
-            Files.move(part, file);
+        TemporaryFile.clean(folder);
+        // Born with the owner's permissions only, so that there is no moment at which others can read it.
+        try (TemporaryFile part = TemporaryFile.in(folder, ownersOnly(folder))) {
+            part.stream().write(text.getBytes(StandardCharsets.US_ASCII));
+            part.force();
+            part.become(file);
         } catch (FileAlreadyExistsException e) {
             throw new IOException(file + ": was made by somebody else just now; start again", e);
         } catch (IOException e) {
             throw new IOException(file + ": cannot be made: " + e.getMessage(), e);
-        } finally {
-            if (part != null) {
-                Files.deleteIfExists(part);
-            }
         }
+    }
+
+    /** As far as the file system knows permissions. */
+    static FileAttribute<?>[] ownersOnly(Path folder) throws IOException {
+        boolean posix = Files.getFileStore(folder).supportsFileAttributeView("posix");
+        return posix
+                ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(READ_AND_WRITE)}
+                : new FileAttribute<?>[0];
     }
 
     /** Tells of it if others than the owner may read or change it; says nothing where the file system cannot tell. */

@@ -16,6 +16,10 @@ final class ServerJob implements Closeable {
     private final JobContent content;
     private final FilmAssembly film;
     private final Consumer<String> log;
+
+    /** The hashes of the tiles that are kept. */
+    private final ContentHash[] kept;
+
     private Restored restored = Restored.NOTHING;
     private Journal journal;
 
@@ -24,6 +28,7 @@ final class ServerJob implements Closeable {
         this.content = content;
         this.log = log;
         film = render.assembly();
+        kept = new ContentHash[render.tiles()];
     }
 
     /** Goes on from a checkpoint, or begins one. */
@@ -43,13 +48,20 @@ final class ServerJob implements Closeable {
         });
         restored = builder.build();
         BitSet there = new BitSet();
-        restored.tiles().forEach(tile -> there.set(tile.tile()));
+        restored.tiles().forEach(tile -> {
+            there.set(tile.tile());
+            kept[tile.tile()] = tile.hash();
+        });
         for (int tile = 0; tile < tiles(); tile++) {
             if (!there.get(tile)) {
                 film.remove(tile);
             }
         }
         wrong.forEach(w -> log.accept("checkpoint: " + w));
+        if (journal.gaps() > 0) {
+            log.accept("checkpoint: damaged in " + journal.gaps() + " places, " + journal.lostBytes()
+                    + " bytes; what they held is rendered again");
+        }
         if (journal.cutBytes() > 0) {
             log.accept("checkpoint: a torn end of " + journal.cutBytes() + " bytes was cut off");
         }
@@ -62,9 +74,10 @@ final class ServerJob implements Closeable {
     boolean keep(Action action) {
         if (action instanceof Action.Keep a) {
             film.put(a.tile(), a.data().bytes());
+            kept[a.tile()] = a.data().hash();
             write(new JournalRecord.Kept(a.tile(), a.machine(), a.data().bytes()));
         } else if (action instanceof Action.Confirm a) {
-            write(new JournalRecord.Confirmed(a.tile()));
+            write(new JournalRecord.Confirmed(a.tile(), kept[a.tile()]));
         } else if (action instanceof Action.Revoke a) {
             film.remove(a.tile());
             write(new JournalRecord.Revoked(a.tile()));

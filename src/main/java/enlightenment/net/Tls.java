@@ -26,6 +26,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLHandshakeException;
 import javax.net.ssl.SSLParameters;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.TrustManager;
@@ -147,7 +148,33 @@ final class Tls {
         }
     }
 
-    /** TLS over a connection; for a worker with the name that it connected to, else null. Shakes hands. */
+    /** The server shows a certificate that this worker is not to trust: our own decision, which no later try changes. */
+    static final class UntrustedException extends IOException {
+        private static final long serialVersionUID = 1L;
+
+        UntrustedException(String message, Throwable cause) {
+            super(message, cause);
+        }
+    }
+
+    private static void shakeHands(SSLSocket socket) throws IOException {
+        try {
+            socket.startHandshake();
+        } catch (SSLHandshakeException e) {
+            for (Throwable cause = e.getCause(); cause != null; cause = cause.getCause()) {
+                if (cause instanceof CertificateException refused) {
+                    throw new UntrustedException("the server's certificate is not trusted: " + refused.getMessage(), e);
+                }
+            }
+            throw e;
+        }
+    }
+
+    /**
+     * TLS over a connection; for a worker with the name that it connected to, else null. Shakes hands.
+     *
+     * @throws UntrustedException if this side refuses the other's certificate; other failures may pass
+     */
     SSLSocket over(Socket plain, String host) throws IOException {
         SSLSocket socket = (SSLSocket)
                 (host == null
@@ -159,7 +186,7 @@ final class Tls {
             parameters.setEndpointIdentificationAlgorithm("HTTPS");
         }
         socket.setSSLParameters(parameters);
-        socket.startHandshake();
+        shakeHands(socket);
         return socket;
     }
 
@@ -225,7 +252,7 @@ final class Tls {
         public void checkServerTrusted(X509Certificate[] chain, String type) throws CertificateException {
             ContentHash shown = ContentHash.of(chain[0].getEncoded());
             if (!shown.equals(pin)) {
-                throw new CertificateException("the server's certificate is " + shown + ", not " + pin);
+                throw new CertificateException("it is " + shown + ", not " + pin + " as the pin says");
             }
         }
 

@@ -68,7 +68,7 @@ final class WorkerSession {
         } catch (IOException e) {
             Link mine = link;
             String reason = mine == null || mine.reason().isEmpty() ? describe(e) : "the server " + mine.reason();
-            return new End(jobs.failure() != null, false, reason);
+            return new End(jobs.failure() != null || e instanceof Tls.UntrustedException, false, reason);
         } finally {
             isOver = true;
             place.current().compareAndSet(this, null);

@@ -155,7 +155,7 @@ final class Planner {
 
     private ClusterCost cost() {
         if (cost == null) {
-            cost = ClusterCost.of(scene, settings, COST_BLOCKS);
+            cost = ClusterCost.of(scene, settings, COST_BLOCKS, cancelled);
         }
         return cost;
     }
@@ -323,6 +323,7 @@ final class Planner {
         RenderPlan plan = withSamples(samples, "trial");
         Workers.run(settings.threads(), blocks.size(), stop, () -> {
             TileMethod method = plan.method(scene, apart, new RayCounters(scene.kindNames.size()));
+            method.stopWhen(stop);
             return (IntConsumer) i -> method.render(blocks.get(i));
         });
     }

@@ -67,6 +67,7 @@ final class Preview {
         long total = (long) region.width() * region.height();
         Workers.run(settings.threads(), grid.count, cancelled, () -> {
             TileMethod method = plan.method(scene, how, new RayCounters(scene.kindNames.size()));
+            method.stopWhen(cancelled);
             return turn -> {
                 FilmTile tile = grid.tile(turn);
                 if (side == 0) {

@@ -66,6 +66,7 @@ final class TileRender {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
             TileMethod method = plan.method(scene, settings, mine, clusters == null ? null : this::gather);
+            method.stopWhen(cancelled);
             return turn -> renderTile(method, grid.tile(turn));
         });
     }

@@ -89,8 +89,19 @@ public final class TiledRender {
 
     /** Makes tiles, for one thread. */
     public TileMaker maker() {
+        return maker(() -> false);
+    }
+
+    /**
+     * The same, unless it is cancelled.
+     *
+     * @param cancelled asked now and then by that thread; soon after it becomes true {@link TileMaker#make} throws a {@link
+     *     java.util.concurrent.CancellationException}, in the middle of a tile if need be
+     */
+    public TileMaker maker(BooleanSupplier cancelled) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
         TileMethod method = plan.plan().method(compiled, settings, counters);
+        method.stopWhen(cancelled);
         return tile -> make(Objects.checkIndex(tile, grid.tiles()), method, counters);
     }
 
@@ -108,8 +119,9 @@ public final class TiledRender {
      *     left undone
      */
     public void make(int[] tiles, BooleanSupplier cancelled, TileSink sink) {
-        Workers.run(settings.threads(), tiles.length, Cancellation.of(cancelled), () -> {
-            TileMaker maker = maker();
+        BooleanSupplier stop = Cancellation.of(cancelled);
+        Workers.run(settings.threads(), tiles.length, stop, () -> {
+            TileMaker maker = maker(stop);
             return i -> sink.made(tiles[i], maker.make(tiles[i]));
         });
     }

@@ -2,6 +2,7 @@ package enlightenment.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
@@ -25,8 +26,8 @@ final class Workers {
 
     /**
      * Does pieces 0 .. count − 1 on so many threads, the calling one among them, and returns when all are done or it is
-     * cancelled. What a piece throws ends the work and is thrown here. An interrupt while it waits for the helpers ends the
-     * work, too, and is set again before it returns.
+     * cancelled, which a piece may also tell by a {@link CancellationException}. What else a piece throws ends the work and is
+     * thrown here. An interrupt while it waits for the helpers ends the work, too, and is set again before it returns.
      *
      * @param work makes what one thread works with; called by one thread at a time, in order
      */
@@ -65,6 +66,9 @@ final class Workers {
                 }
                 piece.accept(index);
             }
+        } catch (CancellationException e) {
+            // In the middle of a piece, which is not done then.
+            return;
         } catch (RuntimeException | Error e) {
             failure.compareAndSet(null, e);
         }

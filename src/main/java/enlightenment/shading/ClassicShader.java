@@ -11,6 +11,8 @@ import enlightenment.geometry.Ray;
 import enlightenment.geometry.SpherePrimitive;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 
 /**
  * The paper's cosine shading of one camera ray: what is the colour seen along it?
@@ -31,6 +33,8 @@ import enlightenment.sampling.Sobol;
 public final class ClassicShader {
     /** A line meets no primitive more often: the torus, of the fourth degree, is the worst. */
     private static final int MOST_CROSSINGS = 4;
+    /** After so many paths, surfaces and light points together it is asked whether anybody still wants them. */
+    static final int ASK_EVERY = 1024;
 
     private final CompiledScene scene;
     private final RayCounters counters;
@@ -82,6 +86,9 @@ public final class ClassicShader {
     /** The variance of the cosine among the light points of the last call of {@code meanCosine}. */
     private double cosineSpread;
 
+    private BooleanSupplier cancelled = () -> false;
+    private int untilAsked = ASK_EVERY;
+
     private LightObserver observer;
     private int observedLight;
     private int observedBounce;
@@ -123,6 +130,27 @@ public final class ClassicShader {
         observer = watcher;
     }
 
+    /**
+     * Lets {@link #shade} end in the middle of a path: it throws a {@link CancellationException} soon after this becomes true,
+     * however long the path is.
+     */
+    public void stopWhen(BooleanSupplier asked) {
+        cancelled = asked;
+    }
+
+    private void tick() {
+        if (--untilAsked <= 0) {
+            ask();
+        }
+    }
+
+    private void ask() {
+        untilAsked = ASK_EVERY;
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException();
+        }
+    }
+
     /** A hash of what the last path met, in order: where it is the same for neighbouring rays, no edge lies between. */
     public long pathKey() {
         return pathKey;
@@ -159,6 +187,7 @@ public final class ClassicShader {
      *
      * @param address which sample this is
      * @param out receives red, green and blue, display-referred
+     * @throws CancellationException as {@link #stopWhen} tells
      */
     public void shade(Ray ray, SampleAddress address, double[] out) {
         red = 0;
@@ -178,6 +207,7 @@ public final class ClassicShader {
         int bounces = 0;
         int straight = 0;
         passedStraight = false;
+        tick();
         // Surfaces that leave the ray's direction alone are no bounces: how often a scene is cut up does not show.
         while (step(ray, address, surfaces)) {
             surfaces++;
@@ -191,6 +221,7 @@ public final class ClassicShader {
             if (bounces > maxBounces) {
                 break;
             }
+            tick();
         }
         out[0] = red;
         out[1] = green;
@@ -392,6 +423,7 @@ public final class ClassicShader {
         double squares = 0;
         for (int j = 0; j < count; j++) {
             sampler.sample(Sobol.x(first + j, seed), Sobol.y(first + j, seed));
+            tick();
             double cosine = nx * sampler.dx + ny * sampler.dy + nz * sampler.dz;
             if (cosine > 0) {
                 sum += !rays || isBlocked() ? blockedFactor * cosine : cosine;
@@ -466,6 +498,7 @@ public final class ClassicShader {
     }
 
     private boolean isBlocked() {
+        tick();
         sampler.ray(shadowRay, hit.px, hit.py, hit.pz);
         shadowRay.from(hit.primitive, hit.side);
         if (glass.surfaces() > 1) {

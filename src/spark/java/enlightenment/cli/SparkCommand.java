@@ -91,6 +91,12 @@ public final class SparkCommand extends Subcommand {
                 ? SceneReader.read(sceneFile, options.frame().get())
                 : SceneReader.read(sceneFile);
         RenderSettings settings = options.settings(scene, sceneFile.toString());
+        new OutputFiles()
+                .reads(sceneFile, scene)
+                .writes("--checkpoint", checkpoint)
+                .writes("-o", output)
+                .writes("--report", report)
+                .check();
         RenderResult result;
         try (EngineJob job = EngineJob.start(scene, settings, checkpoint, terminal::say, terminal.stop())) {
             result = render(job);
@@ -102,7 +108,7 @@ public final class SparkCommand extends Subcommand {
         return finish(result, scene, settings);
     }
 
-    private void check() throws IOException {
+    private void check() {
         PictureOptions.check(output, depth);
         if (progress != null) {
             OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
@@ -111,15 +117,6 @@ public final class SparkCommand extends Subcommand {
         if (checkpoint != null && options.hasTime()) {
             throw CliException.wrongUsage(
                     "--checkpoint must not be given with --time, which is planned anew each time: give --samples");
-        }
-        for (Path file : new Path[] {output, report, checkpoint}) {
-            if (file != null) {
-                Target.check(file);
-                if (Target.same(file, sceneFile)) {
-                    throw CliException.wrongUsage(
-                            "\"" + sceneFile + "\" is the scene itself: nothing is written there");
-                }
-            }
         }
     }
 

@@ -1,5 +1,10 @@
 package enlightenment.architecture;
 
+import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.name;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
@@ -8,6 +13,11 @@ import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.Architectures;
+import java.io.FileOutputStream;
+import java.io.FileWriter;
+import java.io.RandomAccessFile;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
 
 /** Data flows one way: the layers of docs/architecture.md, and who may use what. */
 @AnalyzeClasses(packages = "enlightenment", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -19,6 +29,8 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule aLayerUsesOnlyLayersAboveIt = Architectures.layeredArchitecture()
             .consideringOnlyDependenciesInAnyPackage("enlightenment..")
+            .layer("file")
+            .definedBy("enlightenment.file")
             .layer("math")
             .definedBy("enlightenment.math")
             .layer("color")
@@ -57,6 +69,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.cli")
             .whereLayer("cli")
             .mayNotBeAccessedByAnyLayer()
+            .whereLayer("file")
+            .mayOnlyBeAccessedByLayers("image", "json", "net", "measure", "cli")
             .whereLayer("net")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
@@ -86,6 +100,24 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "render", "net", "cli")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers("compiled", "film", "render", "net", "measure", "cli", "json");
+
+    /** So that files appear as a whole; what is appended to, such as checkpoints, is left to the journals. */
+    @ArchTest
+    static final ArchRule filesAreWrittenByWholeFileOnly = noClasses()
+            .that()
+            .resideOutsideOfPackage("enlightenment.file")
+            .and()
+            .doNotHaveSimpleName("Journal")
+            .should()
+            .callMethodWhere(
+                    target(nameMatching("write|writeString|newOutputStream|newBufferedWriter|newByteChannel|copy|move|"
+                                    + "createTempFile|createTempDirectory"))
+                            .and(target(owner(assignableTo(Files.class)))))
+            .orShould()
+            .callMethodWhere(target(name("open")).and(target(owner(assignableTo(FileChannel.class)))))
+            .orShould()
+            .dependOnClassesThat()
+            .belongToAnyOf(FileOutputStream.class, FileWriter.class, RandomAccessFile.class);
 
     @ArchTest
     static final ArchRule onlyTheSceneReaderSeesJackson = noClasses()

@@ -237,9 +237,9 @@ class CompareCommandTest {
         Path png = folder.resolve("a.png");
         ImageFiles.writePng(ImageFiles.read(a), png);
         byte[] before = Files.readAllBytes(png);
-        String message = "--heatmap must name a file of its own, not \"" + png + "\"";
-        wrong(message, "compare", png, b, "--heatmap", png);
-        wrong(message, "compare", b, png, "--heatmap", png);
+        String over = "--heatmap would write over ";
+        wrong(over + "picture A, \"" + png + "\"", "compare", png, b, "--heatmap", png);
+        wrong(over + "the reference B, \"" + png + "\"", "compare", b, png, "--heatmap", png);
         assertArrayEquals(before, Files.readAllBytes(png));
     }
 

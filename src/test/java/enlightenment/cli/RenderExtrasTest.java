@@ -103,14 +103,14 @@ class RenderExtrasTest {
         refused("--aov names depth twice", "--aov", "depth,error,depth");
         Path report = folder.resolve("p.error.png");
         refused(
-                "--aov would write \"" + report + "\", which is the file of --report",
+                "--report and --aov error would write the same file, \"" + report + "\"",
                 "--aov",
                 "error",
                 "--report",
                 report);
         Path moved = Files.move(scene, folder.resolve("p.depth.png"));
         scene = moved;
-        refused("--aov would write \"" + moved + "\", which is the scene itself", "--aov", "depth");
+        refused("--aov depth would write over the scene, \"" + moved + "\"", "--aov", "depth");
         assertEquals(Set.of("p.depth.png"), files());
     }
 

@@ -63,15 +63,15 @@ class ServerCommandTest {
         assertRefused("--host 0.0.0.0 is beyond this machine: --token-file", "--host", "0.0.0.0");
         assertRefused("--tls-cert and --tls-key go together", "--tls-cert", file);
         assertRefused("--tls must not be given together", "--tls", file, "--tls-cert", file, "--tls-key", file);
-        assertRefused("must not be a secret and another file", "--tls", picture);
-        assertRefused("must not be a secret and another file", "--token-file", scene);
-        assertRefused("--token-file and --tls must be two files", "--tls", file, "--token-file", file);
+        assertRefused("--tls and -o would write the same file", "--tls", picture);
+        assertRefused("--token-file would write over the scene", "--token-file", scene);
+        assertRefused("--token-file and --tls would write the same file", "--tls", file, "--token-file", file);
         assertRefused("must not be given with --time", "--time", "3", "--checkpoint", file);
         assertRefused("--shares must be HOST=WEIGHT", "--shares", "fast");
         assertRefused("--shares must be a number", "--shares", "fast=quick");
         assertRefused("--port must be a whole number in 0..65535", "--port", "70000");
         assertRefused("--audit must be a number in 0..1", "--audit", "2");
-        assertRefused("must not name the scene itself", "--checkpoint", scene);
+        assertRefused("--checkpoint would write over the scene", "--checkpoint", scene);
     }
 
     @Test

@@ -9,12 +9,16 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class StopTest {
     private static final int SIGTERM_EXIT = 128 + 15;
@@ -65,6 +69,70 @@ class StopTest {
         BufferedImage image = ImageIO.read(picture.toFile());
         assertNotNull(image);
         assertEquals(2000, image.getWidth());
+    }
+
+    /** The process must end by its own doing well before the 30 seconds after which it would be given up. */
+    @ParameterizedTest
+    @ValueSource(strings = {"raytrace", "cluster"})
+    @Timeout(300)
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
+    void aSignalEndsARenderOfWhichEachTileTakesHours(String method) throws IOException, InterruptedException {
+        Path scene = Files.writeString(
+                folder.resolve("scene.json"),
+                """
+                {
+                  "image": { "width": 800, "height": 400 },
+                  "camera": { "type": "perspective", "eye": [0.1, 0.2, 0], "lookAt": [1, 0, 0], "up": [0, 1, 0],
+                              "fieldOfView": 40 },
+                  "shading": { "maxBounces": 1000000 },
+                  "materials": { "wall": { "type": "mirror", "color": "#ffffff" } },
+                  "lights": [ { "type": "point", "position": [0, 0.5, 0], "color": "#ffffff" } ],
+                  "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "wall" } ]
+                }
+                """);
+        Path picture = folder.resolve("part.png");
+        Path err = folder.resolve("err.txt");
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        "enlightenment.cli.Main",
+                        "render",
+                        scene.toString(),
+                        "-o",
+                        picture.toString(),
+                        "--method",
+                        method,
+                        "--antialias",
+                        "16",
+                        "--progress",
+                        "none")
+                .redirectError(err.toFile())
+                .start();
+        try {
+            // So much computing is more than a start takes; the render itself says nothing yet.
+            while (process.info().totalCpuDuration().orElseThrow().toSeconds() < 4) {
+                assertTrue(process.isAlive(), "the render goes on until it is stopped");
+                Thread.sleep(50);
+            }
+            process.destroy();
+            assertTrue(process.waitFor(120, TimeUnit.SECONDS));
+        } finally {
+            process.destroyForcibly();
+        }
+        assertEquals(
+                "enlightenment: stopped before anything was rendered; " + picture + " was not written\n",
+                Files.readString(err));
+        assertEquals(SIGTERM_EXIT, process.exitValue());
+        assertFalse(Files.exists(picture));
+    }
+
+    @Test
+    void whatIsNotBroughtToAnEndIsGivenUpWithAWord() throws InterruptedException {
+        CountDownLatch said = new CountDownLatch(1);
+        Stop stop = new Stop(said::countDown, 0);
+        stop.run();
+        assertEquals(0, said.getCount());
     }
 
     @Test

@@ -4,12 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.measure.Sweep;
+import enlightenment.measure.TradeSettings;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,6 +65,7 @@ class TradeCommandTest {
                 "sweep-antialias.svg")) {
             assertTrue(Files.size(out.resolve(name)) > 0, name);
         }
+        assertNothingIsWrittenButWhatWasAnnounced(List.of(Sweep.parse("antialias=1..2")));
         assertTrue(run.outLines().get(0).startsWith("For an error of 0.0"), run.out());
         String command = run.outLines().get(1).strip();
         assertTrue(command.startsWith("java -jar target/enlightenment.jar render " + scene), command);
@@ -95,6 +102,18 @@ class TradeCommandTest {
         assertEquals(before, after.subList(0, before.size()));
         assertTrue(after.size() > before.size());
         assertTrue(java.util.Arrays.equals(reference, Files.readAllBytes(out.resolve("reference.pfm"))));
+    }
+
+    /** All files of the folder are among those that are kept apart from the inputs. */
+    private void assertNothingIsWrittenButWhatWasAnnounced(List<Sweep> sweeps) throws IOException {
+        RenderSettings base = RenderSettings.of(SceneReader.read(scene));
+        List<String> announced = TradeOutput.names(
+                new TradeSettings(base, List.of("raytrace", "cluster"), 4, 3, sweeps, Optional.empty(), ""));
+        try (Stream<Path> files = Files.list(out)) {
+            for (Path file : files.toList()) {
+                assertTrue(announced.contains(file.getFileName().toString()), file.toString());
+            }
+        }
     }
 
     @Test

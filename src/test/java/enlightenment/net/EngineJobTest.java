@@ -14,6 +14,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -66,6 +67,38 @@ class EngineJobTest {
                 job.put(tile, maker.make(tile), "a");
             }
             assertSamePicture(job.result());
+        }
+    }
+
+    @Test
+    void aDamagedCheckpointCostsOneTileAndNotTheBytes() throws IOException {
+        Path checkpoint = folder.resolve("job.ck");
+        int all;
+        TileMaker maker;
+        try (EngineJob job = start(checkpoint)) {
+            all = job.missing().length;
+            maker = EngineJob.render(job.contents()).maker();
+            for (int tile = 0; tile < all; tile++) {
+                job.put(tile, maker.make(tile), "a");
+            }
+        }
+        byte[] whole = Files.readAllBytes(checkpoint);
+        int first = JournalFormat.START;
+        for (int at : new int[] {0, 60, first, first + 9, first + 500, whole.length / 2, whole.length - 1}) {
+            byte[] damaged = whole.clone();
+            damaged[at] ^= 16;
+            Files.write(checkpoint, damaged);
+            try (EngineJob job = start(checkpoint)) {
+                int[] missing = job.missing();
+                assertEquals(at < first ? 0 : 1, missing.length, "byte " + at);
+                for (int tile : missing) {
+                    job.put(tile, maker.make(tile), "b");
+                }
+                assertSamePicture(job.result());
+            }
+            try (EngineJob job = start(checkpoint)) {
+                assertEquals(0, job.missing().length, "what was made again is kept");
+            }
         }
     }
 

@@ -6,9 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -16,6 +19,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(120)
 class ServerSecurityTest {
+    private static final double FOR_EVER = 1e9;
+
     private static final byte[] ALONE = Farm.alone();
 
     @TempDir
@@ -59,10 +64,60 @@ class ServerSecurityTest {
         try (Farm farm = new Farm(secured()).begin()) {
             String other = "00".repeat(32);
             RenderWorker.Outcome outcome = farm.join(
-                            Farm.worker(1).withPin(other).withTokenFile(token).withReconnect(0))
-                    .get(20, TimeUnit.SECONDS);
-            assertTrue(outcome.reason().contains("not " + other), outcome.reason());
+                            Farm.worker(1).withPin(other).withTokenFile(token).withReconnect(FOR_EVER))
+                    .get(60, TimeUnit.SECONDS);
+            String words = "certificate is not trusted: it is " + farm.server.pin() + ", not " + other;
+            assertTrue(outcome.reason().contains(words), outcome.reason());
             assertEquals(0, farm.server.job().film().done());
+        }
+    }
+
+    @Test
+    void aServerThatNoAuthorityVouchesForIsNotTriedAgain() throws Exception {
+        Path other = folder.resolve("other.pem");
+        OwnCertificate.make(other, OwnCertificate.keytool(), OwnCertificate.Validity.USUAL);
+        try (Farm farm = new Farm(secured()).begin()) {
+            assertUntrusted(farm, other);
+        }
+        // It vouches for itself, but not for the name that is connected to.
+        ServerOptions nameless = Farm.options().withTokenFile(token).withTls(other);
+        try (Farm farm = new Farm(nameless).begin()) {
+            assertUntrusted(farm, other);
+        }
+    }
+
+    private void assertUntrusted(Farm farm, Path authorities) throws Exception {
+        RenderWorker.Outcome outcome = farm.join(Farm.worker(1)
+                        .withAuthorities(authorities)
+                        .withTokenFile(token)
+                        .withReconnect(FOR_EVER))
+                .get(60, TimeUnit.SECONDS);
+        assertEquals(false, outcome.isDone());
+        assertTrue(outcome.reason().startsWith("the server's certificate is not trusted: "), outcome.reason());
+    }
+
+    @Test
+    void aConnectionThatBreaksInTheMiddleOfTheHandshakeIsTriedAgain() throws Exception {
+        AtomicInteger connections = new AtomicInteger();
+        try (ServerSocket breaker = new ServerSocket(0, 10, InetAddress.getLoopbackAddress())) {
+            Thread closing = new Thread(() -> {
+                try {
+                    while (true) {
+                        breaker.accept().close();
+                        connections.incrementAndGet();
+                    }
+                } catch (IOException e) {
+                    // The test is over.
+                    return;
+                }
+            });
+            closing.setDaemon(true);
+            closing.start();
+            WorkerOptions options =
+                    Farm.worker(1).withPin("00".repeat(32)).withTokenFile(token).withReconnect(FOR_EVER);
+            RenderWorker.Outcome outcome =
+                    RenderWorker.run("127.0.0.1", breaker.getLocalPort(), options, () -> connections.get() >= 3);
+            assertEquals("stopped", outcome.reason());
         }
     }
 

@@ -166,7 +166,7 @@ final class SimServer {
         } else if (action instanceof Action.Confirm a) {
             Made made = picture.get(a.tile());
             picture.put(a.tile(), new Made(made.hash, made.machine, true));
-            write(b -> b.add(new JournalRecord.Confirmed(a.tile())));
+            write(b -> b.add(new JournalRecord.Confirmed(a.tile(), made.hash)));
         } else if (action instanceof Action.Revoke a) {
             if (picture.remove(a.tile()) == null) {
                 throw new AssertionError("tile " + a.tile() + " revoked, but nobody had made it");

@@ -1,5 +1,6 @@
 package enlightenment.measure.chart;
 
+import enlightenment.measure.Sweep;
 import enlightenment.measure.SweepResult;
 import java.util.List;
 import java.util.Optional;
@@ -17,6 +18,11 @@ final class SweepChart {
     private static final double LIFT = 0.045;
 
     private SweepChart() {}
+
+    /** What the chart of a sweep is called. */
+    static String name(Sweep sweep) {
+        return "sweep-" + sweep.name();
+    }
 
     static Optional<Chart> of(SweepResult result, int usualThreads) {
         if (result.points().size() < 2) {
@@ -45,7 +51,7 @@ final class SweepChart {
             chart.addAnnotation(
                     new AnnotationText(Integer.toString(points.get(i).value()), x[i], y[i] * lift, false));
         }
-        return new Chart("sweep-" + name, title + ". The numbers are in the table below.", chart);
+        return new Chart(name(result.sweep()), title + ". The numbers are in the table below.", chart);
     }
 
     private static Chart threads(SweepResult result) {
@@ -69,7 +75,7 @@ final class SweepChart {
                         v -> Look.isNear(v, Math.rint(v)) ? Look.number(Math.rint(v)) : " ");
         chart.getStyler().setYAxisTickLabelsFormattingFunction(Look::number);
         chart.getStyler().setLegendPosition(Styler.LegendPosition.InsideNE);
-        return new Chart("sweep-threads", title + ". The numbers are in the table below.", chart);
+        return new Chart(name(result.sweep()), title + ". The numbers are in the table below.", chart);
     }
 
     private static void series(XYChart chart, String name, double[] x, double[] y, int i) {

@@ -6,6 +6,7 @@ import enlightenment.measure.PowerLaw;
 import enlightenment.measure.SweepResult;
 import enlightenment.measure.TradeResult;
 import enlightenment.measure.TradeRun;
+import enlightenment.measure.TradeSettings;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -24,6 +25,9 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 /** The charts of a trade. */
 public final class TradeCharts {
     private static final float LINE = 2.2f;
+    private static final String OVER_TIME = "error-over-time";
+    private static final String OVER_SAMPLES = "error-over-samples";
+    private static final String OVER_PROCESSOR_TIME = "error-over-processor-time";
     private static final double PERCENT = 100;
 
     private TradeCharts() {}
@@ -42,6 +46,13 @@ public final class TradeCharts {
         }
     }
 
+    /** The names of all charts that there may be. */
+    public static List<String> names(TradeSettings settings) {
+        List<String> names = new ArrayList<>(List.of(OVER_TIME, OVER_SAMPLES, OVER_PROCESSOR_TIME));
+        settings.sweeps().forEach(sweep -> names.add(SweepChart.name(sweep)));
+        return names;
+    }
+
     /** All charts that the result has points for. */
     public static List<Chart> of(TradeResult result) {
         List<Chart> charts = new ArrayList<>();
@@ -50,7 +61,7 @@ public final class TradeCharts {
                 : result.settings().base().threads() + " threads";
         errors(
                         result,
-                        "error-over-time",
+                        OVER_TIME,
                         "Error against time: further down and further left is better",
                         "time for the picture in seconds by the clock, " + threads,
                         TradeRun::wallSeconds,
@@ -59,7 +70,7 @@ public final class TradeCharts {
                 .ifPresent(charts::add);
         errors(
                         result,
-                        "error-over-samples",
+                        OVER_SAMPLES,
                         "Error against samples: what each sample is worth",
                         "camera rays per pixel",
                         TradeRun::samplesPerPixel,
@@ -68,7 +79,7 @@ public final class TradeCharts {
                 .ifPresent(charts::add);
         errors(
                         result,
-                        "error-over-processor-time",
+                        OVER_PROCESSOR_TIME,
                         "Error against processor time: neighbours on the machine count less",
                         "time of all processors together in seconds",
                         TradeRun::cpuSeconds,

@@ -7,6 +7,8 @@ import enlightenment.sampling.Distribution;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 
 /** How many camera rays an effort costs, judged by the survey of some blocks spread over the picture. */
 public final class ClusterCost {
@@ -27,8 +29,10 @@ public final class ClusterCost {
     private final List<Integer> learners = new ArrayList<>();
 
     private final Needed surveyed;
+    private final BooleanSupplier cancelled;
 
-    private ClusterCost(CompiledScene scene, RenderSettings settings, int blockCount) {
+    private ClusterCost(CompiledScene scene, RenderSettings settings, int blockCount, BooleanSupplier cancelled) {
+        this.cancelled = cancelled;
         this.scene = scene;
         this.settings = settings;
         counters = new RayCounters(scene.kindNames.size());
@@ -37,26 +41,46 @@ public final class ClusterCost {
 
     /** Surveys so many blocks, or all if there are not more. */
     public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks) {
+        return of(scene, settings, blocks, () -> false);
+    }
+
+    /**
+     * The same, unless it is cancelled.
+     *
+     * @param cancelled once true, what is surveyed has to do: whoever asks for the effort then gets some number
+     */
+    public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks, BooleanSupplier cancelled) {
         int across = (settings.width() + Block.SIDE - 1) / Block.SIDE;
         int down = (settings.height() + Block.SIDE - 1) / Block.SIDE;
         List<int[]> places = SpreadPlaces.of(across, down, blocks);
-        ClusterCost cost = new ClusterCost(scene, settings, places.size());
+        ClusterCost cost = new ClusterCost(scene, settings, places.size(), cancelled);
         ClusterMethod method = cost.method(LEAST_EFFORT);
-        for (int[] place : places) {
-            Block block =
-                    Block.around(place[0] * Block.SIDE, place[1] * Block.SIDE, settings.width(), settings.height());
-            method.prepare(block);
-            if (method.mayLearn()) {
-                cost.learners.add(cost.blocks.size());
+        try {
+            for (int[] place : places) {
+                cost.survey(
+                        Block.around(place[0] * Block.SIDE, place[1] * Block.SIDE, settings.width(), settings.height()),
+                        method);
             }
-            cost.surveyed.set(cost.blocks.size(), block, method);
-            cost.blocks.add(block);
+        } catch (CancellationException e) {
+            cost.learners.clear();
         }
         return cost;
     }
 
+    private void survey(Block block, ClusterMethod method) {
+        method.prepare(block);
+        if (method.mayLearn()) {
+            learners.add(blocks.size());
+        }
+        surveyed.set(blocks.size(), block, method);
+        blocks.add(block);
+    }
+
     private ClusterMethod method(double effort) {
-        return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort);
+        ClusterMethod method =
+                new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort);
+        method.stopWhen(cancelled);
+        return method;
     }
 
     /**
@@ -70,9 +94,13 @@ public final class ClusterCost {
         }
         Needed learned = new Needed(surveyed);
         ClusterMethod method = method(effort);
-        for (int k : learners) {
-            method.prepare(blocks.get(k));
-            learned.set(k, blocks.get(k), method);
+        try {
+            for (int k : learners) {
+                method.prepare(blocks.get(k));
+                learned.set(k, blocks.get(k), method);
+            }
+        } catch (CancellationException e) {
+            return effort;
         }
         return learned.effort(samples);
     }

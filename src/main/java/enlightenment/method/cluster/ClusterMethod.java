@@ -11,6 +11,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
@@ -76,6 +77,11 @@ public final class ClusterMethod implements TileMethod {
         shader.observer(recorder);
         survey = new Survey(scene, settings, shader, recorder);
         guide = new ClusterGuide(proposal, counters);
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier cancelled) {
+        shader.stopWhen(cancelled);
     }
 
     @Override

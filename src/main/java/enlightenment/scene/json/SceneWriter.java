@@ -1,11 +1,11 @@
 package enlightenment.scene.json;
 
+import enlightenment.file.WholeFile;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Function;
 
@@ -20,7 +20,7 @@ public final class SceneWriter {
     private SceneWriter() {}
 
     /**
-     * Writes a scene to a file, replacing what is there; paths of textures become relative to the file's folder.
+     * Writes a scene to a file, whole or not at all, replacing what is there; paths of textures become relative to the file's folder.
      *
      * @throws SceneException if the scene holds something that the format cannot say, such as a coordinate of 1e-500
      * @throws UncheckedIOException if the file cannot be written
@@ -28,7 +28,7 @@ public final class SceneWriter {
     public static void write(Scene scene, Path file) {
         String json = toJson(scene, file.toAbsolutePath().getParent());
         try {
-            Files.writeString(file, json);
+            WholeFile.write(file, json);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -1,4 +1,4 @@
-package enlightenment.image;
+package enlightenment.file;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -88,6 +88,23 @@ class WholeFileTest {
         WholeFile.write(link, out -> out.write('n'));
         assertTrue(Files.isSymbolicLink(link));
         assertEquals("n", Files.readString(target));
+    }
+
+    @Test
+    void aLinkThatLeadsNowhereYetIsFollowedToo() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("link"), Path.of("target"));
+        WholeFile.write(link, "new");
+        assertTrue(Files.isSymbolicLink(link));
+        assertEquals("new", Files.readString(folder.resolve("target")));
+    }
+
+    @Test
+    void anotherNameOfAFileKeepsWhatItHeld() throws IOException {
+        Path one = Files.writeString(folder.resolve("one"), "old");
+        Path other = Files.createLink(folder.resolve("other"), one);
+        WholeFile.write(one, "new");
+        assertEquals("old", Files.readString(other));
+        assertEquals("new", Files.readString(one));
     }
 
     @Test

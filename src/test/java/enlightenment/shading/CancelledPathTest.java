@@ -1,0 +1,113 @@
+package enlightenment.shading;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.geometry.Ray;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+
+/** However long a path is, and however many light points are wanted, nobody waits for its end who does not want it. */
+class CancelledPathTest {
+    private static final String SCENE =
+            """
+            {
+              "image": { "width": 4, "height": 4 },
+              "camera": { "type": "perspective", "eye": [0.1, 0.2, 0], "lookAt": [1, 0, 0], "up": [0, 1, 0],
+                          "fieldOfView": 40 },
+              "shading": { "maxBounces": 1000000 },
+              "materials": { "wall": { "type": "WALL", "color": "#ffffff" } },
+              "lights": [ { "type": "sphere", "center": [0, 5, 0], "radius": 3.9, "color": "#ffffff" },
+                          { "type": "rectangle", "color": "#ffffff",
+                            "corners": [[-0.5, 0.8, -0.1], [-0.5, 0.8, 0.1], [-0.3, 0.8, 0.1], [-0.3, 0.8, -0.1]] } ],
+              "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "wall" } ]
+            }
+            """;
+
+    private final Ray ray = new Ray();
+    private final SampleAddress address = new SampleAddress();
+    private final double[] color = new double[3];
+    private CompiledScene compiled;
+    private RayCounters counters;
+
+    private ClassicShader shader(String wall, int lightPoints) {
+        // A light within a ball of mirror would end most paths.
+        String text = wall.equals("mirror") ? SCENE.replace(" 0.8,", " 8,") : SCENE;
+        Scene scene = SceneReader.readString(text.replace("WALL", wall), Path.of("."), "");
+        compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
+        counters = new RayCounters(compiled.kindNames.size());
+        ClassicShader shader = new ClassicShader(compiled, lightPoints, counters);
+        shader.beginTile(0, 0, 1, 1);
+        return shader;
+    }
+
+    private void shade(ClassicShader shader, int sample) {
+        address.pixel(1, 2, 2);
+        address.sample(sample);
+        compiled.camera.ray(0.4, 0.6, ray);
+        shader.shade(ray, address, color);
+    }
+
+    @Test
+    void aMillionMirrorsAreNotSeenToTheirEnd() {
+        ClassicShader shader = shader("mirror", 1);
+        shader.stopWhen(() -> true);
+        assertThrows(CancellationException.class, () -> shade(shader, 0));
+        assertTrue(counters.mirrorRays <= ClassicShader.ASK_EVERY, counters.mirrorRays + " bounces");
+        // Later, in the same number of steps.
+        AtomicInteger asked = new AtomicInteger();
+        shader.stopWhen(() -> asked.incrementAndGet() >= 5);
+        long before = counters.mirrorRays;
+        assertThrows(CancellationException.class, () -> shade(shader, 0));
+        assertTrue(counters.mirrorRays - before <= 5 * ClassicShader.ASK_EVERY, counters.mirrorRays + " bounces");
+        assertEquals(5, asked.get());
+    }
+
+    @Test
+    void aMillionLightPointsAreNotTakenToTheirEnd() {
+        ClassicShader shader = shader("matte", 1_000_000);
+        shader.stopWhen(() -> true);
+        assertThrows(CancellationException.class, () -> shade(shader, 0));
+        assertTrue(counters.shadowRays <= ClassicShader.ASK_EVERY, counters.shadowRays + " rays");
+    }
+
+    @Test
+    void manyShortPathsAreAskedAboutTogether() {
+        ClassicShader shader = shader("matte", 1);
+        shader.stopWhen(() -> true);
+        int shaded = 0;
+        try {
+            while (shaded <= ClassicShader.ASK_EVERY) {
+                shade(shader, shaded);
+                shaded++;
+            }
+        } catch (CancellationException e) {
+            assertTrue(shaded < ClassicShader.ASK_EVERY, shaded + " paths");
+            return;
+        }
+        throw new AssertionError("nobody was asked");
+    }
+
+    @Test
+    void whoIsAskedAndWantsMoreGetsTheSame() {
+        ClassicShader plain = shader("matte", 5_000);
+        shade(plain, 3);
+        double[] expected = color.clone();
+        ClassicShader asking = shader("matte", 5_000);
+        AtomicInteger asked = new AtomicInteger();
+        asking.stopWhen(() -> asked.incrementAndGet() < 0);
+        shade(asking, 3);
+        assertArrayEquals(expected, color);
+        assertTrue(asked.get() > 0);
+    }
+}

@@ -35,7 +35,7 @@ final class ConvertCommand extends Subcommand {
         Target.check(output);
         NffReader.Result result = NffReader.read(input);
         for (String note : result.notes()) {
-            terminal.err().println(input + ": " + note);
+            terminal.note(input + ": " + note);
         }
         SceneWriter.write(result.scene(), output);
         return CliException.DONE;

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.text.Plain;
 import java.io.PrintStream;
 
 /**
@@ -11,8 +12,18 @@ import java.io.PrintStream;
  */
 record Terminal(PrintStream out, PrintStream err, Stop stop) {
 
-    /** One message for the user. */
+    /** One message for the user; parts of it may come from elsewhere. */
     void say(String message) {
-        err.println("enlightenment: " + message);
+        note("enlightenment: " + message);
+    }
+
+    /** Lines for the user that say themselves what they are about. */
+    void note(String lines) {
+        err.println(Plain.lines(lines));
+    }
+
+    /** Lines of a result that may hold texts of scenes. */
+    void show(String lines) {
+        out.println(Plain.lines(lines));
     }
 }

@@ -27,7 +27,7 @@ final class ValidateCommand extends Subcommand {
         for (Path file : sceneFiles) {
             try {
                 validate(file);
-                terminal.out().println(file + ": valid");
+                terminal.show(file + ": valid");
             } catch (SceneException e) {
                 new Failures(terminal).problems(e);
                 code = CliException.WRONG_INPUT;

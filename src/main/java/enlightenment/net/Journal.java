@@ -24,7 +24,7 @@ final class Journal implements Closeable {
     static final int HEADER_BYTES = 48;
     static final long FORCE_EVERY_NANOS = 200_000_000L;
 
-    private static final byte[] MAGIC = "ENLJRN01".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "ENLJRN02".getBytes(StandardCharsets.US_ASCII);
     private static final int RECORD_HEAD = 2 * Integer.BYTES;
     private static final int LONGEST_BODY = Limits.FRAME + (64 << 10);
 

@@ -19,6 +19,8 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule aLayerUsesOnlyLayersAboveIt = Architectures.layeredArchitecture()
             .consideringOnlyDependenciesInAnyPackage("enlightenment..")
+            .layer("text")
+            .definedBy("enlightenment.text")
             .layer("math")
             .definedBy("enlightenment.math")
             .layer("color")
@@ -84,6 +86,8 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "render", "net", "cli")
+            .whereLayer("text")
+            .mayOnlyBeAccessedByLayers("scene", "net", "cli")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers("compiled", "film", "render", "net", "measure", "cli", "json");
 

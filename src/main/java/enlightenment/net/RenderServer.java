@@ -8,7 +8,6 @@ import enlightenment.scene.Scene;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.Socket;
 import java.security.SecureRandom;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -99,8 +98,9 @@ public final class RenderServer implements Closeable {
             job.open(options.checkpoint.get(), options.pardoned);
         }
         RenderServer server = new RenderServer(options, log, secrets, job);
-        server.startThread(() -> server.reception.accept(server::welcome, server::makeRoom), "accept");
-        server.startThread(server::tickAll, "tick");
+        Lobby lobby = new Lobby(server, server.connections, options.threads, log);
+        lobby.startThread(() -> server.reception.accept(lobby::welcome, lobby::makeRoom), "accept");
+        lobby.startThread(server::tickAll, "tick");
         return server;
     }
 
@@ -158,44 +158,6 @@ public final class RenderServer implements Closeable {
         } catch (InterruptedException e) {
             isClosed = true;
             Thread.currentThread().interrupt();
-        }
-    }
-
-    private void startThread(Runnable work, String name) {
-        Thread thread = options.threads.newThread(work);
-        thread.setName("server " + name);
-        thread.setDaemon(true);
-        thread.start();
-    }
-
-    /** Gives a new connection a place and a thread. Whoever has to make room for it is closed; so is itself if that fails. */
-    private void welcome(Socket plain) {
-        ServerConnection connection = new ServerConnection(connections.newId(), this, plain);
-        if (reception.isClosed()) {
-            connection.close("");
-            return;
-        }
-        try {
-            connections.waitForRoom();
-            connections.add(connection).forEach(c -> c.close("had to make room for newer ones, unknown like itself"));
-            startThread(connection::run, "connection");
-        } catch (OutOfMemoryError e) {
-            connection.close("");
-            connections.remove(connection);
-            makeRoom();
-            log.seldom("threads", "no thread for " + connection + ": " + e.getMessage());
-        } catch (InterruptedException e) {
-            connection.close("");
-            connections.remove(connection);
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    /** Ends the connection that matters least, if anybody is there whom nobody knows. */
-    private void makeRoom() {
-        ServerConnection oldest = connections.giveUpOne();
-        if (oldest != null) {
-            oldest.close("had to make room: this process has not files or threads enough");
         }
     }
 
@@ -355,6 +317,10 @@ public final class RenderServer implements Closeable {
     /** How far it is. */
     synchronized Snapshot snapshot() {
         return coordinator.snapshot(System.nanoTime());
+    }
+
+    synchronized boolean isClosed() {
+        return isClosed;
     }
 
     /** Whether all is done; asked without waiting for anything. */

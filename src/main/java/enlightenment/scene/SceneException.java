@@ -8,7 +8,7 @@ public final class SceneException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     /**
-     * One problem. What it quotes may come from anywhere: it is one line of plain text, without control characters.
+     * One problem. What its parts quote may come from anywhere; {@link #toString} shows them as plain text.
      *
      * @param file the file it is in, or "" where there is none
      * @param line its line, counted from 1, or 0 where unknown
@@ -21,12 +21,7 @@ public final class SceneException extends RuntimeException {
         private static final long serialVersionUID = 1L;
         private static final int LONGEST = 2_000;
 
-        public Problem {
-            file = Plain.line(file, LONGEST);
-            pointer = Plain.line(pointer, LONGEST);
-            message = Plain.line(message, LONGEST);
-        }
-
+        /** For people: one line of plain text without control characters, whatever it quotes. */
         @Override
         public String toString() {
             StringBuilder s = new StringBuilder();
@@ -40,7 +35,7 @@ public final class SceneException extends RuntimeException {
             if (!pointer.isEmpty()) {
                 s.append(pointer).append(": ");
             }
-            return s.append(message).toString();
+            return Plain.line(s.append(message).toString(), LONGEST);
         }
     }
 

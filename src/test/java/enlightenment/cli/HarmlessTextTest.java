@@ -35,8 +35,8 @@ class HarmlessTextTest {
                 .replace("\"name\": \"Two balls\"", "\"name\": \"" + name + "\"")
                 .replace(
                         "\"color\": \"#ffffff\" } }",
-                        "\"color\": { \"texture\": \"" + name + "\" } } },"
-                                + " \"textures\": { \"" + name + "\": { \"file\": \"" + texture + "\" } }");
+                        "\"color\": { \"texture\": \"" + name + "\" } } }," + " \"textures\": { \"" + name
+                                + "\": { \"file\": \"" + texture + "\" } }");
         assertTrue(text.contains("\"file\""), text);
         return Files.writeString(folder.resolve("nasty.json"), text);
     }

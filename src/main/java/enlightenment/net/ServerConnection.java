@@ -19,6 +19,7 @@ final class ServerConnection {
     private volatile Link link;
     private volatile Message.Hello hello;
     private volatile Message.Ready ready;
+    private volatile String closedBecause = "";
     private volatile boolean isKnown;
     private volatile boolean isJoined;
 
@@ -66,7 +67,8 @@ final class ServerConnection {
 
     private void end(String why) {
         Link mine = link;
-        String reason = mine == null || mine.reason().isEmpty() ? why : mine.reason();
+        String here = mine == null ? closedBecause : mine.reason();
+        String reason = here.isEmpty() ? why : here;
         close(reason);
         server.ended(this, reason);
     }
@@ -248,6 +250,7 @@ final class ServerConnection {
             mine.close(reason);
             return;
         }
+        closedBecause = closedBecause.isEmpty() ? reason : closedBecause;
         try {
             plain.close();
         } catch (IOException e) {

@@ -8,7 +8,6 @@ module enlightenment {
     requires tools.jackson.core;
     requires java.management;
     requires jdk.jfr;
-    requires jdk.httpserver;
     requires jdk.management;
     // Only server and workers need this.
     requires static tools.jackson.dataformat.cbor;

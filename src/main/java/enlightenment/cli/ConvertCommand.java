@@ -35,7 +35,7 @@ final class ConvertCommand extends Subcommand {
         new OutputFiles().reads("IN.nff", input).writes("OUT.json", output).check();
         NffReader.Result result = read();
         for (String note : result.notes()) {
-            terminal.err().println((Standard.is(input) ? STANDARD : input) + ": " + note);
+            terminal.note((Standard.is(input) ? STANDARD : input) + ": " + note);
         }
         if (Standard.is(output)) {
             terminal.out().write(SceneWriter.toJson(result.scene(), Path.of("")).getBytes(StandardCharsets.UTF_8));

@@ -71,7 +71,7 @@ final class Failures {
             if (p.file().isEmpty()) {
                 terminal.say(p.toString());
             } else {
-                terminal.err().println(p);
+                terminal.note(p.toString());
             }
         }
     }

@@ -138,6 +138,6 @@ final class InspectCommand extends Subcommand {
 
     private void line(String label, String value) {
         String name = label.isEmpty() ? "" : label + ":";
-        terminal.out().println(String.format(Locale.ROOT, "%-18s%s", name, value));
+        terminal.show(String.format(Locale.ROOT, "%-18s%s", name, value));
     }
 }

@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -93,6 +94,13 @@ final class ServerCommand extends Subcommand {
             description = "share of the tiles that two machines render, to find one that is wrong; 0.002 by default")
     private String audit;
 
+    @Option(
+            names = "--pardon",
+            split = ",",
+            paramLabel = "MACHINE",
+            description = "let a machine in again that was expelled, as the log and the checkpoint call it")
+    private List<String> pardoned = List.of();
+
     @Mixin
     private RenderOptions options = new RenderOptions();
 
@@ -156,8 +164,10 @@ final class ServerCommand extends Subcommand {
                         "--checkpoint must not be given with --time, which is planned anew each time: give --samples");
             }
             o = o.withCheckpoint(checkpoint);
+        } else if (!pardoned.isEmpty()) {
+            throw CliException.wrongUsage("--pardon needs --checkpoint, which remembers who was expelled");
         }
-        return o;
+        return o.withPardoned(pardoned);
     }
 
     private ServerOptions secured(ServerOptions plain) throws IOException {

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.text.Plain;
 import java.io.InputStream;
 import java.io.PrintStream;
 
@@ -17,8 +18,18 @@ record Terminal(InputStream in, PrintStream out, PrintStream err, Stop stop) {
         this(InputStream.nullInputStream(), out, err, stop);
     }
 
-    /** One message for the user. */
+    /** One message for the user; parts of it may come from elsewhere. */
     void say(String message) {
-        err.println("enlightenment: " + message);
+        note("enlightenment: " + message);
+    }
+
+    /** Lines for the user that say themselves what they are about. */
+    void note(String lines) {
+        err.println(Plain.lines(lines));
+    }
+
+    /** Lines of a result that may hold texts of scenes. */
+    void show(String lines) {
+        out.println(Plain.lines(lines));
     }
 }

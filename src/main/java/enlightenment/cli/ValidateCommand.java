@@ -37,7 +37,7 @@ final class ValidateCommand extends Subcommand {
                 boolean valid = animation.isEmpty() || validateFrames(input, scene, animation.get());
                 code = valid ? code : CliException.WRONG_INPUT;
                 if (animation.isEmpty()) {
-                    terminal.out().println(input.name() + ": valid");
+                    terminal.show(input.name() + ": valid");
                 }
             } catch (SceneException e) {
                 new Failures(terminal).problems(e);
@@ -79,11 +79,10 @@ final class ValidateCommand extends Subcommand {
             }
         }
         if (bad.isEmpty()) {
-            terminal.out().println(input.name() + ": valid in " + choice.inWords());
+            terminal.show(input.name() + ": valid in " + choice.inWords());
         } else {
-            terminal.err()
-                    .println(input.name() + ": " + bad.size() + " of " + choice.inWords() + " cannot be used: "
-                            + FrameChoice.ranges(bad));
+            terminal.note(input.name() + ": " + bad.size() + " of " + choice.inWords() + " cannot be used: "
+                    + FrameChoice.ranges(bad));
         }
         return bad.isEmpty();
     }

@@ -69,9 +69,9 @@ public final class Film {
         differences |= known;
     }
 
-    /** Says that the samples of pixels are differences from something known ({@link FilmTile#known}). */
-    public synchronized void samplesAreDifferences() {
-        differences = true;
+    /** Says whether the samples of pixels are differences from something known ({@link FilmTile#known}), by what there is now. */
+    public synchronized void samplesAreDifferences(boolean are) {
+        differences = are;
     }
 
     private int pixel(int column, int row) {

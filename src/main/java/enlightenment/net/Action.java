@@ -18,10 +18,10 @@ sealed interface Action {
     record Acknowledge(long worker, int tile) implements Action {}
 
     /** These are the sums of this tile now; write them to the journal and into the picture, over older ones. */
-    record Keep(int tile, String machine, TileData data) implements Action {}
+    record Keep(int tile, Origin origin, TileData data) implements Action {}
 
-    /** Two workers agree on this tile; write that to the journal. */
-    record Confirm(int tile) implements Action {}
+    /** Somebody else says the same of this tile, or the server has decided it; write that to the journal. */
+    record Confirm(int tile, Origin by) implements Action {}
 
     /** What was kept of this tile is not to be trusted; write that to the journal and take it out of the picture. */
     record Revoke(int tile) implements Action {}
@@ -33,14 +33,14 @@ sealed interface Action {
      * This machine is not to be trusted: write that to the journal and refuse it for ever. Its connections follow as
      * {@link Refuse}.
      */
-    record Expel(String machine, String reason) implements Action {}
+    record Expel(Origin.Peer machine, String reason) implements Action {}
 
     /** Close the connection and tell why; the worker is not to come back. */
     record Refuse(long worker, String reason) implements Action {}
 
     /**
-     * Workers disagree on this tile and nobody else is there to decide: let the server itself join as a worker. Said again
-     * with every event until it has.
+     * Votes differ on this tile: let the server itself join as a worker, whose word decides. Said again with every event
+     * until it has.
      */
     record CallLocal(int tile) implements Action {}
 

@@ -2,39 +2,47 @@ package enlightenment.net;
 
 import enlightenment.sampling.Hash;
 import java.util.ArrayList;
-import java.util.BitSet;
+import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * Who said what about which tile. Every result is a vote of a machine for a hash. A tile counts with its first vote;
- * some tiles are chosen to need a second one, and a tile on which votes differ stays open until two votes agree. Then
- * whoever voted otherwise is a liar. The server's own vote decides alone.
+ * Who said what about which tile. Every result is a vote of its origin for a hash. A tile counts with its first vote; some
+ * tiles are chosen to need a second one. Where two votes differ the server makes the tile itself, and its word decides:
+ * what a majority of machines says may be said by one that has taken many names, and then honest ones would be
+ * expelled.
  */
 final class Audits {
     private final double rate;
     private final long salt;
     private final Vote[] kept;
-    private final BitSet confirmed;
+
+    /** Who else says the same of a tile as what is kept, or the server where it decided; null for nobody. */
+    private final Origin[] second;
+
     private final Map<Integer, Open> open = new TreeMap<>();
 
     /** Open tiles that nobody renders now. */
     private final Set<Integer> waiting = new LinkedHashSet<>();
 
+    /** Open tiles that votes differ on. */
+    private final Set<Integer> disputed = new LinkedHashSet<>();
+
     Audits(CoordinatorSettings settings) {
         rate = settings.auditRate();
         salt = settings.auditSalt();
         kept = new Vote[settings.tiles()];
-        confirmed = new BitSet(settings.tiles());
+        second = new Origin[settings.tiles()];
     }
 
-    /** What a machine says that a tile is. */
-    record Vote(String machine, ContentHash hash) {
-        boolean isLocal() {
-            return machine.equals(Coordinator.LOCAL);
+    /** What somebody says that a tile is. */
+    record Vote(Origin origin, ContentHash hash) {
+        boolean isServers() {
+            return origin.equals(Origin.SERVER);
         }
     }
 
@@ -43,11 +51,15 @@ final class Audits {
         final int tile;
         final List<Vote> votes = new ArrayList<>();
 
+        /** Whether one word is not enough even if nobody contradicts it. */
+        private final boolean isRequired;
+
         /** The lease that will bring the next vote, null if there is none. */
         Lease lease;
 
-        Open(int tile, Vote first) {
+        Open(int tile, Vote first, boolean isRequired) {
             this.tile = tile;
+            this.isRequired = isRequired;
             votes.add(first);
         }
 
@@ -55,31 +67,35 @@ final class Audits {
             return votes.stream().map(Vote::hash).distinct().count() > 1;
         }
 
-        Vote voteOf(String machine) {
+        Vote voteOf(Origin origin) {
             return votes.stream()
-                    .filter(v -> v.machine.equals(machine))
+                    .filter(v -> v.origin.equals(origin))
                     .findFirst()
                     .orElse(null);
+        }
+
+        /** Whether the member's vote would tell something. */
+        boolean canBeVotedOnBy(Member member) {
+            return voteOf(member.origin) == null && (member.isServer() || !isDisputed());
         }
     }
 
     /**
      * What a vote changed.
      *
-     * @param repeated the same machine had said the same before
+     * @param repeated the same origin had said the same before
      * @param keep the data that came with the vote are the tile's result now
-     * @param confirmed two machines agree now
-     * @param liars who voted against those two, or against itself
+     * @param confirmedBy who has made sure now that the tile is right; null for nobody
+     * @param liars who voted against the server, or against itself
      * @param moot a lease for another vote that is not needed any more, or null
      */
-    record Verdict(boolean repeated, boolean keep, boolean confirmed, List<String> liars, Lease moot) {
-        private static final Verdict REPEATED = new Verdict(true, false, false, List.of(), null);
-        private static final Verdict NOTHING = new Verdict(false, false, false, List.of(), null);
-        private static final Verdict FIRST = new Verdict(false, true, false, List.of(), null);
-        private static final Verdict CONFIRMED = new Verdict(false, false, true, List.of(), null);
+    record Verdict(boolean repeated, boolean keep, Origin confirmedBy, List<Origin> liars, Lease moot) {
+        private static final Verdict REPEATED = new Verdict(true, false, null, List.of(), null);
+        private static final Verdict NOTHING = new Verdict(false, false, null, List.of(), null);
+        private static final Verdict FIRST = new Verdict(false, true, null, List.of(), null);
 
-        private static Verdict liar(String machine) {
-            return new Verdict(false, false, false, List.of(machine), null);
+        private static Verdict liar(Origin origin) {
+            return new Verdict(false, false, null, List.of(origin), null);
         }
     }
 
@@ -88,102 +104,147 @@ final class Audits {
         return Hash.unit(Hash.of(salt, tile)) < rate;
     }
 
+    private boolean isChosen(int tile) {
+        return isChosen(rate, salt, tile);
+    }
+
     /** A result from the journal. */
-    void restore(int tile, Vote vote, boolean isConfirmed) {
-        kept[tile] = vote;
-        confirmed.set(tile, isConfirmed);
-        if (!isConfirmed && isChosen(rate, salt, tile)) {
-            open(tile, vote);
+    void restore(Restored.Tile tile) {
+        kept[tile.tile()] = new Vote(tile.origin(), tile.hash());
+        second[tile.tile()] = tile.second();
+        if (tile.second() == null && isChosen(tile.tile())) {
+            open(tile.tile(), true);
         }
     }
 
-    private Open open(int tile, Vote vote) {
-        Open opened = new Open(tile, vote);
+    private Open open(int tile, boolean isRequired) {
+        Open opened = new Open(tile, kept[tile], isRequired);
+        if (second[tile] != null && !second[tile].equals(kept[tile].origin)) {
+            opened.votes.add(new Vote(second[tile], kept[tile].hash));
+        }
         open.put(tile, opened);
         waiting.add(tile);
         return opened;
     }
 
-    Verdict vote(int tile, String machine, ContentHash hash) {
-        Vote mine = new Vote(machine, hash);
+    /** @param isUnproven whether this vote alone is not enough in any case */
+    Verdict vote(int tile, Origin origin, ContentHash hash, boolean isUnproven) {
+        Vote mine = new Vote(origin, hash);
         Vote first = kept[tile];
         if (first == null) {
             kept[tile] = mine;
-            if (isChosen(rate, salt, tile)) {
-                open(tile, mine);
+            if (isUnproven || isChosen(tile)) {
+                open(tile, true);
             }
             return Verdict.FIRST;
         }
         Open opened = open.get(tile);
-        Vote earlier = opened != null ? opened.voteOf(machine) : first.machine.equals(machine) ? first : null;
+        Vote earlier = opened != null ? opened.voteOf(origin) : earlierOnClosed(tile, origin);
         if (earlier != null) {
-            return earlier.hash.equals(hash) ? Verdict.REPEATED : Verdict.liar(machine);
+            return earlier.hash.equals(hash) ? Verdict.REPEATED : Verdict.liar(origin);
         }
-        if (opened == null) {
-            return voteOnClosed(tile, first, mine);
+        if (opened != null) {
+            return count(opened, mine);
         }
-        return count(opened, mine);
+        if (!first.hash.equals(hash)) {
+            return isServersWord(tile) && !mine.isServers()
+                    ? Verdict.liar(origin)
+                    : count(open(tile, isChosen(tile)), mine);
+        }
+        if (second[tile] != null) {
+            return Verdict.NOTHING;
+        }
+        second[tile] = origin;
+        return new Verdict(false, false, origin, List.of(), null);
     }
 
-    private Verdict voteOnClosed(int tile, Vote first, Vote mine) {
-        if (first.hash.equals(mine.hash)) {
-            boolean isNew = !confirmed.get(tile);
-            confirmed.set(tile);
-            return isNew ? Verdict.CONFIRMED : Verdict.NOTHING;
-        }
-        if ((confirmed.get(tile) || first.isLocal()) && !mine.isLocal()) {
-            return Verdict.liar(mine.machine);
-        }
-        return count(open(tile, first), mine);
+    private Vote earlierOnClosed(int tile, Origin origin) {
+        boolean isKnown = kept[tile].origin.equals(origin) || origin.equals(second[tile]);
+        return isKnown ? new Vote(origin, kept[tile].hash) : null;
+    }
+
+    private boolean isServersWord(int tile) {
+        return kept[tile].isServers() || Origin.SERVER.equals(second[tile]);
     }
 
     private Verdict count(Open opened, Vote mine) {
-        boolean agreed = mine.isLocal() || opened.votes.stream().anyMatch(v -> v.hash.equals(mine.hash));
-        if (!agreed && opened.voteOf(Coordinator.LOCAL) != null) {
-            return Verdict.liar(mine.machine);
+        if (mine.isServers()) {
+            return decide(opened, mine);
+        }
+        Vote servers = opened.voteOf(Origin.SERVER);
+        if (servers != null && !servers.hash.equals(mine.hash)) {
+            return Verdict.liar(mine.origin);
         }
         opened.votes.add(mine);
-        if (!agreed) {
+        if (opened.isDisputed()) {
+            disputed.add(opened.tile);
             return Verdict.NOTHING;
         }
+        second[opened.tile] = mine.origin;
+        close(opened);
+        return new Verdict(false, false, mine.origin, List.of(), opened.lease);
+    }
+
+    private Verdict decide(Open opened, Vote mine) {
         boolean replaced = !kept[opened.tile].hash.equals(mine.hash);
         if (replaced) {
             kept[opened.tile] = mine;
         }
-        confirmed.set(opened.tile);
+        second[opened.tile] = Origin.SERVER;
         close(opened);
-        List<String> liars = opened.votes.stream()
+        List<Origin> liars = opened.votes.stream()
                 .filter(v -> !v.hash.equals(mine.hash))
-                .map(Vote::machine)
+                .map(Vote::origin)
                 .toList();
-        return new Verdict(false, replaced, true, liars, opened.lease);
+        return new Verdict(false, replaced, Origin.SERVER, liars, opened.lease);
     }
 
     private void close(Open opened) {
         open.remove(opened.tile);
         waiting.remove(opened.tile);
+        disputed.remove(opened.tile);
     }
 
     /** The machine's votes count no longer. Returns the tiles that rest on its word alone and must be done again. */
-    List<Integer> expel(String machine) {
+    List<Integer> expel(Origin.Peer machine) {
         List<Integer> lost = new ArrayList<>();
         for (int tile = 0; tile < kept.length; tile++) {
-            if (kept[tile] != null && kept[tile].machine.equals(machine) && !confirmed.get(tile)) {
-                kept[tile] = null;
+            if (kept[tile] == null) {
+                continue;
+            }
+            Restored.Tile left =
+                    new Restored.Tile(tile, kept[tile].origin, kept[tile].hash, second[tile]).without(machine);
+            boolean wasConfirmed = second[tile] != null;
+            kept[tile] = left == null ? null : new Vote(left.origin(), left.hash());
+            second[tile] = left == null ? null : left.second();
+            if (left == null) {
                 lost.add(tile);
+            } else if (wasConfirmed && second[tile] == null && isChosen(tile) && !open.containsKey(tile)) {
+                open(tile, true);
             }
         }
-        for (Open opened : List.copyOf(open.values())) {
-            if (kept[opened.tile] == null) {
-                // The others' votes go too: their data were not kept, so the tile starts afresh.
-                close(opened);
-            } else if (opened.votes.removeIf(v -> v.machine.equals(machine))
-                    && opened.votes.size() == 1
-                    && !isChosen(rate, salt, opened.tile)) {
-                close(opened);
-            }
-        }
+        List.copyOf(open.values()).forEach(opened -> forget(opened, machine));
         return lost;
+    }
+
+    private void forget(Open opened, Origin.Peer machine) {
+        if (kept[opened.tile] == null) {
+            // The others' votes go too: their data were not kept, so the tile starts afresh.
+            close(opened);
+        } else if (opened.votes.removeIf(v -> v.origin.equals(machine)) && !opened.isDisputed()) {
+            disputed.remove(opened.tile);
+            if (second[opened.tile] == null) {
+                Origin first = kept[opened.tile].origin;
+                second[opened.tile] = opened.votes.stream()
+                        .map(Vote::origin)
+                        .filter(o -> !o.equals(first))
+                        .findFirst()
+                        .orElse(null);
+            }
+            if (second[opened.tile] != null || !opened.isRequired) {
+                close(opened);
+            }
+        }
     }
 
     /** A lease will bring the next vote on this tile. */
@@ -211,12 +272,17 @@ final class Audits {
         return List.copyOf(open.values());
     }
 
+    /** The first tile that votes differ on; null if there is none. */
+    Integer firstDisputed() {
+        return disputed.isEmpty() ? null : disputed.iterator().next();
+    }
+
     int openCount() {
         return open.size();
     }
 
     int confirmedCount() {
-        return confirmed.cardinality();
+        return (int) Arrays.stream(second).filter(Objects::nonNull).count();
     }
 
     /** The first few open tiles that nobody renders; those seen come last next time. */

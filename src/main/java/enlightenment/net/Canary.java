@@ -31,6 +31,9 @@ final class Canary {
                   "material": { "type": "matte", "color": { "texture": "board" } } } ] }
             """;
 
+    /** What a client says that makes tiles without computing: nobody knows whether its pixels are the right ones. */
+    static final ContentHash NOT_COMPUTED = new ContentHash(0, 0, 0, 0);
+
     private static ContentHash hash;
 
     private Canary() {}

@@ -1,45 +1,87 @@
 package enlightenment.net;
 
-import java.net.Socket;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
-/** Who is connected to a server, how many may be, and who waits for the beginning. Its lock is held for none of what they do. */
+/**
+ * Who is connected to a server, how many may be, and who waits for the beginning. Its lock is held for none of what they do.
+ * Strangers have places of their own ({@link Strangers}): they cannot take those of workers.
+ */
 final class Connections {
     private static final long FAREWELL_MILLIS = 3_000;
+    private static final long ROOM_MILLIS = 1_000;
 
-    private final Map<Long, ServerConnection> all = new LinkedHashMap<>();
+    private final Map<Long, ServerConnection> workers = new LinkedHashMap<>();
     private final List<ServerConnection> waiting = new ArrayList<>();
+    private final Strangers<ServerConnection> strangers;
+    private final int places;
+
+    /** Strangers that lost their places and whose threads have not ended yet. */
+    private final Set<ServerConnection> leaving = new LinkedHashSet<>();
+
     private long made = LocalWorker.ID;
 
-    /** A connection of somebody whom nobody knows yet; null if there are too many of those. */
-    synchronized ServerConnection add(RenderServer server, Socket plain) {
-        if (count(false) >= Limits.STRANGERS) {
-            return null;
+    Connections() {
+        long files = ManagementFactory.getOperatingSystemMXBean()
+                        instanceof com.sun.management.UnixOperatingSystemMXBean system
+                ? system.getMaxFileDescriptorCount()
+                : 0;
+        places = Strangers.places(Limits.STRANGERS, files);
+        strangers = new Strangers<>(places, Math.max(places / 2, 1));
+    }
+
+    /** The number of a new connection. */
+    synchronized long newId() {
+        return ++made;
+    }
+
+    /** A connection of somebody whom nobody knows yet. Returns those who lost their places for it and are to be closed. */
+    synchronized List<ServerConnection> add(ServerConnection connection) {
+        List<ServerConnection> gone = strangers.add(connection, connection.address());
+        leaving.addAll(gone);
+        return gone;
+    }
+
+    /** The stranger that is to be closed if room is wanted; null if there is none. */
+    synchronized ServerConnection giveUpOne() {
+        ServerConnection oldest = strangers.oldest();
+        if (oldest != null) {
+            strangers.remove(oldest);
+            leaving.add(oldest);
         }
-        ServerConnection connection = new ServerConnection(++made, server, plain);
-        all.put(connection.id(), connection);
-        return connection;
+        return oldest;
+    }
+
+    /** Waits until not more are leaving than may be there: who comes faster than others can go has to wait. */
+    synchronized void waitForRoom() throws InterruptedException {
+        long end = System.nanoTime() + ROOM_MILLIS * 1_000_000L;
+        while (leaving.size() > places && end - System.nanoTime() > 0) {
+            wait(ROOM_MILLIS / 10);
+        }
     }
 
     /** Whether there is a place for a worker; then it is known from now on. */
     synchronized boolean admit(ServerConnection connection) {
-        if (count(true) >= Limits.WORKERS) {
+        if (workers.size() >= Limits.WORKERS || !strangers.contains(connection)) {
             return false;
         }
+        strangers.remove(connection);
+        workers.put(connection.id(), connection);
         connection.known();
         return true;
     }
 
-    private long count(boolean known) {
-        return all.values().stream().filter(c -> c.isKnown() == known).count();
-    }
-
     /** Puts a worker among those who wait for the beginning; false if it is there, or beyond. */
     synchronized boolean addWaiting(ServerConnection connection) {
-        return !connection.isJoined() && !waiting.contains(connection) && waiting.add(connection);
+        return workers.containsKey(connection.id())
+                && !connection.isJoined()
+                && !waiting.contains(connection)
+                && waiting.add(connection);
     }
 
     synchronized int waiting() {
@@ -54,17 +96,23 @@ final class Connections {
     }
 
     synchronized void remove(ServerConnection connection) {
-        all.remove(connection.id());
+        strangers.remove(connection);
+        workers.remove(connection.id());
         waiting.remove(connection);
+        leaving.remove(connection);
+        notifyAll();
     }
 
-    /** Null if it has ended. */
+    /** The worker with this number; null if it has ended. */
     synchronized ServerConnection get(long id) {
-        return all.get(id);
+        return workers.get(id);
     }
 
     synchronized List<ServerConnection> list() {
-        return List.copyOf(all.values());
+        List<ServerConnection> all = new ArrayList<>(workers.values());
+        all.addAll(strangers.list());
+        all.addAll(leaving);
+        return all;
     }
 
     /** Waits a little until everybody has heard the last word and gone. */

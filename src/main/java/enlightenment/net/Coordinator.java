@@ -22,9 +22,6 @@ import java.util.Set;
  * <p>Not for use by several threads at once. Times are nanoseconds of any origin; they must not run backwards.
  */
 final class Coordinator {
-    /** The machine of the server's own threads, whose word decides: the picture is in the server's hands anyway. */
-    static final String LOCAL = "local";
-
     private static final int EVENTS_REMEMBERED = 200;
     private static final int STALL_FACTOR = 8;
     private static final int MOST_DOUBLINGS = 6;
@@ -34,8 +31,8 @@ final class Coordinator {
     private final Audits audits;
     private final Dispatcher dispatcher;
     private final Map<Long, Member> members = new LinkedHashMap<>();
-    private final Map<String, Member> byKey = new HashMap<>();
-    private final Set<String> expelled = new HashSet<>();
+    private final Map<ContentHash, Member> byProcess = new HashMap<>();
+    private final Set<Origin.Peer> expelled = new HashSet<>();
     private final Deque<Snapshot.Note> notes = new ArrayDeque<>();
     private final long started;
     private List<Action> actions = new ArrayList<>();
@@ -58,7 +55,7 @@ final class Coordinator {
         dispatcher = new Dispatcher(settings, board, audits, members.values(), a -> actions.add(a));
         expelled.addAll(restored.expelled());
         for (Restored.Tile tile : restored.tiles()) {
-            audits.restore(tile.tile(), new Audits.Vote(tile.machine(), tile.hash()), tile.confirmed());
+            audits.restore(tile);
             board.finish(tile.tile());
         }
     }
@@ -78,13 +75,14 @@ final class Coordinator {
         } else if (event instanceof Event.Misbehaved misbehaved) {
             Member member = members.get(misbehaved.worker());
             if (member != null) {
-                expel(member.machine, misbehaved.reason());
+                expel(member.origin, misbehaved.reason());
             }
         } else {
             expire();
         }
         if (!finished) {
             dispatcher.serve(now);
+            callServer();
             settle();
         }
         return actions;
@@ -95,17 +93,19 @@ final class Coordinator {
     }
 
     private void join(Event.Joined event) {
-        if (expelled.contains(event.machine())) {
+        if (event.origin() instanceof Origin.Peer machine && expelled.contains(machine)) {
             actions.add(new Action.Refuse(event.worker(), "this machine was expelled: it gave wrong results"));
             return;
         }
-        Member before = byKey.get(event.key());
+        Member before = event.process() == null ? null : byProcess.get(event.process());
         if (before != null) {
             hangUp(before, "the same worker has a newer connection");
         }
         Member member = new Member(event, now);
         members.put(member.worker, member);
-        byKey.put(member.key, member);
+        if (member.process != null) {
+            byProcess.put(member.process, member);
+        }
         dispatcher.changed(member);
         dispatcher.measure();
         note(member.name + " joined with " + member.threads + " threads");
@@ -120,7 +120,7 @@ final class Coordinator {
         }
         dispatcher.left(member);
         members.remove(member.worker);
-        byKey.remove(member.key);
+        byProcess.remove(member.process, member);
         dispatcher.measure();
         note(member.name + " left: " + reason);
     }
@@ -169,7 +169,7 @@ final class Coordinator {
         }
         int tile = event.tile();
         if (tile < 0 || tile >= settings.tiles()) {
-            expel(member.machine, "sent tile " + tile + " of 0.." + (settings.tiles() - 1));
+            expel(member.origin, "sent tile " + tile + " of 0.." + (settings.tiles() - 1));
             return;
         }
         member.heard = now;
@@ -183,9 +183,9 @@ final class Coordinator {
         int tile = event.tile();
         Audits.Open open = audits.open(tile);
         boolean isAudit = open != null && open.lease != null && open.lease.member == member;
-        Audits.Verdict verdict = audits.vote(tile, member.machine, event.data().hash());
+        Audits.Verdict verdict = audits.vote(tile, member.origin, event.data().hash(), member.isUnproven);
         if (verdict.keep()) {
-            actions.add(new Action.Keep(tile, member.machine, event.data()));
+            actions.add(new Action.Keep(tile, member.origin, event.data()));
         } else {
             duplicates++;
         }
@@ -199,11 +199,11 @@ final class Coordinator {
         if (verdict.moot() != null) {
             skip(verdict.moot(), tile);
         }
-        if (verdict.confirmed()) {
-            actions.add(new Action.Confirm(tile));
+        if (verdict.confirmedBy() != null) {
+            actions.add(new Action.Confirm(tile, verdict.confirmedBy()));
         }
-        for (String liar : verdict.liars()) {
-            expel(liar, "its tile " + tile + " differs from what others or itself made of it");
+        for (Origin liar : verdict.liars()) {
+            expel(liar, "its tile " + tile + " differs from what the server or itself made of it");
         }
     }
 
@@ -244,14 +244,15 @@ final class Coordinator {
         }
     }
 
-    private void expel(String machine, String reason) {
-        if (machine.equals(LOCAL) || !expelled.add(machine)) {
+    private void expel(Origin origin, String reason) {
+        if (!(origin instanceof Origin.Peer machine) || !expelled.add(machine)) {
             return;
         }
-        note(machine + " expelled: " + reason);
+        note("machine " + machine + " expelled: " + reason);
         actions.add(new Action.Expel(machine, reason));
         for (Member member : List.copyOf(members.values())) {
-            if (member.machine.equals(machine)) {
+            if (member.origin.equals(machine)) {
+                note(member.name + " is of that machine");
                 actions.add(new Action.Refuse(member.worker, reason));
                 leave(member, "expelled");
             }
@@ -267,7 +268,7 @@ final class Coordinator {
         dispatcher.measure();
         long stall = Math.max(settings.stallNanos(), STALL_FACTOR * longestTile);
         for (Member member : List.copyOf(members.values())) {
-            if (now - member.heard >= settings.silenceNanos()) {
+            if (!member.isServer() && now - member.heard >= settings.silenceNanos()) {
                 hangUp(member, "silent for " + (now - member.heard) / 1_000_000 + " ms");
                 continue;
             }
@@ -300,17 +301,21 @@ final class Coordinator {
         dispatcher.changed(member);
     }
 
-    /** Whether all is done. Audits that nobody can make are forgone; disputes that nobody can decide go to the server. */
+    /** What votes differ on only the server can decide; it must join as a worker if it has not. */
+    private void callServer() {
+        Integer disputed = audits.firstDisputed();
+        if (disputed != null && members.values().stream().noneMatch(Member::isServer)) {
+            actions.add(new Action.CallLocal(disputed));
+        }
+    }
+
+    /** Whether all is done. Audits that nobody can make are forgone, but not disputes: the server decides these. */
     private void settle() {
         if (board.undone() > 0) {
             return;
         }
         for (Audits.Open open : audits.open()) {
-            if (open.lease != null || dispatcher.canBeVotedOn(open)) {
-                return;
-            }
-            if (open.isDisputed()) {
-                actions.add(new Action.CallLocal(open.tile));
+            if (open.isDisputed() || open.lease != null || dispatcher.canBeVotedOn(open)) {
                 return;
             }
         }
@@ -347,7 +352,7 @@ final class Coordinator {
             Audits audits,
             Dispatcher dispatcher,
             List<Member> members,
-            Set<String> expelled,
+            Set<Origin.Peer> expelled,
             List<Snapshot.Note> notes,
             long duplicates,
             long started) {}

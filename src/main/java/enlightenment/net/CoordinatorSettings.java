@@ -11,7 +11,7 @@ package enlightenment.net;
  * @param stallNanos a worker that lives but delivers nothing for so long (or for eight times the longest that any tile
  *     took, whichever is longer) is not waited for
  * @param auditRate share of tiles, 0..1, that are rendered again by another worker
- * @param auditSalt decides which tiles these are: from the job, so that they are the same in every run of it
+ * @param auditSalt decides which tiles these are; unknown to workers, which could lie about all others
  */
 record CoordinatorSettings(
         int tiles, long seed, long leaseNanos, long silenceNanos, long stallNanos, double auditRate, long auditSalt) {
@@ -27,8 +27,8 @@ record CoordinatorSettings(
     }
 
     /** The usual settings: leases of 4 s, silence of 5 s, stall of 60 s, 0.2 % of tiles audited. */
-    static CoordinatorSettings of(int tiles, long seed, ContentHash job) {
-        return new CoordinatorSettings(tiles, seed, 4 * SECOND, 5 * SECOND, 60 * SECOND, AUDIT_RATE, job.a() ^ job.c());
+    static CoordinatorSettings of(int tiles, long seed, long auditSalt) {
+        return new CoordinatorSettings(tiles, seed, 4 * SECOND, 5 * SECOND, 60 * SECOND, AUDIT_RATE, auditSalt);
     }
 
     CoordinatorSettings withAuditRate(double rate) {

@@ -155,7 +155,7 @@ final class Dispatcher {
 
     private static Member firstAble(Audits.Open open, Set<Member> candidates) {
         for (Member member : candidates) {
-            if (!member.hasAudit() && open.voteOf(member.machine) == null) {
+            if (!member.hasAudit() && open.canBeVotedOnBy(member)) {
                 return member;
             }
         }
@@ -165,7 +165,7 @@ final class Dispatcher {
     /** Whether anybody who is connected could vote on the tile, now or later. */
     boolean canBeVotedOn(Audits.Open open) {
         for (Member member : members) {
-            if (!member.isStalled() && open.voteOf(member.machine) == null) {
+            if (!member.isStalled() && open.canBeVotedOnBy(member)) {
                 return true;
             }
         }

@@ -9,6 +9,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -51,7 +52,7 @@ public final class EngineJob implements Closeable {
             throw new IllegalArgumentException("a render with a checkpoint must not depend on the time that it takes");
         }
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
-        ServerJob job = new ServerJob(render, JobContent.of(scene, settings, render.plan(), Build.number()), log);
+        ServerJob job = new ServerJob(render, JobContent.of(scene, render.outline(), Build.number()), log);
         if (checkpoint != null) {
             job.open(checkpoint);
         }
@@ -116,7 +117,8 @@ public final class EngineJob implements Closeable {
             throw new IllegalArgumentException("tile " + tile + " of " + machine + ": " + reason);
         });
         if (!film.has(tile)) {
-            job.keep(new Action.Keep(tile, machine, TileData.of(bytes)));
+            Origin origin = Origin.Peer.of(machine.getBytes(StandardCharsets.UTF_8));
+            job.keep(new Action.Keep(tile, origin, TileData.of(bytes)));
         }
     }
 

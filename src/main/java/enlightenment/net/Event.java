@@ -7,12 +7,22 @@ sealed interface Event {
     /**
      * A worker is authenticated, has the job, and wants work.
      *
-     * @param key identity of the worker process: the same over all its connections
-     * @param machine identity of the machine, whose word the results are: it may be doubted and expelled;
-     *     {@link Coordinator#LOCAL} for the server's own threads
+     * @param process hash of a secret of the worker process, the same over all its connections; null for the server's own
+     *     threads
+     * @param origin whose word its results are: a machine may be doubted and expelled
+     * @param isUnproven whether nobody knows that its machine computes the right bits (it left out the canary): then its word
+     *     alone is enough for no tile
      * @param weight its speed relative to others, from the paper's speed map; 1 if nothing is known
      */
-    record Joined(long worker, String key, String machine, String name, int threads, double weight) implements Event {
+    record Joined(
+            long worker,
+            ContentHash process,
+            Origin origin,
+            boolean isUnproven,
+            String name,
+            int threads,
+            double weight)
+            implements Event {
         public Joined {
             if (!(weight > 0 && weight < Double.POSITIVE_INFINITY) || threads < 1) {
                 throw new IllegalArgumentException("weight and threads must be greater than 0");

@@ -3,6 +3,7 @@ package enlightenment.net;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
+import enlightenment.render.RenderOutline;
 import enlightenment.render.TilePlan;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -26,14 +27,14 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A job as contents that are called by their hashes. The first is the job's document: build, settings, plan and the scene,
- * in which image files are called by their hashes too; so its hash is the hash of everything that decides bits. The others
+ * A job as contents that are called by their hashes. The first is the job's document: build, settings, plan, the kinds of
+ * primitives that tiles count (for clients that do not read scenes) and the scene, in which image files are called by their hashes too; so its hash is the hash of everything that decides bits. The others
  * are the image files.
  *
  * <p>Files that are not PNG travel as PNG files of the same texels: two JDKs may decode the same JPEG file differently.
  */
 final class JobContent {
-    private static final String MAGIC = "enlightenment job 1";
+    private static final String MAGIC = "enlightenment job 2";
     private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
 
     private final Map<ContentHash, byte[]> contents;
@@ -48,14 +49,14 @@ final class JobContent {
      * @throws SceneException if an image file cannot be read or the scene cannot be written down
      * @throws IllegalArgumentException if the job is larger than {@link Limits#JOB}
      */
-    static JobContent of(Scene scene, RenderSettings settings, TilePlan plan, String build) {
+    static JobContent of(Scene scene, RenderOutline outline, String build) {
         Map<Path, ContentHash> byPath = new LinkedHashMap<>();
         Map<ContentHash, byte[]> images = new LinkedHashMap<>();
         String json = SceneWriter.toJson(
                 scene.withoutAnimation(),
                 file -> byPath.computeIfAbsent(file, f -> add(images, read(f))).toString());
         Map<ContentHash, byte[]> all = new LinkedHashMap<>();
-        add(all, document(settings, plan, build, json));
+        add(all, document(outline, build, json));
         all.putAll(images);
         long bytes = all.values().stream().mapToLong(b -> b.length).sum();
         if (bytes > Limits.JOB || all.size() > Limits.CONTENTS) {
@@ -88,12 +89,13 @@ final class JobContent {
         }
     }
 
-    private static byte[] document(RenderSettings settings, TilePlan plan, String build, String json) {
+    private static byte[] document(RenderOutline outline, String build, String json) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeUTF(MAGIC);
             out.writeUTF(build);
-            SettingsBytes.write(out, settings, plan);
+            SettingsBytes.write(out, outline.settings(), outline.plan());
+            SettingsBytes.write(out, outline.kinds());
             out.write(json.getBytes(StandardCharsets.UTF_8));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -138,6 +140,7 @@ final class JobContent {
                 throw new IOException("the job is of version " + theirs + ", this is " + build);
             }
             SettingsBytes.Decided decided = SettingsBytes.read(in, threads);
+            SettingsBytes.readTexts(in);
             String json = new String(in.readAllBytes(), StandardCharsets.UTF_8);
             Set<String> names = Set.copyOf(
                     images.stream().map(ContentHash::toString).distinct().toList());

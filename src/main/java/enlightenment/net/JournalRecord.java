@@ -2,35 +2,35 @@ package enlightenment.net;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 
-/** One entry of a {@link Journal}. A later one about the same tile overrules an earlier one. */
+/** One entry of a {@link Journal}. A later one about the same tile or machine overrules an earlier one. */
 sealed interface JournalRecord {
-    /** A tile was made by this machine; {@code data} are its sums. */
-    record Kept(int tile, String machine, byte[] data) implements JournalRecord {
+    /** A tile was made by the server or a machine; {@code data} are its sums. */
+    record Kept(int tile, Origin origin, byte[] data) implements JournalRecord {
         @Override
         public byte[] encode() {
-            byte[] name = machine.getBytes(StandardCharsets.UTF_8);
-            return ByteBuffer.allocate(1 + 2 * Integer.BYTES + name.length + data.length)
+            byte[] who = origin.toBytes();
+            return ByteBuffer.allocate(1 + Integer.BYTES + who.length + data.length)
                     .put(KEPT)
                     .putInt(tile)
-                    .putInt(name.length)
-                    .put(name)
+                    .put(who)
                     .put(data)
                     .array();
         }
     }
 
     /**
-     * Two machines agree that the tile has this hash. Without the hash, what one machine said alone would be taken for confirmed
-     * where the record of the tile that was meant is lost.
+     * Somebody else says the same of the tile, or the server itself has decided it: that it has this hash. Without the hash, what
+     * one machine said alone would be taken for confirmed where the record of the tile that was meant is lost.
      */
-    record Confirmed(int tile, ContentHash hash) implements JournalRecord {
+    record Confirmed(int tile, Origin by, ContentHash hash) implements JournalRecord {
         @Override
         public byte[] encode() {
-            return ByteBuffer.allocate(1 + Integer.BYTES + ContentHash.BYTES)
+            byte[] who = by.toBytes();
+            return ByteBuffer.allocate(1 + Integer.BYTES + who.length + ContentHash.BYTES)
                     .put(CONFIRMED)
                     .putInt(tile)
+                    .put(who)
                     .put(hash.toBytes())
                     .array();
         }
@@ -47,12 +47,19 @@ sealed interface JournalRecord {
         }
     }
 
-    /** A machine is not to be trusted. */
-    record Expelled(String machine) implements JournalRecord {
+    /** A machine is not to be trusted from now on, nor what rests on its word alone. */
+    record Expelled(Origin.Peer machine) implements JournalRecord {
         @Override
         public byte[] encode() {
-            byte[] name = machine.getBytes(StandardCharsets.UTF_8);
-            return ByteBuffer.allocate(1 + name.length).put(EXPELLED).put(name).array();
+            return about(EXPELLED, machine);
+        }
+    }
+
+    /** A machine may come back; what rested on its word alone stays lost. */
+    record Pardoned(Origin.Peer machine) implements JournalRecord {
+        @Override
+        public byte[] encode() {
+            return about(PARDONED, machine);
         }
     }
 
@@ -60,9 +67,15 @@ sealed interface JournalRecord {
     byte CONFIRMED = 2;
     byte REVOKED = 3;
     byte EXPELLED = 4;
+    byte PARDONED = 5;
 
     /** The body of the record. */
     byte[] encode();
+
+    private static byte[] about(byte kind, Origin.Peer machine) {
+        byte[] who = machine.toBytes();
+        return ByteBuffer.allocate(1 + who.length).put(kind).put(who).array();
+    }
 
     /**
      * The record that a body is. Its checksum was right, so a body that makes no sense was written by another version.
@@ -72,12 +85,14 @@ sealed interface JournalRecord {
     static JournalRecord decode(byte[] body, int tiles) throws IOException {
         ByteBuffer in = ByteBuffer.wrap(body);
         byte kind = in.get();
-        if (kind == EXPELLED) {
-            return new Expelled(text(in, in.remaining()));
+        boolean isOfMachine = kind == EXPELLED || kind == PARDONED;
+        boolean isOfTile = kind == KEPT || kind == CONFIRMED || kind == REVOKED;
+        int tile = isOfTile && in.remaining() >= Integer.BYTES ? in.getInt() : -1;
+        Origin origin = kind == REVOKED ? null : Origin.read(in);
+        if (isOfMachine && origin instanceof Origin.Peer machine) {
+            return kind == EXPELLED ? new Expelled(machine) : new Pardoned(machine);
         }
-        boolean known = kind == KEPT || kind == CONFIRMED || kind == REVOKED;
-        int tile = known && in.remaining() >= Integer.BYTES ? in.getInt() : -1;
-        if (tile < 0 || tile >= tiles) {
+        if (tile < 0 || tile >= tiles || (origin == null && kind != REVOKED)) {
             throw senseless(kind);
         }
         if (kind == REVOKED) {
@@ -89,26 +104,15 @@ sealed interface JournalRecord {
             }
             byte[] hash = new byte[ContentHash.BYTES];
             in.get(hash);
-            return new Confirmed(tile, ContentHash.fromBytes(hash));
+            return new Confirmed(tile, origin, ContentHash.fromBytes(hash));
         }
-        int length = in.remaining() >= Integer.BYTES ? in.getInt() : -1;
-        if (length < 0 || length > in.remaining()) {
-            throw senseless(kind);
-        }
-        String machine = text(in, length);
         byte[] data = new byte[in.remaining()];
         in.get(data);
-        return new Kept(tile, machine, data);
+        return new Kept(tile, origin, data);
     }
 
     private static IOException senseless(byte kind) {
         return new Journal.JournalException(
                 "the checkpoint has a record of kind " + kind + " that makes no sense to this version");
-    }
-
-    private static String text(ByteBuffer in, int length) {
-        byte[] bytes = new byte[length];
-        in.get(bytes);
-        return new String(bytes, StandardCharsets.UTF_8);
     }
 }

@@ -14,8 +14,14 @@ final class Limits {
     /** Most values in a frame body. */
     static final int TOKENS = 16_384;
 
-    /** Longest text in a message, in characters. */
+    /** Longest text in a message, in characters; longer ones are cut. */
     static final int TEXT = 1_024;
+
+    /** Longest name or build in a message, in characters; longer ones are cut. */
+    static final int NAME = 100;
+
+    /** Length of what a process or a machine is known by. */
+    static final int SECRET_BYTES = 32;
 
     /** Most bytes of content (scene, texture) in one message; longer content travels in pieces. */
     static final int CONTENT_PIECE = 4 << 20;
@@ -41,8 +47,8 @@ final class Limits {
     /** Most messages that wait to be sent over one connection. */
     static final int QUEUED_MESSAGES = 4_096;
 
-    /** Most connections that have not proved yet that they know the token. */
-    static final int STRANGERS = 32;
+    /** Most connections that have not proved yet that they know the token; half of them from one address. */
+    static final int STRANGERS = 128;
 
     /** Most connected workers. */
     static final int WORKERS = 1_024;

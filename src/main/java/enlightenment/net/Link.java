@@ -14,7 +14,7 @@ import java.util.Deque;
 
 /**
  * Messages over one connection. One thread receives; messages to be sent wait in a bounded queue for a thread of the link's
- * own. {@link #check}, called several times a second, ends the link where a deadline is missed: closing the plain socket
+ * own, which {@link #begin} starts. {@link #check}, called several times a second, ends the link where a deadline is missed: closing the plain socket
  * ends every read and write, whatever TLS is about.
  */
 final class Link implements Closeable {
@@ -55,7 +55,12 @@ final class Link implements Closeable {
         out = new BufferedOutputStream(socket.getOutputStream(), BUFFER);
         writer = new Thread(this::writeAll, name + " writer");
         writer.setDaemon(true);
+    }
+
+    /** Begins to send; until then messages wait. Whoever says nothing is worth no thread. */
+    Link begin() {
         writer.start();
+        return this;
     }
 
     /** Lets larger frames in: the other side has proved itself. */
@@ -118,6 +123,10 @@ final class Link implements Closeable {
 
     /** Sends a last message; what comes is not listened to any more, and the link ends when the other side has closed it. */
     void sayLast(Message message) {
+        if (writer.getState() == Thread.State.NEW) {
+            close("");
+            return;
+        }
         send(message);
         synchronized (queue) {
             isLastSaid = true;

@@ -19,7 +19,7 @@ final class LocalWorker implements AutoCloseable {
 
     void start() {
         pool.start(this::deliver);
-        server.handle(new Event.Joined(ID, Coordinator.LOCAL, Coordinator.LOCAL, "this process", threads, 1));
+        server.handle(new Event.Joined(ID, null, Origin.SERVER, false, "this process", threads, 1));
     }
 
     private void deliver() {

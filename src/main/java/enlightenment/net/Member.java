@@ -6,8 +6,9 @@ import java.util.Map;
 /** What the coordinator knows of a connected worker. */
 final class Member {
     final long worker;
-    final String key;
-    final String machine;
+    final ContentHash process;
+    final Origin origin;
+    final boolean isUnproven;
     final String name;
     final int threads;
     final double weight;
@@ -32,14 +33,20 @@ final class Member {
 
     Member(Event.Joined event, long now) {
         worker = event.worker();
-        key = event.key();
-        machine = event.machine();
+        process = event.process();
+        origin = event.origin();
+        isUnproven = event.isUnproven();
         name = event.name();
         threads = event.threads();
         weight = event.weight();
         joined = now;
         heard = now;
         progress = now;
+    }
+
+    /** Whether it is the server's own threads. */
+    boolean isServer() {
+        return origin.equals(Origin.SERVER);
     }
 
     /** Tiles that it owes and that are waited for, audits aside. */

@@ -1,9 +1,11 @@
 package enlightenment.net;
 
+import enlightenment.text.Plain;
 import java.util.List;
 
 /**
- * What server and worker say to each other. A message is a CBOR array: its kind, then the components of the record in
+ * What server and worker say to each other. No text in a message can do harm where it is shown: constructors make it {@linkplain
+ * Plain plain}, on either side. A message is a CBOR array: its kind, then the components of the record in
  * their order ({@link MessageCodec}). Constructors refuse what no honest peer sends, so that a decoded message needs no
  * further checks of form.
  *
@@ -14,7 +16,7 @@ sealed interface Message {
     String MAGIC = "enlightenment";
 
     /** The protocol that this build speaks. */
-    int PROTOCOL = 2;
+    int PROTOCOL = 3;
 
     /** The kinds of message; the place in this list, from 1 on, is the number on the wire. New kinds go to the end. */
     List<Class<? extends Message>> KINDS = List.of(
@@ -37,17 +39,15 @@ sealed interface Message {
             Bye.class);
 
     /**
-     * Worker to server, first: who I am.
+     * Worker to server, first: what I am. Nothing in it is believed before the proof, and nothing gives any right.
      *
      * @param magic {@link #MAGIC}
      * @param oldest oldest protocol spoken
      * @param newest newest protocol spoken
      * @param build version of the program: both sides must have the same, as it decides bits
      * @param name for people
-     * @param key identity of the worker process, drawn at its start; outlives its connections
-     * @param machine identity of the machine, which outlives its processes: workers of one machine do not check each other
      * @param threads number of tiles rendered at once
-     * @param arithmetic hash of the canary tile as this machine computes it
+     * @param arithmetic hash of the canary tile as this machine computes it; zeros if it does not
      * @param nonce 32 random bytes
      */
     record Hello(
@@ -56,8 +56,6 @@ sealed interface Message {
             int newest,
             String build,
             String name,
-            String key,
-            String machine,
             int threads,
             ContentHash arithmetic,
             byte[] nonce)
@@ -65,11 +63,8 @@ sealed interface Message {
         public Hello {
             require(magic.equals(MAGIC), "this is not a worker of Enlightenment");
             require(oldest >= 1 && newest >= oldest, "protocols " + oldest + ".." + newest + " make no range");
-            text(build);
-            text(name);
-            text(key);
-            text(machine);
-            require(!key.isEmpty() && !machine.isEmpty(), "the worker's key or machine is empty");
+            build = Plain.line(build, Limits.NAME);
+            name = Plain.line(name, Limits.NAME);
             within("threads", threads, 1, Limits.THREADS);
             length("nonce", nonce, Handshake.NONCE_BYTES);
         }
@@ -91,7 +86,7 @@ sealed interface Message {
     }
 
     /**
-     * Server to worker: so do I; come in.
+     * Server to worker: so do I. What follows may be believed.
      *
      * @param mac the server's proof
      * @param heartbeatMillis a heartbeat is wanted this often
@@ -110,7 +105,7 @@ sealed interface Message {
     /** Either way: no, for this reason; {@code again} says whether trying later makes sense. */
     record Refuse(String reason, boolean again) implements Message {
         public Refuse {
-            text(reason);
+            reason = Plain.line(reason, Limits.TEXT);
         }
     }
 
@@ -146,8 +141,20 @@ sealed interface Message {
         }
     }
 
-    /** Worker to server: I have all that the job needs; give me work. */
-    record Ready(ContentHash job) implements Message {}
+    /**
+     * Worker to server: I have all that the job needs; give me work. The two secrets are what nobody else can say, as they are
+     * told to a server only that has proved itself.
+     *
+     * @param process 32 random bytes, drawn at the start of the worker process: a new connection with the same replaces the old
+     * @param machine 32 bytes that are the same for all processes of a machine, now and later, in this job: workers of one
+     *     machine do not check each other, and are expelled together
+     */
+    record Ready(ContentHash job, byte[] process, byte[] machine) implements Message {
+        public Ready {
+            length("secret of the process", process, Limits.SECRET_BYTES);
+            length("secret of the machine", machine, Limits.SECRET_BYTES);
+        }
+    }
 
     /** Server to worker: render the tile columns {@code first} (included) to {@code last} (excluded). */
     record Grant(long lease, ContentHash job, int first, int last) implements Message {
@@ -199,7 +206,7 @@ sealed interface Message {
     /** Either way: I hang up, for this reason. */
     record Bye(String reason) implements Message {
         public Bye {
-            text(reason);
+            reason = Plain.line(reason, Limits.TEXT);
         }
     }
 
@@ -218,10 +225,6 @@ sealed interface Message {
             throw new IllegalArgumentException(
                     "the " + what + " must lie in " + lowest + ".." + highest + ", not " + value);
         }
-    }
-
-    private static void text(String value) {
-        within("length of a text", value.length(), 0, Limits.TEXT);
     }
 
     private static void length(String what, byte[] value, int bytes) {

@@ -7,63 +7,112 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.function.Consumer;
-import java.util.function.Function;
 
-/** Takes connections at a port, and gives each a thread. */
+/** Takes connections at a port. Where this process has no more files it makes room, pauses, and goes on. */
 final class Reception implements Closeable {
-    private final ServerSocket socket = new ServerSocket();
-    private final Consumer<String> log;
+    static final long FIRST_PAUSE_MILLIS = 20;
+    static final long LONGEST_PAUSE_MILLIS = 1_000;
 
-    Reception(String host, int port, Consumer<String> log) throws IOException {
+    /** Where connections come from. */
+    interface Door extends Closeable {
+        Socket accept() throws IOException;
+    }
+
+    /** What waits for a while. */
+    @FunctionalInterface
+    interface Pause {
+        void millis(long millis) throws InterruptedException;
+    }
+
+    private final Door door;
+    private final int port;
+    private final ServerLog log;
+    private final Pause pause;
+    private volatile boolean isClosed;
+
+    Reception(Door door, int port, ServerLog log, Pause pause) {
+        this.door = door;
+        this.port = port;
         this.log = log;
+        this.pause = pause;
+    }
+
+    /** Listens at an address; port 0 for any that is free. */
+    static Reception at(InetAddress address, int port, ServerLog log) throws IOException {
+        ServerSocket socket = new ServerSocket();
         try {
-            socket.bind(new InetSocketAddress(InetAddress.getByName(host), port));
+            socket.bind(new InetSocketAddress(address, port));
         } catch (IOException e) {
             socket.close();
-            throw new IOException("cannot listen at " + host + ":" + port + ": " + e.getMessage(), e);
+            throw e;
         }
+        Door door = new Door() {
+            @Override
+            public Socket accept() throws IOException {
+                return socket.accept();
+            }
+
+            @Override
+            public void close() throws IOException {
+                socket.close();
+            }
+        };
+        return new Reception(door, socket.getLocalPort(), log, Thread::sleep);
     }
 
     int port() {
-        return socket.getLocalPort();
+        return port;
     }
 
     boolean isClosed() {
-        return socket.isClosed();
+        return isClosed;
     }
 
     /**
      * Takes connections until it is closed.
      *
-     * @param welcome gives what is to be done about a connection, or null if it is to be closed at once
+     * @param welcome takes care of a connection, whatever happens
+     * @param makeRoom ends a connection that matters least, so that there is a file again
      */
-    void accept(Function<Socket, Runnable> welcome) {
-        while (!socket.isClosed()) {
+    void accept(Consumer<Socket> welcome, Runnable makeRoom) {
+        long millis = 0;
+        while (!isClosed) {
             try {
-                Socket plain = socket.accept();
-                Runnable work = welcome.apply(plain);
-                if (work == null) {
-                    plain.close();
-                } else {
-                    startThread(work, "connection");
+                Socket plain = door.accept();
+                if (millis > 0) {
+                    log.seldom("accept", "connections are taken again");
+                    millis = 0;
                 }
+                welcome.accept(plain);
             } catch (IOException | OutOfMemoryError e) {
-                // No more threads or files: those who are here go on.
-                if (!socket.isClosed()) {
-                    log.accept("a connection could not be taken: " + e.getMessage());
+                if (isClosed) {
+                    return;
+                }
+                if (millis == 0) {
+                    log.seldom("accept", "no connection can be taken for now: " + e.getMessage());
+                }
+                millis = Math.min(Math.max(2 * millis, FIRST_PAUSE_MILLIS), LONGEST_PAUSE_MILLIS);
+                makeRoom.run();
+                if (!pause(millis)) {
+                    return;
                 }
             }
         }
     }
 
-    static void startThread(Runnable work, String name) {
-        Thread thread = new Thread(work, "server " + name);
-        thread.setDaemon(true);
-        thread.start();
+    private boolean pause(long millis) {
+        try {
+            pause.millis(millis);
+            return true;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
     }
 
     @Override
     public void close() throws IOException {
-        socket.close();
+        isClosed = true;
+        door.close();
     }
 }

@@ -51,8 +51,7 @@ public final class RenderParts {
             throw new IllegalArgumentException("parts of a render must not depend on the time that they take");
         }
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
-        ContentHash job =
-                JobContent.of(scene, settings, render.plan(), Build.number()).hash();
+        ContentHash job = JobContent.of(scene, render.outline(), Build.number()).hash();
         int[] tiles = IntStream.range(0, render.tiles())
                 .filter(tile -> tile % parts == part - 1)
                 .toArray();

@@ -7,7 +7,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.Closeable;
 import java.io.IOException;
-import java.net.Socket;
+import java.net.InetAddress;
 import java.security.SecureRandom;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -27,30 +27,38 @@ public final class RenderServer implements Closeable {
     private final StatusServer status;
     private final long started = System.nanoTime();
     private final Connections connections = new Connections();
+    private final ServerLog log;
     private LocalWorker local;
     private boolean hasBegun;
-    private boolean isFinished;
+    private volatile boolean isFinished;
     private boolean isClosed;
     private long lonelySince = System.nanoTime();
     private Throwable failure;
 
-    private RenderServer(ServerOptions options, Secrets secrets, ServerJob job) throws IOException {
+    private RenderServer(ServerOptions options, ServerLog log, Secrets secrets, ServerJob job) throws IOException {
         this.options = options;
+        this.log = log;
         this.secrets = secrets;
         this.job = job;
-        if (options.checkpoint.isPresent()) {
-            job.open(options.checkpoint.get());
-        }
-        CoordinatorSettings settings = CoordinatorSettings.of(job.tiles(), new SecureRandom().nextLong(), job.hash())
+        SecureRandom random = new SecureRandom();
+        CoordinatorSettings settings = CoordinatorSettings.of(job.tiles(), random.nextLong(), random.nextLong())
                 .withAuditRate(options.auditRate)
                 .withSilence(options.timing.silenceMillis() * 1_000_000L);
         coordinator = new Coordinator(settings, job.restored(), System.nanoTime());
         try {
-            reception = new Reception(options.host, options.port, options.log);
+            reception = openReception();
             status = openStatus();
         } catch (IOException e) {
             job.close();
             throw e;
+        }
+    }
+
+    private Reception openReception() throws IOException {
+        try {
+            return Reception.at(InetAddress.getByName(options.host), options.port, log);
+        } catch (IOException e) {
+            throw new IOException("cannot listen at " + options.host + ":" + options.port + ": " + e.getMessage(), e);
         }
     }
 
@@ -72,7 +80,9 @@ public final class RenderServer implements Closeable {
      * @throws enlightenment.scene.SceneException if the scene cannot be used
      */
     public static RenderServer start(
-            Scene scene, RenderSettings settings, ServerOptions options, BooleanSupplier cancelled) throws IOException {
+            Scene scene, RenderSettings settings, ServerOptions given, BooleanSupplier cancelled) throws IOException {
+        ServerLog log = new ServerLog(given.log, System::nanoTime);
+        ServerOptions options = given.withLog(log::say);
         options.check();
         if (options.checkpoint.isPresent() && settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException(
@@ -82,10 +92,15 @@ public final class RenderServer implements Closeable {
         Secrets secrets = Secrets.open(options);
         Canary.hash();
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
-        JobContent content = JobContent.of(scene, settings, render.plan(), options.build);
-        RenderServer server = new RenderServer(options, secrets, new ServerJob(render, content, options.log));
-        Reception.startThread(() -> server.reception.accept(server::welcome), "accept");
-        Reception.startThread(server::tickAll, "tick");
+        JobContent content = JobContent.of(scene, render.outline(), options.build);
+        ServerJob job = new ServerJob(render, content, options.log);
+        if (options.checkpoint.isPresent()) {
+            job.open(options.checkpoint.get(), options.pardoned);
+        }
+        RenderServer server = new RenderServer(options, log, secrets, job);
+        Lobby lobby = new Lobby(server, server.connections, options.threads, log);
+        lobby.startThread(() -> server.reception.accept(lobby::welcome, lobby::makeRoom), "accept");
+        lobby.startThread(server::tickAll, "tick");
         return server;
     }
 
@@ -154,19 +169,6 @@ public final class RenderServer implements Closeable {
         }
     }
 
-    /** Null if there are too many that nobody knows. */
-    private synchronized Runnable welcome(Socket plain) {
-        if (isClosed) {
-            return null;
-        }
-        ServerConnection connection = connections.add(this, plain);
-        if (connection == null) {
-            options.log.accept("a connection was refused: " + Limits.STRANGERS + " others have not said who they are");
-            return null;
-        }
-        return connection::run;
-    }
-
     synchronized boolean admit(ServerConnection connection) {
         return !isClosed && connections.admit(connection);
     }
@@ -176,7 +178,7 @@ public final class RenderServer implements Closeable {
         if (!connections.addWaiting(connection)) {
             return;
         }
-        options.log.accept(connection + " joined");
+        connection.tell(connection + " joined");
         if (hasBegun || connections.waiting() >= options.minWorkers) {
             begin();
         }
@@ -272,7 +274,7 @@ public final class RenderServer implements Closeable {
             handle(new Event.Left(connection.id(), reason));
         }
         if (!reason.isEmpty()) {
-            options.log.accept(connection + " left: " + reason);
+            connection.tell(connection + " left: " + reason);
         }
     }
 
@@ -280,7 +282,12 @@ public final class RenderServer implements Closeable {
         try {
             while (!reception.isClosed()) {
                 Thread.sleep(TICK_MILLIS);
-                tick();
+                try {
+                    tick();
+                } catch (OutOfMemoryError e) {
+                    // The next tick comes in any case, when there may be memory again.
+                    log.seldom("memory", "out of memory for a moment: " + e.getMessage());
+                }
             }
         } catch (InterruptedException e) {
             close();
@@ -293,6 +300,10 @@ public final class RenderServer implements Closeable {
         long now = System.nanoTime();
         List<ServerConnection> all = connections.list();
         all.forEach(c -> c.check(now));
+        log.tick();
+        if (status != null) {
+            status.check(now);
+        }
         synchronized (this) {
             job.tick();
             boolean waited = (now - started) / 1e9 >= options.waitSeconds;
@@ -314,6 +325,19 @@ public final class RenderServer implements Closeable {
     /** How far it is. */
     synchronized Snapshot snapshot() {
         return coordinator.snapshot(System.nanoTime());
+    }
+
+    synchronized boolean isClosed() {
+        return isClosed;
+    }
+
+    /** Whether all is done; asked without waiting for anything. */
+    boolean isFinished() {
+        return isFinished;
+    }
+
+    ServerLog log() {
+        return log;
     }
 
     ServerJob job() {
@@ -349,7 +373,7 @@ public final class RenderServer implements Closeable {
         connections.waitForFarewells();
         closeQuietly(reception);
         if (status != null) {
-            status.close();
+            closeQuietly(status::close);
         }
         closeQuietly(job);
     }
@@ -358,7 +382,7 @@ public final class RenderServer implements Closeable {
         try {
             what.close();
         } catch (IOException e) {
-            options.log.accept("while ending: " + e.getMessage());
+            log.say("while ending: " + e.getMessage());
         }
     }
 }

@@ -1,7 +1,8 @@
 package enlightenment.net;
 
+import enlightenment.text.Plain;
 import java.io.IOException;
-import java.util.HexFormat;
+import java.security.SecureRandom;
 import java.util.Random;
 import java.util.function.BooleanSupplier;
 
@@ -11,6 +12,7 @@ import java.util.function.BooleanSupplier;
 public final class RenderWorker {
     private static final long FIRST_PAUSE_MILLIS = 100;
     private static final long LONGEST_PAUSE_MILLIS = 5_000;
+    private static final int LONGEST_REASON = 2_000;
 
     private RenderWorker() {}
 
@@ -18,30 +20,35 @@ public final class RenderWorker {
      * How a worker ended.
      *
      * @param isDone whether the server said that the picture is done
-     * @param reason in words
+     * @param reason in words; partly those of the server, made harmless
      * @param tiles number of tiles that this worker made
      */
-    public record Outcome(boolean isDone, String reason, long tiles) {}
+    public record Outcome(boolean isDone, String reason, long tiles) {
+        public Outcome {
+            reason = Plain.line(reason, LONGEST_REASON);
+        }
+    }
 
     /**
      * Works until the picture is done, the server refuses, shows a certificate that is not to be trusted, or has been away for
-     * too long.
+     * too long. Only a server that has proved that it knows the token is believed: whoever else answers there is as good as a
+     * server that is away.
      *
      * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the
      *     worker says good-bye and ends
      * @throws IOException if a file of the options cannot be used
      */
-    public static Outcome run(String host, int port, WorkerOptions options, BooleanSupplier cancelled)
+    public static Outcome run(String host, int port, WorkerOptions settings, BooleanSupplier cancelled)
             throws IOException {
+        WorkerOptions options = settings.withLog(line -> settings.log.accept(Plain.line(line, LONGEST_REASON)));
         byte[] token = token(options);
         Tls tls = tls(options);
         options.log.accept("computing the canary tile");
         Canary.hash();
-        byte[] key = new byte[16];
-        new java.security.SecureRandom().nextBytes(key);
+        byte[] process = new byte[Limits.SECRET_BYTES];
+        new SecureRandom().nextBytes(process);
         WorkerJobs jobs = new WorkerJobs(options);
-        WorkerSession.Place place =
-                new WorkerSession.Place(host, port, token, tls, HexFormat.of().formatHex(key));
+        WorkerSession.Place place = new WorkerSession.Place(host, port, token, tls, process);
         try {
             Thread caller = Thread.currentThread();
             return work(place, options, jobs, () -> caller.isInterrupted() || cancelled.getAsBoolean());
@@ -71,6 +78,7 @@ public final class RenderWorker {
         Random spread = new Random();
         long lastContact = System.nanoTime();
         long pause = FIRST_PAUSE_MILLIS;
+        String told = "";
         while (true) {
             WorkerSession session = new WorkerSession(place, options, jobs, cancelled);
             WorkerSession.End end = session.run();
@@ -93,6 +101,9 @@ public final class RenderWorker {
             }
             if (session.wasWelcome()) {
                 options.log.accept("lost the server: " + end.reason() + "; trying again");
+            } else if (!told.equals(end.reason())) {
+                told = end.reason();
+                options.log.accept(told + "; trying again");
             }
             // Not all workers at once.
             if (!pause(pause / 2 + spread.nextInt((int) pause), cancelled)) {

@@ -1,6 +1,5 @@
 package enlightenment.net;
 
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -13,48 +12,52 @@ import java.util.TreeMap;
  * @param tiles the tiles that are done, in their order
  * @param expelled machines that are not to be trusted
  */
-record Restored(List<Tile> tiles, Set<String> expelled) {
+record Restored(List<Tile> tiles, Set<Origin.Peer> expelled) {
     static final Restored NOTHING = new Restored(List.of(), Set.of());
 
-    /** A tile: which machine made it, what it is, and whether another made the same. */
-    record Tile(int tile, String machine, ContentHash hash, boolean confirmed) {}
+    /** A tile: who made it, what it is, and who else says the same; null for nobody. */
+    record Tile(int tile, Origin origin, ContentHash hash, Origin second) {
+        /** What is left of it without the word of a machine; null for nothing. */
+        Tile without(Origin.Peer machine) {
+            if (origin.equals(machine)) {
+                return second == null ? null : new Tile(tile, second, hash, null);
+            }
+            return machine.equals(second) ? new Tile(tile, origin, hash, null) : this;
+        }
+    }
 
     /** Puts it together from the records of a journal, in their order. */
     static final class Builder {
         private final Map<Integer, Tile> tiles = new TreeMap<>();
-        private final Set<String> expelled = new LinkedHashSet<>();
+        private final Set<Origin.Peer> expelled = new LinkedHashSet<>();
 
         void add(JournalRecord record) {
             if (record instanceof JournalRecord.Kept kept) {
-                kept(kept.tile(), kept.machine(), ContentHash.of(kept.data()));
+                kept(kept.tile(), kept.origin(), ContentHash.of(kept.data()));
             } else if (record instanceof JournalRecord.Confirmed confirmed) {
                 tiles.computeIfPresent(
                         confirmed.tile(),
-                        (tile, t) ->
-                                t.hash().equals(confirmed.hash()) ? new Tile(tile, t.machine(), t.hash(), true) : t);
+                        (tile, t) -> t.hash().equals(confirmed.hash())
+                                ? new Tile(tile, t.origin(), t.hash(), confirmed.by())
+                                : t);
             } else if (record instanceof JournalRecord.Revoked revoked) {
                 tiles.remove(revoked.tile());
-            } else if (record instanceof JournalRecord.Expelled machine) {
-                expelled.add(machine.machine());
+            } else if (record instanceof JournalRecord.Expelled e) {
+                expelled.add(e.machine());
+                // The server may have died before the revocations that follow from it.
+                List.copyOf(tiles.keySet())
+                        .forEach(tile -> tiles.computeIfPresent(tile, (n, t) -> t.without(e.machine())));
+            } else if (record instanceof JournalRecord.Pardoned pardoned) {
+                expelled.remove(pardoned.machine());
             }
         }
 
-        void kept(int tile, String machine, ContentHash hash) {
-            tiles.put(tile, new Tile(tile, machine, hash, false));
+        void kept(int tile, Origin origin, ContentHash hash) {
+            tiles.put(tile, new Tile(tile, origin, hash, null));
         }
 
-        /**
-         * What is restored. The server may have died between an expulsion and the revocations that follow from it; so
-         * what rests on the word of an expelled machine alone is left out.
-         */
         Restored build() {
-            List<Tile> trusted = new ArrayList<>();
-            for (Tile tile : tiles.values()) {
-                if (tile.confirmed() || !expelled.contains(tile.machine())) {
-                    trusted.add(tile);
-                }
-            }
-            return new Restored(List.copyOf(trusted), Set.copyOf(expelled));
+            return new Restored(List.copyOf(tiles.values()), Set.copyOf(expelled));
         }
     }
 }

@@ -1,5 +1,6 @@
 package enlightenment.net;
 
+import enlightenment.text.Plain;
 import java.io.IOException;
 import java.net.Socket;
 import java.security.SecureRandom;
@@ -9,14 +10,16 @@ import javax.net.ssl.SSLException;
 /** One connection to a server, from the first byte of a stranger to the last of a worker. One thread listens to it. */
 final class ServerConnection {
     private static final SecureRandom RANDOM = new SecureRandom();
+    private static final int LONGEST_NAME = 60;
 
     private final long id;
     private final RenderServer server;
     private final Socket plain;
-    private final String address;
     private final long opened = System.nanoTime();
     private volatile Link link;
     private volatile Message.Hello hello;
+    private volatile Message.Ready ready;
+    private volatile String closedBecause = "";
     private volatile boolean isKnown;
     private volatile boolean isJoined;
 
@@ -24,7 +27,6 @@ final class ServerConnection {
         this.id = id;
         this.server = server;
         this.plain = plain;
-        address = plain.getInetAddress().getHostAddress();
     }
 
     /** Listens until the connection ends, and tells the server why it did. */
@@ -33,9 +35,15 @@ final class ServerConnection {
         try {
             Link made = open();
             link = made;
-            boolean isWorker = shakeHands(made);
-            while (listen(made, isWorker)) {
-                reason = isWorker ? "the connection was closed" : "";
+            if (shakeHands(made)) {
+                while (listen(made)) {
+                    reason = "the connection was closed";
+                }
+            } else {
+                while (made.receive() != null) {
+                    // What comes after a refusal is let pass until the other side closes.
+                    continue;
+                }
             }
         } catch (ProtocolException e) {
             reason = "sent what is no message: " + e.getMessage();
@@ -43,6 +51,8 @@ final class ServerConnection {
             reason = "TLS failed: " + e.getMessage();
         } catch (IOException | RuntimeException e) {
             reason = String.valueOf(e.getMessage());
+        } catch (OutOfMemoryError e) {
+            reason = "there are not memory and threads enough for it here: " + e.getMessage();
         } finally {
             end(reason);
         }
@@ -57,7 +67,8 @@ final class ServerConnection {
 
     private void end(String why) {
         Link mine = link;
-        String reason = mine == null || mine.reason().isEmpty() ? why : mine.reason();
+        String here = mine == null ? closedBecause : mine.reason();
+        String reason = here.isEmpty() ? why : here;
         close(reason);
         server.ended(this, reason);
     }
@@ -69,9 +80,12 @@ final class ServerConnection {
             throw new ProtocolException(first == null ? "nothing was said" : "no hello");
         }
         hello = worker;
-        String refusal = refusal(worker);
-        if (refusal != null) {
-            refuse(refusal, false);
+        on.begin();
+        if (worker.oldest() > Message.PROTOCOL || worker.newest() < Message.PROTOCOL) {
+            refuse(
+                    "the server speaks protocol " + Message.PROTOCOL + ", the worker " + worker.oldest() + ".."
+                            + worker.newest() + ": install the same version on both",
+                    false);
             return false;
         }
         byte[] nonce = new byte[Handshake.NONCE_BYTES];
@@ -87,44 +101,54 @@ final class ServerConnection {
             refuse("the worker does not know the server's token (--token-file), or someone is in between", false);
             return false;
         }
-        if (!server.admit(this)) {
-            refuse("the server has as many workers as it can have", true);
-            return false;
-        }
-        on.trust();
+        // From here on a refusal is believed, as it comes from who knows the token.
         Timing timing = server.options().timing;
         on.send(new Message.Welcome(
                 Handshake.proof(Handshake.Side.SERVER, token, worker.nonce(), nonce, certificate),
                 timing.heartbeatMillis(),
                 timing.silenceMillis(),
                 Limits.UNACKNOWLEDGED_TILES));
+        return isAdmitted(on, worker);
+    }
+
+    private boolean isAdmitted(Link on, Message.Hello worker) {
+        if (!server.admit(this)) {
+            refuse("the server has as many workers as it can have", true);
+            return false;
+        }
+        String refusal = refusal(worker);
+        if (refusal != null) {
+            refuse(refusal, false);
+            return false;
+        }
+        on.trust();
         ServerJob job = server.job();
         on.send(new Message.Job(job.hash(), job.tiles(), job.content().hashes()));
         return true;
     }
 
     private String refusal(Message.Hello worker) {
-        if (worker.oldest() > Message.PROTOCOL || worker.newest() < Message.PROTOCOL) {
-            return "the server speaks protocol " + Message.PROTOCOL + ", the worker " + worker.oldest() + ".."
-                    + worker.newest() + ": install the same version on both";
-        }
         if (!worker.build().equals(server.options().build)) {
             return "the server is version " + server.options().build + ", the worker " + worker.build()
                     + ": install the same version on both";
         }
-        if (!worker.arithmetic().equals(Canary.hash())) {
+        if (!worker.arithmetic().equals(Canary.hash()) && !isUnproven(worker)) {
             return "the worker's machine computes other numbers than the server's (the canary tile differs)";
         }
         return null;
     }
 
+    private static boolean isUnproven(Message.Hello worker) {
+        return worker.arithmetic().equals(Canary.NOT_COMPUTED);
+    }
+
     /** Hears one message; false at the end. After the last word was said the rest is let pass until the other side closes. */
-    private boolean listen(Link on, boolean isWorker) throws IOException {
+    private boolean listen(Link on) throws IOException {
         Message message = on.receive();
         if (message instanceof Message.Bye bye) {
             throw new IOException(bye.reason());
         }
-        if (message != null && isWorker && !on.isLastSaid()) {
+        if (message != null && !on.isLastSaid()) {
             hear(on, message);
         }
         return message != null;
@@ -142,8 +166,10 @@ final class ServerConnection {
             deliver(on, result);
         } else if (message instanceof Message.ContentRequest request) {
             on.sendWhenFree(content(request));
-        } else if (message instanceof Message.Ready ready
-                && ready.job().equals(server.job().hash())) {
+        } else if (message instanceof Message.Ready said
+                && ready == null
+                && said.job().equals(server.job().hash())) {
+            ready = said;
             server.ready(this);
         } else {
             throw new ProtocolException(message.getClass().getSimpleName() + " is nothing that a worker says now");
@@ -193,7 +219,16 @@ final class ServerConnection {
         if (link != null) {
             link.sayLast(new Message.Refuse(reason, again));
         }
-        server.options().log.accept(this + " refused: " + reason);
+        tell(this + " refused: " + reason);
+    }
+
+    /** About whom nobody knows not much is told. */
+    void tell(String line) {
+        if (isKnown) {
+            server.log().say(line);
+        } else {
+            server.log().seldom(address(), line);
+        }
     }
 
     void send(Message message) {
@@ -215,18 +250,26 @@ final class ServerConnection {
             mine.close(reason);
             return;
         }
+        closedBecause = closedBecause.isEmpty() ? reason : closedBecause;
         try {
             plain.close();
         } catch (IOException e) {
-            server.options().log.accept(this + ": " + e.getMessage());
+            tell(this + ": " + e.getMessage());
         }
     }
 
     /** What the coordinator is told when the worker joins. */
     Event.Joined joined() {
         isJoined = true;
-        double weight = server.options().weight(hello.name(), address);
-        return new Event.Joined(id, hello.key(), hello.machine(), toString(), hello.threads(), weight);
+        double weight = server.options().weight(hello.name(), host());
+        return new Event.Joined(
+                id,
+                ContentHash.of(ready.process()),
+                Origin.Peer.of(ready.machine()),
+                isUnproven(hello),
+                toString(),
+                hello.threads(),
+                weight);
     }
 
     long id() {
@@ -246,15 +289,19 @@ final class ServerConnection {
         return isJoined;
     }
 
+    /** What counts as one address. */
+    String address() {
+        return Strangers.addressOf(plain.getInetAddress());
+    }
+
+    private String host() {
+        return plain.getInetAddress().getHostAddress();
+    }
+
     /** For people; what a stranger says of itself is not repeated. */
     @Override
     public String toString() {
         Message.Hello h = isKnown ? hello : null;
-        return h == null ? address : printable(h.name()) + " (" + address + ")";
-    }
-
-    private static String printable(String name) {
-        String plain = name.replaceAll("[^\\p{Graph} ]", "?");
-        return plain.length() > 60 ? plain.substring(0, 60) : plain;
+        return h == null ? host() : Plain.line(h.name(), LONGEST_NAME) + " (" + host() + ")";
     }
 }

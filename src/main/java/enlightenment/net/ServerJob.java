@@ -8,10 +8,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 
 /** What a server renders: the job, its picture so far and its checkpoint. One thread at a time changes it. */
 final class ServerJob implements Closeable {
+    /** Fewer digits may be those of two machines. */
+    private static final int FEWEST_DIGITS = 8;
+
     private final TiledRender render;
     private final JobContent content;
     private final FilmAssembly film;
@@ -33,6 +38,16 @@ final class ServerJob implements Closeable {
 
     /** Goes on from a checkpoint, or begins one. */
     void open(Path checkpoint) throws IOException {
+        open(checkpoint, List.of());
+    }
+
+    /**
+     * Goes on from a checkpoint, or begins one.
+     *
+     * @param pardoned machines that it says are expelled, and are not any more, each by its first digits
+     * @throws IllegalArgumentException if one of them is not expelled
+     */
+    void open(Path checkpoint, List<String> pardoned) throws IOException {
         Restored.Builder builder = new Restored.Builder();
         List<String> wrong = new ArrayList<>();
         journal = Journal.open(checkpoint, hash(), tiles(), System.nanoTime(), entry -> {
@@ -46,6 +61,7 @@ final class ServerJob implements Closeable {
             }
             builder.add(entry);
         });
+        pardon(pardoned, builder);
         restored = builder.build();
         BitSet there = new BitSet();
         restored.tiles().forEach(tile -> {
@@ -70,19 +86,43 @@ final class ServerJob implements Closeable {
         }
     }
 
+    private void pardon(List<String> machines, Restored.Builder builder) throws IOException {
+        Set<Origin.Peer> expelled = builder.build().expelled();
+        for (String digits : machines) {
+            List<Origin.Peer> meant = expelled.stream()
+                    .filter(m -> digits.length() >= FEWEST_DIGITS
+                            && m.machine().toString().startsWith(digits))
+                    .toList();
+            if (meant.size() != 1) {
+                close();
+                throw new IllegalArgumentException("no expelled machine is called " + digits + "; "
+                        + (expelled.isEmpty() ? "none is expelled" : "these are: " + words(expelled)));
+            }
+            JournalRecord pardon = new JournalRecord.Pardoned(meant.get(0));
+            builder.add(pardon);
+            journal.append(System.nanoTime(), pardon);
+            log.accept("machine " + meant.get(0) + " is pardoned");
+        }
+    }
+
+    private static String words(Set<Origin.Peer> machines) {
+        return machines.stream().map(Origin.Peer::toString).sorted().collect(Collectors.joining(", "));
+    }
+
     /** What is to be kept; false if the action is none of these. */
     boolean keep(Action action) {
         if (action instanceof Action.Keep a) {
             film.put(a.tile(), a.data().bytes());
             kept[a.tile()] = a.data().hash();
-            write(new JournalRecord.Kept(a.tile(), a.machine(), a.data().bytes()));
+            write(new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
         } else if (action instanceof Action.Confirm a) {
-            write(new JournalRecord.Confirmed(a.tile(), kept[a.tile()]));
+            write(new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
         } else if (action instanceof Action.Revoke a) {
             film.remove(a.tile());
             write(new JournalRecord.Revoked(a.tile()));
         } else if (action instanceof Action.Expel a) {
-            log.accept(a.machine() + " expelled: " + a.reason());
+            log.accept("machine " + a.machine() + " expelled: " + a.reason()
+                    + (journal == null ? "" : " (started again with --pardon " + a.machine() + " it is let in)"));
             write(new JournalRecord.Expelled(a.machine()));
         } else {
             return false;

@@ -4,8 +4,10 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ThreadFactory;
 import java.util.function.Consumer;
 
 /** How a {@link RenderServer} serves. Immutable; each {@code with} gives a changed copy. */
@@ -34,8 +36,12 @@ public final class ServerOptions implements Cloneable {
     double auditRate = CoordinatorSettings.AUDIT_RATE;
     Consumer<String> log = line -> {};
 
+    List<String> pardoned = List.of();
+
     /** For tests. */
     String build = Build.number();
+
+    ThreadFactory threads = Thread::new;
 
     Timing timing = Timing.USUAL;
     Path keytool = OwnCertificate.keytool();
@@ -141,6 +147,23 @@ public final class ServerOptions implements Cloneable {
         return o;
     }
 
+    /**
+     * Lets machines back in that an earlier run with the same checkpoint expelled.
+     *
+     * @param machines by the first digits, eight or more, of what the log and the status call them
+     */
+    public ServerOptions withPardoned(List<String> machines) {
+        ServerOptions o = copy();
+        o.pardoned = List.copyOf(machines);
+        return o;
+    }
+
+    ServerOptions withThreads(ThreadFactory threads) {
+        ServerOptions o = copy();
+        o.threads = threads;
+        return o;
+    }
+
     ServerOptions withBuild(String build) {
         ServerOptions o = copy();
         o.build = build;
@@ -168,6 +191,9 @@ public final class ServerOptions implements Cloneable {
         if (!InetAddress.getByName(host).isLoopbackAddress() && tokenFile.isEmpty()) {
             throw new IllegalArgumentException("beyond this machine (" + host
                     + ") workers need a token: give a file for it, which is made if there is none");
+        }
+        if (!pardoned.isEmpty() && checkpoint.isEmpty()) {
+            throw new IllegalArgumentException("nobody is expelled yet: only a checkpoint remembers expulsions");
         }
         for (Map.Entry<String, Double> share : shares.entrySet()) {
             if (!(share.getValue() > 0 && share.getValue() < Double.POSITIVE_INFINITY)) {

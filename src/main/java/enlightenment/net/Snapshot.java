@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 
 /**
  * How far a distributed render is, for people and scripts: a picture of one moment that never changes.
@@ -19,7 +21,7 @@ import java.util.Set;
  * @param elapsedSeconds since this incarnation of the server began
  * @param remainingSeconds expected time to the end, empty if no speed is known
  * @param workers the workers that are connected, in the order of their joining
- * @param expelled machines that are not trusted
+ * @param expelled machines that are not trusted, each by the digits that it is called by
  * @param notes the last joins, losses and other events, oldest first
  */
 record Snapshot(
@@ -54,8 +56,6 @@ record Snapshot(
      */
     record Worker(
             long worker,
-            String key,
-            String machine,
             String name,
             int threads,
             double connectedSeconds,
@@ -89,7 +89,7 @@ record Snapshot(
                 seconds(now - parts.started()),
                 remaining(coordinator.isFinished() ? 0 : left, speed),
                 List.copyOf(workers),
-                parts.expelled(),
+                parts.expelled().stream().map(Origin.Peer::toString).collect(Collectors.toCollection(TreeSet::new)),
                 parts.notes());
     }
 
@@ -103,8 +103,6 @@ record Snapshot(
     private static Worker worker(Member member, long now) {
         return new Worker(
                 member.worker,
-                member.key,
-                member.machine,
                 member.name,
                 member.threads,
                 seconds(now - member.joined),

@@ -1,6 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.math.Check;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HexFormat;
 import java.util.Optional;
@@ -22,7 +23,7 @@ public final class WorkerOptions implements Cloneable {
     /** For tests. */
     String build = Build.number();
 
-    String machine = Machine.identity();
+    byte[] machine = Machine.secret();
     Timing timing = Timing.USUAL;
     Tamper tamper = (tile, bytes) -> bytes;
 
@@ -113,7 +114,7 @@ public final class WorkerOptions implements Cloneable {
 
     WorkerOptions withMachine(String machine) {
         WorkerOptions o = copy();
-        o.machine = machine;
+        o.machine = ContentHash.of(machine.getBytes(StandardCharsets.UTF_8)).toBytes();
         return o;
     }
 

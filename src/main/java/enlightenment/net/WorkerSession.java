@@ -40,10 +40,10 @@ final class WorkerSession {
         this.cancelled = cancelled;
     }
 
-    /** Where the server is and how it is spoken to; {@code tls} is null for none, {@code key} is this process. */
-    record Place(String host, int port, byte[] token, Tls tls, String key, AtomicReference<WorkerSession> current) {
-        Place(String host, int port, byte[] token, Tls tls, String key) {
-            this(host, port, token, tls, key, new Current());
+    /** Where the server is and how it is spoken to; {@code tls} is null for none, {@code process} is its secret. */
+    record Place(String host, int port, byte[] token, Tls tls, byte[] process, AtomicReference<WorkerSession> current) {
+        Place(String host, int port, byte[] token, Tls tls, byte[] process) {
+            this(host, port, token, tls, process, new Current());
         }
     }
 
@@ -95,26 +95,38 @@ final class WorkerSession {
             certificate = Tls.shown(secured);
             over = secured;
         }
-        Link on = new Link(plain, over, options.timing, "worker");
+        Link on = new Link(plain, over, options.timing, "worker").begin();
         link = on;
         byte[] nonce = new byte[Handshake.NONCE_BYTES];
         RANDOM.nextBytes(nonce);
         on.send(hello(nonce));
         Message answer = on.receive();
-        if (answer instanceof Message.Challenge challenge) {
+        if (answer instanceof Message.Challenge challenge && challenge.protocol() == Message.PROTOCOL) {
             byte[] proof = Handshake.proof(Handshake.Side.WORKER, place.token(), nonce, challenge.nonce(), certificate);
             on.send(new Message.Proof(proof));
             answer = on.receive();
             if (answer instanceof Message.Welcome welcome) {
                 byte[] expected =
                         Handshake.proof(Handshake.Side.SERVER, place.token(), nonce, challenge.nonce(), certificate);
-                if (!Handshake.same(expected, welcome.mac())) {
-                    return new End(true, false, "the server does not know the token");
-                }
-                return work(on, welcome);
+                return Handshake.same(expected, welcome.mac())
+                        ? work(on, welcome)
+                        : unproven("does not know the token");
             }
         }
-        return end(answer);
+        return unproven(
+                answer instanceof Message.Refuse refusal
+                        ? "says: " + refusal.reason()
+                        : answer instanceof Message.Bye bye
+                                ? "says: " + bye.reason()
+                                : answer == null ? "closes the connection" : "says what makes no sense now");
+    }
+
+    /** Whoever has not proved to be our server decides nothing: it may be our server later, and somebody else now. */
+    private End unproven(String what) {
+        return new End(
+                false,
+                false,
+                "who answers at " + place.host() + ":" + place.port() + ", not proved to be the server, " + what);
     }
 
     private Message.Hello hello(byte[] nonce) {
@@ -124,8 +136,6 @@ final class WorkerSession {
                 Message.PROTOCOL,
                 options.build,
                 Machine.name(),
-                place.key(),
-                options.machine,
                 options.threads,
                 Canary.hash(),
                 nonce);
@@ -149,8 +159,9 @@ final class WorkerSession {
         wasWelcome = true;
         heartbeatMillis = welcome.heartbeatMillis();
         silenceMillis = welcome.silenceMillis();
-        if (!(on.receive() instanceof Message.Job wanted)) {
-            throw new ProtocolException("the server names no job");
+        Message first = on.receive();
+        if (!(first instanceof Message.Job wanted)) {
+            return end(first);
         }
         End early = new WorkerContents(on, jobs).fetch(wanted);
         if (early != null) {
@@ -161,10 +172,10 @@ final class WorkerSession {
         try {
             mine = jobs.pool(wanted, this::flush);
         } catch (IOException e) {
-            on.sayLast(new Message.Bye(cut(e.getMessage())));
+            on.sayLast(new Message.Bye(e.getMessage()));
             return new End(true, false, e.getMessage());
         }
-        on.send(new Message.Ready(job));
+        on.send(new Message.Ready(job, place.process(), Handshake.hmac(options.machine, job.toBytes())));
         pool = mine;
         place.current().set(this);
         flush();
@@ -175,10 +186,6 @@ final class WorkerSession {
                 return end(message);
             }
         }
-    }
-
-    private static String cut(String text) {
-        return text.length() > Limits.TEXT ? text.substring(0, Limits.TEXT) : text;
     }
 
     /** False if it is the last message, or none that belongs here. */
@@ -233,7 +240,7 @@ final class WorkerSession {
             if (on == null || on.isLastSaid()) {
                 closeSocket();
             } else {
-                on.sayLast(new Message.Bye(jobs.failure() == null ? "stopped" : cut("failed: " + jobs.failure())));
+                on.sayLast(new Message.Bye(jobs.failure() == null ? "stopped" : "failed: " + jobs.failure()));
             }
         }
         if (!wasWelcome && now - opened > options.timing.authenticationMillis() * 1_000_000L) {

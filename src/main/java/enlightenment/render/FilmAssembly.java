@@ -5,6 +5,7 @@ import enlightenment.film.Film;
 import enlightenment.image.Image;
 import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -26,6 +27,10 @@ public final class FilmAssembly {
     private final RayCounters[] counters;
 
     private final long[] surveyRays;
+
+    /** Tiles whose samples are differences: asked of those that are there, as one that is gone must leave nothing. */
+    private final BitSet differences = new BitSet();
+
     private int done;
     private long pixels;
     private long peakMemory;
@@ -85,6 +90,7 @@ public final class FilmAssembly {
             }
             counters[tile] = mine;
             surveyRays[tile] = TileBytes.surveyRays(bytes);
+            differences.set(tile, TileBytes.samplesAreDifferences(bytes, kinds));
             Runtime runtime = Runtime.getRuntime();
             peakMemory = Math.max(peakMemory, runtime.totalMemory() - runtime.freeMemory());
         }
@@ -97,6 +103,7 @@ public final class FilmAssembly {
             TileBytes.into(film, null, place, kinds);
             counters[tile] = null;
             surveyRays[tile] = 0;
+            differences.clear(tile);
             done--;
             pixels -= (long) place.width() * place.height();
         }
@@ -138,6 +145,7 @@ public final class FilmAssembly {
                 all.add(one);
             }
         }
+        film.samplesAreDifferences(!differences.isEmpty());
         long samples = film.cameraSamples() + Arrays.stream(surveyRays).sum();
         RenderReport report = Reports.of(outline, film.error(), samples, all, phases.list(), pixels, peakMemory);
         return new RenderResult(image, report, done == counters.length, pixels, Map.of(), List.of());

@@ -119,16 +119,14 @@ final class TileBytes {
         return samples < 1 ? "the number of samples is " + samples : null;
     }
 
-    private static boolean samplesAreDifferences(byte[] tile, int kinds) {
+    /** Whether the samples of a tile are differences from something known. */
+    static boolean samplesAreDifferences(byte[] tile, int kinds) {
         return ByteBuffer.wrap(tile).getLong(length(0, kinds) - Long.BYTES) != 0;
     }
 
     /** Puts a tile that has no problem into the film; null takes it out. */
     static void into(Film film, byte[] tile, RenderSettings.Crop place, int kinds) {
         ByteBuffer in = tile == null ? null : ByteBuffer.wrap(tile).position(length(0, kinds));
-        if (in != null && samplesAreDifferences(tile, kinds)) {
-            film.samplesAreDifferences();
-        }
         double[] means = new double[3];
         for (int y = place.y(); y < place.y() + place.height(); y++) {
             for (int x = place.x(); x < place.x() + place.width(); x++) {

@@ -1,5 +1,6 @@
 package enlightenment.scene;
 
+import enlightenment.text.Plain;
 import java.util.List;
 
 /** A scene that cannot be used. Every problem that was found is listed, not just the first. */
@@ -7,7 +8,7 @@ public final class SceneException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     /**
-     * One problem.
+     * One problem. What its parts quote may come from anywhere; {@link #toString} shows them as plain text.
      *
      * @param file the file it is in, or "" where there is none
      * @param line its line, counted from 1, or 0 where unknown
@@ -18,7 +19,9 @@ public final class SceneException extends RuntimeException {
     public record Problem(String file, int line, int column, String pointer, String message)
             implements java.io.Serializable {
         private static final long serialVersionUID = 1L;
+        private static final int LONGEST = 2_000;
 
+        /** For people: one line of plain text without control characters, whatever it quotes. */
         @Override
         public String toString() {
             StringBuilder s = new StringBuilder();
@@ -32,7 +35,7 @@ public final class SceneException extends RuntimeException {
             if (!pointer.isEmpty()) {
                 s.append(pointer).append(": ");
             }
-            return s.append(message).toString();
+            return Plain.line(s.append(message).toString(), LONGEST);
         }
     }
 

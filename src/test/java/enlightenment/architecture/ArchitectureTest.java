@@ -31,6 +31,8 @@ class ArchitectureTest {
             .consideringOnlyDependenciesInAnyPackage("enlightenment..")
             .layer("file")
             .definedBy("enlightenment.file")
+            .layer("text")
+            .definedBy("enlightenment.text")
             .layer("math")
             .definedBy("enlightenment.math")
             .layer("color")
@@ -98,6 +100,8 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "render", "net", "cli")
+            .whereLayer("text")
+            .mayOnlyBeAccessedByLayers("scene", "net", "cli")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers("compiled", "film", "render", "net", "measure", "cli", "json");
 

@@ -16,12 +16,12 @@ import org.junit.jupiter.api.Test;
 /** Rules of the coordinator, one by one. */
 class CoordinatorTest {
     private static final long SECOND = CoordinatorSettings.SECOND;
-    private static final ContentHash JOB = new ContentHash(1, 2, 3, 4);
+    private static final long SALT = 2;
 
     private long now = -7 * SECOND;
 
     private static CoordinatorSettings settings(int tiles, double audits) {
-        return CoordinatorSettings.of(tiles, 99, JOB).withAuditRate(audits);
+        return CoordinatorSettings.of(tiles, 99, SALT).withAuditRate(audits);
     }
 
     private Coordinator coordinator(int tiles, double audits) {
@@ -30,11 +30,11 @@ class CoordinatorTest {
 
     private List<Action> join(Coordinator c, long worker, double weight) {
         String name = "m" + worker;
-        return c.handle(now, new Event.Joined(worker, name, name, name, 1, weight));
+        return c.handle(now, Peers.joined(worker, name, name, 1, weight));
     }
 
     private List<Action> joinLocal(Coordinator c, long worker) {
-        return c.handle(now, new Event.Joined(worker, "x", Coordinator.LOCAL, "server", 1, 1));
+        return c.handle(now, Peers.server(worker, 1));
     }
 
     private List<Action> deliver(Coordinator c, long worker, int tile) {
@@ -248,16 +248,16 @@ class CoordinatorTest {
         assertEquals("2: 1..2", range(grant(join(c, 2, 1))), "moved");
         assertEquals("3: 0..1", range(grant(join(c, 3, 1))), "copied");
         List<Action> first = deliver(c, 3, 0);
-        assertTrue(first.contains(new Action.Keep(0, "m3", SimTile.right(0))));
+        assertTrue(first.contains(new Action.Keep(0, Peers.machine("m3"), SimTile.right(0))));
         assertTrue(first.contains(new Action.Skip(1, mine.getFirst().lease(), 0, 1)));
         List<Action> second = deliver(c, 1, 0);
         assertEquals(List.of(), only(Action.Keep.class, second));
-        assertTrue(second.contains(new Action.Confirm(0)));
+        assertTrue(second.contains(new Action.Confirm(0, Peers.machine("m1"))));
         assertTrue(second.contains(new Action.Acknowledge(1, 0)));
     }
 
     @Test
-    void aMismatchIsDecidedByAThirdWorkerAndTheLiarsTilesAreRedone() {
+    void aMismatchIsDecidedByTheServerAndTheLiarsTilesAreRedone() {
         Coordinator c = coordinator(4, 0);
         join(c, 1, 1);
         deliver(c, 1, 0, SimTile.wrong(0, 1));
@@ -265,20 +265,25 @@ class CoordinatorTest {
         join(c, 2, 1);
         List<Action> dispute = deliver(c, 2, 0);
         assertEquals(List.of(), only(Action.Expel.class, dispute));
-        assertEquals("3: 0..1", range(grantOf(join(c, 3, 1), 3)), "the third is asked");
-        List<Action> decided = deliver(c, 3, 0);
-        assertTrue(decided.contains(new Action.Keep(0, "m3", SimTile.right(0))), decided.toString());
-        assertTrue(decided.contains(new Action.Confirm(0)));
-        assertEquals("m1", only(Action.Expel.class, decided).get(0).machine());
+        assertTrue(dispute.contains(new Action.CallLocal(0)), dispute.toString());
+        List<Action.Grant> asked = only(Action.Grant.class, join(c, 3, 1));
+        assertTrue(asked.stream().noneMatch(g -> g.first() == 0), "no other machine is asked: " + asked);
+        assertEquals("4: 0..1", range(only(Action.Grant.class, joinLocal(c, 4)).get(0)));
+        List<Action> decided = deliver(c, 4, 0);
+        assertTrue(decided.contains(new Action.Keep(0, Origin.SERVER, SimTile.right(0))), decided.toString());
+        assertTrue(decided.contains(new Action.Confirm(0, Origin.SERVER)));
+        assertEquals(
+                Peers.machine("m1"), only(Action.Expel.class, decided).get(0).machine());
+        assertEquals(1, only(Action.Expel.class, decided).size(), "the honest one stays");
         assertTrue(decided.contains(new Action.Revoke(1)));
         assertEquals(1, only(Action.Refuse.class, decided).size());
-        List<Action> back = c.handle(now, new Event.Joined(9, "m1-again", "m1", "m1", 1, 1));
+        List<Action> back = c.handle(now, Peers.joined(9, "m1-again", "m1", 1, 1));
         assertEquals(1, only(Action.Refuse.class, back).size());
-        assertEquals(Set.of("m1"), c.snapshot(now).expelled());
+        assertEquals(Set.of(Peers.machine("m1").toString()), c.snapshot(now).expelled());
     }
 
     @Test
-    void aDisputeWithoutAThirdWorkerGoesToTheServer() {
+    void aPictureWithADisputeIsNotDoneBeforeTheServerHasDecided() {
         Coordinator c = coordinator(1, 0);
         join(c, 1, 1);
         join(c, 2, 1);
@@ -294,8 +299,73 @@ class CoordinatorTest {
         assertFalse(d.isFinished());
         assertEquals("3: 0..1", range(grant(joinLocal(d, 3))));
         List<Action> decided = deliver(d, 3, 0);
-        assertEquals("m1", only(Action.Expel.class, decided).get(0).machine());
+        assertEquals(
+                Peers.machine("m1"), only(Action.Expel.class, decided).get(0).machine());
         assertTrue(decided.contains(new Action.Finish()), decided.toString());
+    }
+
+    @Test
+    void whoeverTakesManyNamesCannotOutvoteAnHonestMachine() {
+        Coordinator c = coordinator(4, 0);
+        join(c, 1, 1);
+        deliver(c, 1, 0);
+        for (int liar = 2; liar < 12; liar++) {
+            join(c, liar, 1);
+            List<Action> said = deliver(c, liar, 0, SimTile.wrong(0, 1));
+            assertEquals(List.of(), only(Action.Expel.class, said));
+            assertEquals(List.of(), only(Action.Keep.class, said));
+        }
+        joinLocal(c, 20);
+        Set<Origin.Peer> expelled = new HashSet<>();
+        only(Action.Expel.class, deliver(c, 20, 0)).forEach(e -> expelled.add(e.machine()));
+        assertEquals(10, expelled.size());
+        assertFalse(expelled.contains(Peers.machine("m1")));
+    }
+
+    @Test
+    void whatTwoLiarsConfirmedFallsWithThem() {
+        Coordinator c = coordinator(3, 0);
+        join(c, 1, 1);
+        join(c, 2, 1);
+        deliver(c, 1, 0, SimTile.wrong(0, 1));
+        List<Action> agreed = deliver(c, 2, 0, SimTile.wrong(0, 1));
+        assertEquals(List.of(new Action.Confirm(0, Peers.machine("m2"))), only(Action.Confirm.class, agreed));
+        c.handle(now, new Event.Misbehaved(1, "nonsense"));
+        assertEquals(1, c.snapshot(now).done(), "the other one's word is left");
+        assertEquals(0, c.snapshot(now).confirmed());
+        assertTrue(c.handle(now, new Event.Misbehaved(2, "nonsense")).contains(new Action.Revoke(0)));
+        assertEquals(0, c.snapshot(now).done());
+    }
+
+    @Test
+    void theServersOwnThreadsAreNeverExpelledReplacedOrHungUpOn() {
+        Coordinator c = coordinator(2, 0);
+        joinLocal(c, 1);
+        now += 100 * SECOND;
+        List<Action> late = c.handle(now, new Event.Tick());
+        assertEquals(List.of(), only(Action.HangUp.class, late));
+        assertEquals(1, c.snapshot(now).workers().size());
+        int liar = 10;
+        for (String name : new String[] {"local", "", "this process", "the server", "null"}) {
+            List<Action> actions = c.handle(now, Peers.joined(++liar, name, name, 1, 1));
+            assertEquals(List.of(), only(Action.HangUp.class, actions), name);
+            deliver(c, liar, 0, SimTile.wrong(0, liar));
+        }
+        assertEquals(List.of(), only(Action.Expel.class, c.handle(now, new Event.Misbehaved(1, "nonsense"))));
+        deliver(c, 1, 0);
+        assertEquals(5, c.snapshot(now).expelled().size(), "whoever contradicts the server");
+        assertTrue(deliver(c, 1, 1).contains(new Action.Finish()));
+    }
+
+    @Test
+    void everyTileOfAMachineThatHasNotComputedTheCanaryIsAudited() {
+        Coordinator c = coordinator(3, 0);
+        ContentHash process = ContentHash.of(new byte[1]);
+        c.handle(now, new Event.Joined(1, process, Peers.machine("new"), true, "new", 1, 1));
+        deliver(c, 1, 0);
+        deliver(c, 1, 1, SimTile.wrong(1, 1));
+        assertEquals(2, c.snapshot(now).auditsOpen());
+        assertEquals("2: 0..1", range(only(Action.Grant.class, join(c, 2, 1)).get(0)));
     }
 
     @Test
@@ -304,7 +374,8 @@ class CoordinatorTest {
         join(c, 1, 1);
         deliver(c, 1, 2);
         List<Action> actions = deliver(c, 1, 2, SimTile.wrong(2, 1));
-        assertEquals("m1", only(Action.Expel.class, actions).get(0).machine());
+        assertEquals(
+                Peers.machine("m1"), only(Action.Expel.class, actions).get(0).machine());
         assertTrue(actions.contains(new Action.Revoke(2)));
     }
 
@@ -341,7 +412,7 @@ class CoordinatorTest {
     void theShareOfAuditedTilesIsTheRateAndTheSameInEveryRun() {
         int chosen = 0;
         for (int tile = 0; tile < 100_000; tile++) {
-            chosen += Audits.isChosen(0.02, JOB.a() ^ JOB.c(), tile) ? 1 : 0;
+            chosen += Audits.isChosen(0.02, SALT, tile) ? 1 : 0;
         }
         // Binomial: 2000 with a standard deviation of 44.
         assertEquals(2_000, chosen, 5 * 44);
@@ -351,12 +422,14 @@ class CoordinatorTest {
 
     @Test
     void whatWasRestoredIsNotRenderedAgainAndOldLeasesStillBringTiles() {
-        Restored restored =
-                new Restored(List.of(new Restored.Tile(0, "m1", SimTile.right(0).hash(), false)), Set.of("m7"));
+        Restored restored = new Restored(
+                List.of(new Restored.Tile(
+                        0, Peers.machine("m1"), SimTile.right(0).hash(), null)),
+                Set.of(Peers.machine("m7")));
         Coordinator c = new Coordinator(settings(3, 0), restored, now);
         assertEquals("1: 1..2", range(grantOf(join(c, 1, 1), 1)));
         List<Action> old = c.handle(now, new Event.Delivered(1, 123_456, 2, SimTile.right(2)));
-        assertTrue(old.contains(new Action.Keep(2, "m1", SimTile.right(2))));
+        assertTrue(old.contains(new Action.Keep(2, Peers.machine("m1"), SimTile.right(2))));
         assertEquals(1, only(Action.Refuse.class, join(c, 7, 1)).size());
         assertTrue(deliver(c, 1, 1).contains(new Action.Finish()));
     }
@@ -365,7 +438,7 @@ class CoordinatorTest {
     void aNewConnectionOfTheSameWorkerReplacesTheOldOne() {
         Coordinator c = coordinator(1, 0);
         grant(join(c, 1, 1));
-        List<Action> actions = c.handle(now, new Event.Joined(2, "m1", "m1", "m1", 1, 1));
+        List<Action> actions = c.handle(now, Peers.joined(2, "m1", "m1", 1, 1));
         assertEquals(
                 List.of(new Action.HangUp(1, "the same worker has a newer connection")),
                 only(Action.HangUp.class, actions).stream().map(a -> (Action) a).toList());

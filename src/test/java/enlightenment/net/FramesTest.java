@@ -25,8 +25,7 @@ class FramesTest {
 
     /** One of each kind, with the extremes of its numbers. */
     private static final List<Message> ALL = List.of(
-            new Message.Hello(
-                    Message.MAGIC, 1, Integer.MAX_VALUE, "0.1.0", "Lab 3, höher", "k", "m", 65_536, HASH, nonce(1)),
+            new Message.Hello(Message.MAGIC, 1, Integer.MAX_VALUE, "0.1.0", "Lab 3, höher", 65_536, HASH, nonce(1)),
             new Message.Challenge(1, nonce(2)),
             new Message.Proof(nonce(3)),
             new Message.Welcome(nonce(4), 1_000, 5_000, 8),
@@ -34,7 +33,7 @@ class FramesTest {
             new Message.Job(HASH, Limits.TILES, List.of(HASH, HASH)),
             new Message.ContentRequest(HASH, Long.MAX_VALUE),
             new Message.Content(HASH, 5, 8, new byte[] {1, 2, 3}),
-            new Message.Ready(HASH),
+            new Message.Ready(HASH, nonce(5), nonce(6)),
             new Message.Grant(Long.MIN_VALUE, HASH, 0, Limits.TILES),
             new Message.Cancel(-1),
             new Message.Skip(Long.MAX_VALUE, 0, 1),

@@ -23,12 +23,13 @@ class JournalTest {
     private static final int TILES = 10;
 
     private static final List<JournalRecord> RECORDS = List.of(
-            new JournalRecord.Kept(3, "machine-ü", new byte[] {1, 2, 3, 4, 5}),
-            new JournalRecord.Kept(9, "b", new byte[0]),
-            new JournalRecord.Confirmed(3, ContentHash.of(new byte[] {1, 2, 3, 4, 5})),
-            new JournalRecord.Expelled("b"),
+            new JournalRecord.Kept(3, Peers.machine("machine-ü"), new byte[] {1, 2, 3, 4, 5}),
+            new JournalRecord.Kept(9, Peers.machine("b"), new byte[0]),
+            new JournalRecord.Confirmed(3, Origin.SERVER, ContentHash.of(new byte[] {1, 2, 3, 4, 5})),
+            new JournalRecord.Expelled(Peers.machine("b")),
+            new JournalRecord.Pardoned(Peers.machine("b")),
             new JournalRecord.Revoked(9),
-            new JournalRecord.Kept(9, "c", new byte[40]));
+            new JournalRecord.Kept(9, Origin.SERVER, new byte[40]));
 
     @TempDir
     Path folder;
@@ -48,7 +49,7 @@ class JournalTest {
 
     private static String text(JournalRecord record) {
         return record instanceof JournalRecord.Kept kept
-                ? kept.tile() + kept.machine() + Arrays.toString(kept.data())
+                ? kept.tile() + kept.origin().toString() + Arrays.toString(kept.data())
                 : record.toString();
     }
 
@@ -156,7 +157,7 @@ class JournalTest {
                 // Where the same bytes follow, the others seem to be the ones that are missing.
                 List<String> found = open(JOB);
                 assertTrue(
-                        found.containsAll(texts(without(recordAt(at), Math.min(recordAt(end - 1) + 2, 6)))),
+                        found.containsAll(texts(without(recordAt(at), Math.min(recordAt(end - 1) + 2, RECORDS.size())))),
                         "cut at " + at);
             }
         }
@@ -165,13 +166,13 @@ class JournalTest {
     @Test
     void nobodyCanPutRecordsIntoTheBytesOfATile() throws IOException {
         byte[] planted = new JournalFormat.Header(JOB, TILES, 0x0123456789abcdefL)
-                .record(new JournalRecord.Expelled("honest").encode())
+                .record(new JournalRecord.Expelled(Peers.machine("honest")).encode())
                 .array();
         List<byte[]> signs = new ArrayList<>();
         for (int i = 0; i < 2; i++) {
             Files.deleteIfExists(file);
             try (Journal journal = Journal.open(file, JOB, TILES, 0, r -> {})) {
-                journal.append(0, new JournalRecord.Kept(0, "liar", planted));
+                journal.append(0, new JournalRecord.Kept(0, Peers.machine("liar"), planted));
                 journal.append(0, new JournalRecord.Revoked(1));
             }
             byte[] damaged = Files.readAllBytes(file);
@@ -222,10 +223,10 @@ class JournalTest {
     void aConfirmationIsOfWhatWasConfirmedOnly() {
         ContentHash right = ContentHash.of(new byte[] {7});
         Restored.Builder builder = new Restored.Builder();
-        builder.add(new JournalRecord.Kept(1, "liar", new byte[] {6}));
-        builder.add(new JournalRecord.Expelled("liar"));
+        builder.add(new JournalRecord.Kept(1, Peers.machine("liar"), new byte[] {6}));
+        builder.add(new JournalRecord.Expelled(Peers.machine("liar")));
         // Here stood what an honest machine made of the tile; the record is lost.
-        builder.add(new JournalRecord.Confirmed(1, right));
+        builder.add(new JournalRecord.Confirmed(1, Peers.machine("honest"), right));
         assertEquals(List.of(), builder.build().tiles());
     }
 
@@ -279,21 +280,41 @@ class JournalTest {
     }
 
     @Test
-    void whatRestsOnAnExpelledMachineAloneIsNotRestored() {
+    void whatRestsOnAnExpelledMachineAloneIsNotRestoredAndAPardonDoesNotBringItBack() {
+        Origin.Peer liar = Peers.machine("liar");
+        Origin.Peer honest = Peers.machine("honest");
         Restored.Builder builder = new Restored.Builder();
-        builder.add(new JournalRecord.Kept(1, "liar", new byte[] {1}));
-        builder.add(new JournalRecord.Kept(2, "liar", new byte[] {2}));
-        builder.add(new JournalRecord.Confirmed(2, ContentHash.of(new byte[] {2})));
-        builder.add(new JournalRecord.Kept(3, "honest", new byte[] {3}));
-        builder.add(new JournalRecord.Kept(4, "honest", new byte[] {4}));
+        builder.add(new JournalRecord.Kept(1, liar, new byte[] {1}));
+        builder.add(new JournalRecord.Kept(2, liar, new byte[] {2}));
+        builder.add(new JournalRecord.Confirmed(2, honest, ContentHash.of(new byte[] {2})));
+        builder.add(new JournalRecord.Kept(3, honest, new byte[] {3}));
+        builder.add(new JournalRecord.Confirmed(3, liar, ContentHash.of(new byte[] {3})));
+        builder.add(new JournalRecord.Kept(4, honest, new byte[] {4}));
         builder.add(new JournalRecord.Revoked(4));
-        builder.add(new JournalRecord.Expelled("liar"));
-        Restored restored = builder.build();
-        assertEquals(
-                List.of(
-                        new Restored.Tile(2, "liar", ContentHash.of(new byte[] {2}), true),
-                        new Restored.Tile(3, "honest", ContentHash.of(new byte[] {3}), false)),
-                restored.tiles());
-        assertEquals(Set.of("liar"), restored.expelled());
+        builder.add(new JournalRecord.Kept(5, liar, new byte[] {5}));
+        builder.add(new JournalRecord.Confirmed(5, Origin.SERVER, ContentHash.of(new byte[] {5})));
+        builder.add(new JournalRecord.Expelled(liar));
+        List<Restored.Tile> left = List.of(
+                new Restored.Tile(2, honest, ContentHash.of(new byte[] {2}), null),
+                new Restored.Tile(3, honest, ContentHash.of(new byte[] {3}), null),
+                new Restored.Tile(5, Origin.SERVER, ContentHash.of(new byte[] {5}), null));
+        assertEquals(left, builder.build().tiles());
+        assertEquals(Set.of(liar), builder.build().expelled());
+        builder.add(new JournalRecord.Pardoned(liar));
+        assertEquals(left, builder.build().tiles());
+        assertEquals(Set.of(), builder.build().expelled());
+    }
+
+    @Test
+    void noMachineIsReadAsTheServer() throws IOException {
+        for (String name : new String[] {"local", "", "the server", "\0"}) {
+            JournalRecord kept = new JournalRecord.Kept(1, Peers.machine(name), new byte[9]);
+            JournalRecord.Kept read = (JournalRecord.Kept) JournalRecord.decode(kept.encode(), TILES);
+            assertEquals(Peers.machine(name), read.origin());
+        }
+        byte[] expelled = new JournalRecord.Expelled(Peers.machine("x")).encode();
+        byte[] server = Arrays.copyOf(expelled, 2);
+        server[1] = Origin.SERVER_KIND;
+        assertThrows(Journal.JournalException.class, () -> JournalRecord.decode(server, TILES));
     }
 }

@@ -23,6 +23,11 @@ final class RawPeer implements Closeable {
         socket.getOutputStream().write(bytes);
     }
 
+    /** The machine as the server's log calls it. */
+    static String called(String machine, Farm farm) {
+        return "machine " + Peers.machine(machine, farm.server.job().hash());
+    }
+
     void bytes(String hex) throws IOException {
         bytes(HexFormat.of().parseHex(hex));
     }
@@ -72,8 +77,6 @@ final class RawPeer implements Closeable {
                 Message.PROTOCOL,
                 Build.number(),
                 machine,
-                machine,
-                machine,
                 1,
                 Canary.hash(),
                 new byte[Handshake.NONCE_BYTES]);
@@ -82,20 +85,28 @@ final class RawPeer implements Closeable {
     /** Joins as an honest worker would; gives the job. */
     Message.Job join(String machine, byte[] token) throws IOException {
         Message.Job job = enter(machine, token);
-        send(new Message.Ready(job.job()));
+        send(ready(job, machine));
         return job;
     }
 
+    static Message.Ready ready(Message.Job job, String machine) {
+        return new Message.Ready(
+                job.job(),
+                Peers.secret(machine),
+                Handshake.hmac(Peers.secret(machine), job.job().toBytes()));
+    }
+
     Message.Job enter(String machine, byte[] token) throws IOException {
-        send(hello(machine));
-        Message.Challenge challenge = receive(Message.Challenge.class);
-        send(new Message.Proof(Handshake.proof(
-                Handshake.Side.WORKER,
-                token,
-                new byte[Handshake.NONCE_BYTES],
-                challenge.nonce(),
-                Tls.noCertificate())));
+        prove(hello(machine), token);
         return receive(Message.Job.class);
+    }
+
+    /** Says hello and proves that it knows the token. */
+    void prove(Message.Hello hello, byte[] token) throws IOException {
+        send(hello);
+        Message.Challenge challenge = receive(Message.Challenge.class);
+        send(new Message.Proof(
+                Handshake.proof(Handshake.Side.WORKER, token, hello.nonce(), challenge.nonce(), Tls.noCertificate())));
     }
 
     @Override

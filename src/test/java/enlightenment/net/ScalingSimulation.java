@@ -82,8 +82,8 @@ final class ScalingSimulation {
         this.tileSeconds = tileSeconds;
         this.costs = costs;
         this.fleet = fleet;
-        CoordinatorSettings settings = CoordinatorSettings.of(tileSeconds.length, seed, new ContentHash(seed, 0, 0, 0))
-                .withAuditRate(auditRate);
+        CoordinatorSettings settings =
+                CoordinatorSettings.of(tileSeconds.length, seed, seed).withAuditRate(auditRate);
         coordinator = new Coordinator(settings, Restored.NOTHING, world.now);
         double power = 0;
         for (int i = 0; i < fleet.workers; i++) {
@@ -225,10 +225,7 @@ final class ScalingSimulation {
             connected.remove(connection);
             connection = ++connections;
             connected.put(connection, this);
-            toServer(
-                    new Event.Joined(connection, name + "#" + life, name, name, 1, 1),
-                    0,
-                    costs.serverSecondsPerMessage);
+            toServer(Peers.joined(connection, name + "#" + life, name, 1, 1), 0, costs.serverSecondsPerMessage);
             long mine = connection;
             world.in(world.random.nextLong(SimWorld.SECOND), () -> beat(mine));
         }

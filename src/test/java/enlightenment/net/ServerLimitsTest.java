@@ -33,14 +33,7 @@ class ServerLimitsTest {
                 assertNotNull(peer.enter("machine " + i, Token.NONE));
             }
             try (RawPeer oneMore = new RawPeer(farm.server.port())) {
-                oneMore.send(RawPeer.hello("one more"));
-                Message.Challenge challenge = oneMore.receive(Message.Challenge.class);
-                oneMore.send(new Message.Proof(Handshake.proof(
-                        Handshake.Side.WORKER,
-                        Token.NONE,
-                        new byte[Handshake.NONCE_BYTES],
-                        challenge.nonce(),
-                        Tls.noCertificate())));
+                oneMore.prove(RawPeer.hello("one more"), Token.NONE);
                 Message.Refuse refusal = oneMore.receive(Message.Refuse.class);
                 assertTrue(refusal.again());
                 assertTrue(refusal.reason().contains("as many workers as it can have"), refusal.reason());
@@ -69,7 +62,7 @@ class ServerLimitsTest {
         try (ServerSocket listening = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
                 RawPeer server = new RawPeer(listening.getLocalPort());
                 Socket socket = listening.accept();
-                Link link = new Link(socket, socket, Farm.QUICK, "test")) {
+                Link link = new Link(socket, socket, Farm.QUICK, "test").begin()) {
             link.trust();
             server.send(answer);
             return new WorkerContents(link, jobs).fetch(new Message.Job(wanted, 1, List.of(wanted)));

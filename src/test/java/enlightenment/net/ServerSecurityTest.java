@@ -136,8 +136,9 @@ class ServerSecurityTest {
     void aWorkerDoesNotWorkForAServerThatDoesNotKnowTheToken() throws Exception {
         Path other = Files.writeString(folder.resolve("other"), "another token of some length");
         try (Farm farm = new Farm(Farm.options().withTokenFile(other)).begin()) {
-            RenderWorker.Outcome outcome =
-                    farm.join(Farm.worker(1).withTokenFile(token)).get(20, TimeUnit.SECONDS);
+            RenderWorker.Outcome outcome = farm.join(
+                            Farm.worker(1).withTokenFile(token).withReconnect(0.3))
+                    .get(20, TimeUnit.SECONDS);
             assertTrue(outcome.reason().contains("token"), outcome.reason());
         }
     }

@@ -23,6 +23,7 @@ final class SimSchedule {
 
     private final SimNetwork network;
     private final long healing;
+    private SimIntruder intruder;
 
     SimSchedule(long seed) {
         this(seed, false);
@@ -36,12 +37,12 @@ final class SimSchedule {
         double loss = world.chance(0.3) ? 0 : world.random.nextDouble() * 0.3;
         double doubling = world.chance(0.5) ? 0 : world.random.nextDouble() * 0.2;
         network = new SimNetwork(world, loss, doubling, world.between(SimWorld.MILLI, 2 * SimWorld.SECOND));
-        CoordinatorSettings settings = CoordinatorSettings.of(tiles, seed, new ContentHash(seed, 1, 2, 3))
-                .withAuditRate(auditRate);
+        CoordinatorSettings settings =
+                CoordinatorSettings.of(tiles, seed, seed ^ 2).withAuditRate(auditRate);
         server = new SimServer(world, network, settings);
         server.anonymousHeartbeats = anonymousHeartbeats;
         addWorkers();
-        SimWorker local = worker(Coordinator.LOCAL, SimWorker.Honesty.HONEST);
+        SimWorker local = worker(SimWorker.LOCAL, SimWorker.Honesty.HONEST);
         server.onCallLocal(local::start);
         if (world.chance(0.2)) {
             local.start();
@@ -66,6 +67,13 @@ final class SimSchedule {
     private SimWorker worker(String name, SimWorker.Honesty honesty) {
         long tileNanos = world.between(20 * SimWorld.MILLI, 2 * SimWorld.SECOND);
         return new SimWorker(world, network, server, name, 1 + world.random.nextInt(3), tileNanos, honesty);
+    }
+
+    /** Lets somebody in who knows the token and means harm. */
+    SimSchedule withIntruder() {
+        intruder = new SimIntruder(world, server, tiles);
+        world.in(world.between(0, healing), intruder::act);
+        return this;
     }
 
     /** Lets the schedule happen and checks what must hold. */
@@ -143,6 +151,12 @@ final class SimSchedule {
                 complaints.add("tile " + tile + " is wrong: " + made);
             }
         }
+        for (SimWorker worker : workers) {
+            if (worker.honesty == SimWorker.Honesty.HONEST
+                    && server.atEnd.expelled().contains(worker.origin().toString())) {
+                complaints.add(worker.name + " is honest and was expelled");
+            }
+        }
         return complaints;
     }
 
@@ -151,14 +165,18 @@ final class SimSchedule {
      * honest was asked. (An audit is forgone if nobody else is connected, and most tiles are not audited.)
      */
     private boolean isBlamable(SimServer.Made made) {
-        return made.confirmed()
-                || isHonest(made.machine())
-                || server.atEnd.expelled().contains(made.machine());
+        if (intruder != null && intruder.machines.contains(made.origin())) {
+            boolean isExpelled = server.atEnd.expelled().contains(made.origin().toString());
+            return isExpelled || (made.second() != null && !intruder.machines.contains(made.second()));
+        }
+        return made.second() != null
+                || isHonest(made.origin())
+                || server.atEnd.expelled().contains(made.origin().toString());
     }
 
-    private boolean isHonest(String machine) {
+    private boolean isHonest(Origin origin) {
         return workers.stream()
-                .filter(w -> w.name.equals(machine))
+                .filter(w -> w.origin().equals(origin))
                 .allMatch(w -> w.honesty == SimWorker.Honesty.HONEST);
     }
 }

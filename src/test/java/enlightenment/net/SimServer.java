@@ -39,7 +39,13 @@ final class SimServer {
     }
 
     /** A tile of the picture. */
-    record Made(ContentHash hash, String machine, boolean confirmed) {}
+    record Made(ContentHash hash, Origin origin, Origin second) {
+        /** What is left without the word of a machine; what rests on it alone stays until it is revoked. */
+        private Made without(Origin.Peer machine) {
+            Restored.Tile left = new Restored.Tile(0, origin, hash, second).without(machine);
+            return left == null ? this : new Made(hash, left.origin(), left.second());
+        }
+    }
 
     private record Written(long time, Consumer<Restored.Builder> replay) {}
 
@@ -61,7 +67,7 @@ final class SimServer {
         Restored restored = builder.build();
         picture.clear();
         for (Restored.Tile tile : restored.tiles()) {
-            picture.put(tile.tile(), new Made(tile.hash(), tile.machine(), tile.confirmed()));
+            picture.put(tile.tile(), new Made(tile.hash(), tile.origin(), tile.second()));
         }
         CoordinatorSettings mine = new CoordinatorSettings(
                 settings.tiles(),
@@ -158,15 +164,15 @@ final class SimServer {
 
     private void record(Action action) {
         if (action instanceof Action.Keep a) {
-            Made before = picture.put(a.tile(), new Made(a.data().hash(), a.machine(), false));
+            Made before = picture.put(a.tile(), new Made(a.data().hash(), a.origin(), null));
             if (before != null && before.hash.equals(a.data().hash())) {
                 throw new AssertionError("tile " + a.tile() + " counted twice");
             }
-            write(b -> b.kept(a.tile(), a.machine(), a.data().hash()));
+            write(b -> b.kept(a.tile(), a.origin(), a.data().hash()));
         } else if (action instanceof Action.Confirm a) {
             Made made = picture.get(a.tile());
-            picture.put(a.tile(), new Made(made.hash, made.machine, true));
-            write(b -> b.add(new JournalRecord.Confirmed(a.tile(), made.hash)));
+            picture.put(a.tile(), new Made(made.hash, made.origin, a.by()));
+            write(b -> b.add(new JournalRecord.Confirmed(a.tile(), a.by(), made.hash)));
         } else if (action instanceof Action.Revoke a) {
             if (picture.remove(a.tile()) == null) {
                 throw new AssertionError("tile " + a.tile() + " revoked, but nobody had made it");
@@ -174,6 +180,7 @@ final class SimServer {
             write(b -> b.add(new JournalRecord.Revoked(a.tile())));
         } else if (action instanceof Action.Expel a) {
             expulsions++;
+            picture.replaceAll((tile, made) -> made.without(a.machine()));
             write(b -> b.add(new JournalRecord.Expelled(a.machine())));
         } else if (action instanceof Action.Finish) {
             finished = true;

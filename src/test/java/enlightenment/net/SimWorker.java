@@ -18,6 +18,9 @@ final class SimWorker {
         BABBLES
     }
 
+    /** The server's own threads. */
+    static final String LOCAL = "local";
+
     final String name;
     final int threads;
     final long tileNanos;
@@ -58,7 +61,11 @@ final class SimWorker {
     }
 
     boolean isLocal() {
-        return name.equals(Coordinator.LOCAL);
+        return name.equals(LOCAL);
+    }
+
+    Origin origin() {
+        return isLocal() ? Origin.SERVER : Peers.machine(name);
     }
 
     /** A new process. */
@@ -110,8 +117,9 @@ final class SimWorker {
         core.disconnected();
         connection = server.newConnection();
         lastHeard = world.now;
-        Event joined = new Event.Joined(connection, key, name, name, threads, 1);
-        network.send(this, true, () -> server.connect(this, (Event.Joined) joined));
+        Event.Joined joined =
+                isLocal() ? Peers.server(connection, threads) : Peers.joined(connection, key, name, threads, 1);
+        network.send(this, true, () -> server.connect(this, joined));
     }
 
     private void pump() {

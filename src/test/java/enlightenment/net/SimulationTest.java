@@ -77,6 +77,21 @@ class SimulationTest {
     }
 
     @Test
+    void whoKnowsTheTokenAndMeansHarmGetsNobodyElseExpelledAndCannotKeepARenderFromEnding() {
+        int expulsions = 0;
+        List<String> complaints = new ArrayList<>();
+        for (long seed = 1; seed <= 2_000; seed++) {
+            SimSchedule schedule = new SimSchedule(seed).withIntruder().run();
+            expulsions += schedule.server.expulsions;
+            for (String complaint : schedule.complaints()) {
+                complaints.add("seed " + seed + ": " + complaint);
+            }
+        }
+        assertEquals(List.of(), complaints.stream().limit(20).toList());
+        assertTrue(expulsions > 1_000, "only " + expulsions + " expulsions");
+    }
+
+    @Test
     void theSameSeedGivesTheSameRun() {
         for (long seed = 1; seed <= 50; seed++) {
             SimSchedule once = new SimSchedule(seed).run();

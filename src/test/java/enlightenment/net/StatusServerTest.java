@@ -12,7 +12,9 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -96,6 +98,36 @@ class StatusServerTest {
                 .startsWith("HTTP/1.1 405"));
         assertTrue(raw("GET / HTTP/1.1\r\nHost: evil.example\r\n").startsWith("HTTP/1.1 403"));
         assertTrue(raw("GET /health HTTP/1.1\r\nHost: [::1]:80\r\n").startsWith("HTTP/1.1 200"));
+    }
+
+    @Test
+    void halfSentAndTrickledRequestsAndGarbageKeepNobodyFromAnAnswer() throws Exception {
+        List<Socket> halves = new ArrayList<>();
+        for (int i = 0; i < 4 * SmallHttp.PLACES; i++) {
+            Socket half = new Socket(InetAddress.getLoopbackAddress(), farm.server.statusPort());
+            halves.add(half);
+            if (i % 3 > 0) {
+                half.getOutputStream()
+                        .write((i % 3 == 1 ? "GET /heal" : "\r\n\r\n\0").getBytes(StandardCharsets.US_ASCII));
+            }
+            if (i % SmallHttp.PLACES == 0) {
+                assertEquals("rendering\n", text("/health"));
+            }
+        }
+        assertEquals("rendering\n", text("/health"));
+        assertTrue(text("/status.json").startsWith("{"));
+        assertEquals("rendering\n", text("/health"));
+        for (Socket half : halves) {
+            half.close();
+        }
+    }
+
+    @Test
+    void whatIsNoRequestForAPageIsRefused() throws Exception {
+        assertTrue(raw("nonsense\r\n").startsWith("HTTP/1.1 400"));
+        assertTrue(raw("GET /health HTTP/1.1\r\n").startsWith("HTTP/1.1 403"));
+        assertTrue(raw("GET /health HTTP/1.1\r\nHost: localhost\r\nHost: evil.example\r\n")
+                .startsWith("HTTP/1.1 403"));
     }
 
     private String raw(String request) throws Exception {

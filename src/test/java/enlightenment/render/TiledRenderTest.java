@@ -59,6 +59,42 @@ class TiledRenderTest {
     }
 
     @Test
+    void aTileThatWasTakenOutOrReplacedLeavesNothing() {
+        RenderSettings settings = settings("raytrace");
+        TiledRender tiled = tiled(settings);
+        FilmAssembly assembly = tiled.assembly();
+        for (int tile = 0; tile < tiled.tiles(); tile++) {
+            byte[] right = tiled.maker().make(tile);
+            byte[] wrong = right.clone();
+            ByteBuffer counters = ByteBuffer.wrap(wrong);
+            int header = right.length - 36 * pixels(tiled, tile);
+            for (int at = 0; at < header; at += Long.BYTES) {
+                counters.putLong(at, 1_000_003);
+            }
+            counters.putDouble(header, 0.75)
+                    .putFloat(header + 24, 3)
+                    .putFloat(header + 28, 9)
+                    .putInt(header + 32, 4);
+            assembly.put(tile, wrong);
+            if (tile % 2 == 0) {
+                assembly.remove(tile);
+            }
+            assembly.put(tile, right);
+        }
+        RenderResult expected = Renderer.render(SCENE, settings, RenderProgress.NONE, () -> false);
+        RenderResult actual = assembly.result();
+        assertArrayEquals(expected.image().toArray(), actual.image().toArray());
+        assertEquals(expected.report().raysByKind(), actual.report().raysByKind());
+        assertEquals(expected.report().sampling(), actual.report().sampling());
+        assertEquals(expected.report().hitsByPrimitive(), actual.report().hitsByPrimitive());
+    }
+
+    private static int pixels(TiledRender tiled, int tile) {
+        RenderSettings.Crop place = new ColumnGrid(tiled.outline().settings(), tiled.plan()).place(tile);
+        return place.width() * place.height();
+    }
+
+    @Test
     void aTileHasTheSameBytesWhateverWasMadeBefore() {
         TiledRender tiled = tiled(settings("cluster"));
         TileMaker maker = tiled.maker();

@@ -1,0 +1,2 @@
+/** Text from elsewhere made harmless before anybody reads it. */
+package enlightenment.text;

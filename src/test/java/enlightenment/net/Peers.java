@@ -1,0 +1,30 @@
+package enlightenment.net;
+
+import java.nio.charset.StandardCharsets;
+
+/** Processes and machines by names, for tests. */
+final class Peers {
+    private Peers() {}
+
+    static byte[] secret(String name) {
+        return ContentHash.of(name.getBytes(StandardCharsets.UTF_8)).toBytes();
+    }
+
+    static Origin.Peer machine(String name) {
+        return Origin.Peer.of(secret(name));
+    }
+
+    /** The machine as real workers of a job say it. */
+    static Origin.Peer machine(String name, ContentHash job) {
+        return Origin.Peer.of(Handshake.hmac(secret(name), job.toBytes()));
+    }
+
+    static Event.Joined joined(long worker, String process, String machine, int threads, double weight) {
+        ContentHash key = ContentHash.of(secret(process));
+        return new Event.Joined(worker, key, machine(machine), false, machine, threads, weight);
+    }
+
+    static Event.Joined server(long worker, int threads) {
+        return new Event.Joined(worker, null, Origin.SERVER, false, "this process", threads, 1);
+    }
+}

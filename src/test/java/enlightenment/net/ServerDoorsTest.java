@@ -1,0 +1,187 @@
+package enlightenment.net;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Peers who claim to be somebody else, and strangers who come in numbers. */
+@Timeout(180)
+class ServerDoorsTest {
+    private static final byte[] ALONE = Farm.alone();
+
+    /** No deadline comes near, however busy the machine is. */
+    private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
+
+    @TempDir
+    Path folder;
+
+    private static WorkerOptions.Tamper liar() {
+        return (tile, bytes) -> {
+            byte[] wrong = bytes.clone();
+            ByteBuffer.wrap(wrong).putDouble(wrong.length - 36, 0.125);
+            return wrong;
+        };
+    }
+
+    private static void end(Farm farm, CompletableFuture<RenderWorker.Outcome> honest) throws Exception {
+        assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+        assertTrue(honest.get(60, TimeUnit.SECONDS).isDone(), "the honest worker stays");
+    }
+
+    @Test
+    void whoCallsItselfAsTheServerDoesIsAuditedLikeAnybodyElse() throws Exception {
+        ServerOptions options =
+                Farm.options().withTiming(PATIENT).withAuditRate(1).withLocalThreads(1);
+        try (Farm farm = new Farm(options.withWait(2, 60)).begin()) {
+            farm.join(Farm.worker(1).withMachine("local").withTamper(liar()));
+            end(farm, farm.join(Farm.worker(1).withMachine("honest")));
+            assertTrue(farm.logHas(RawPeer.called("local", farm) + " expelled"));
+            assertFalse(farm.logHas(RawPeer.called("honest", farm) + " expelled"));
+        }
+    }
+
+    @Test
+    void whoRepeatsWhatAnotherSaidOfItselfDoesNotTakeItsPlace() throws Exception {
+        try (Farm farm = new Farm(Farm.options().withTiming(PATIENT)).begin()) {
+            CompletableFuture<RenderWorker.Outcome> honest = farm.join(Farm.slow(30));
+            Farm.until(() -> farm.logHas("joined"), "the honest one is there");
+            for (String name : new String[] {Machine.name(), "local", "this process"}) {
+                try (RawPeer peer = new RawPeer(farm.server.port())) {
+                    peer.join(name, Token.NONE);
+                    peer.send(new Message.Heartbeat(List.of()));
+                    peer.receive(Message.Alive.class);
+                }
+            }
+            end(farm, honest);
+            assertFalse(farm.logHas("newer connection"), farm.log.toString());
+        }
+    }
+
+    @Test
+    void whoTakesManyNamesDoesNotOutvoteTheHonestOne() throws Exception {
+        try (Farm farm = new Farm(Farm.options().withTiming(PATIENT)).begin()) {
+            AtomicReference<byte[]> first = new AtomicReference<>();
+            CompletableFuture<RenderWorker.Outcome> honest =
+                    farm.join(Farm.worker(1).withMachine("honest").withTamper((tile, bytes) -> {
+                        Farm.sleep(30);
+                        first.compareAndSet(null, tile == 0 ? bytes : null);
+                        return bytes;
+                    }));
+            Farm.until(() -> farm.server.job().film().has(0) && first.get() != null, "tile 0 is there");
+            List<RawPeer> peers = new ArrayList<>();
+            for (int i = 0; i < 3; i++) {
+                RawPeer peer = new RawPeer(farm.server.port());
+                peers.add(peer);
+                peer.join("liar " + i, Token.NONE);
+                peer.receive(Message.Grant.class);
+            }
+            byte[] wrong = liar().change(0, first.get());
+            for (RawPeer peer : peers) {
+                peer.send(new Message.Result(0, farm.server.job().hash(), 0, wrong));
+            }
+            end(farm, honest);
+            assertTrue(farm.logHas(RawPeer.called("liar 0", farm) + " expelled"));
+            assertFalse(farm.logHas(RawPeer.called("honest", farm) + " expelled"));
+            for (RawPeer peer : peers) {
+                peer.close();
+            }
+        }
+    }
+
+    @Test
+    void strangersWhoSitAndSayNothingDoNotKeepAWorkerOut() throws Exception {
+        try (Farm farm = new Farm(Farm.options().withTiming(PATIENT)).begin()) {
+            List<RawPeer> strangers = new ArrayList<>();
+            for (int i = 0; i < 3 * Limits.STRANGERS; i++) {
+                strangers.add(new RawPeer(farm.server.port()));
+            }
+            strangers.get(0).millisUntilClosed();
+            farm.join(Farm.worker(2));
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+            assertTrue(farm.log.size() < 3 * ServerLog.LINES_ABOUT_ONE + 20, "lines: " + farm.log.size());
+            for (RawPeer stranger : strangers) {
+                stranger.close();
+            }
+        }
+    }
+
+    @Test
+    void whereNoThreadCanBeStartedNoPlaceIsLostAndNothingIsPrinted() throws Exception {
+        AtomicInteger refused = new AtomicInteger();
+        AtomicReference<Throwable> uncaught = new AtomicReference<>();
+        ServerOptions options = Farm.options().withTiming(PATIENT).withThreads(work -> new Thread(work) {
+            @Override
+            public void start() {
+                if (getName().equals("server connection") && refused.getAndIncrement() < 300) {
+                    throw new OutOfMemoryError("unable to create native thread");
+                }
+                setUncaughtExceptionHandler((t, e) -> uncaught.set(e));
+                super.start();
+            }
+        });
+        try (Farm farm = new Farm(options).begin()) {
+            for (int i = 0; i < 300; i++) {
+                try (RawPeer peer = new RawPeer(farm.server.port())) {
+                    peer.millisUntilClosed();
+                }
+            }
+            farm.join(Farm.worker(1));
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+            assertTrue(farm.logHas("no thread for 127.0.0.1"));
+            assertTrue(farm.log.size() < 30, "lines: " + farm.log.size());
+            assertEquals(null, uncaught.get());
+        }
+    }
+
+    @Test
+    void aMachineThatWasExpelledIsLetInAgainOnlyIfItIsPardoned() throws Exception {
+        Path checkpoint = folder.resolve("checkpoint");
+        ServerOptions options = Farm.options().withTiming(PATIENT).withCheckpoint(checkpoint);
+        String digits;
+        try (Farm farm = new Farm(options).begin()) {
+            digits = Peers.machine("odd", farm.server.job().hash()).toString();
+            try (RawPeer peer = new RawPeer(farm.server.port())) {
+                Message.Job job = peer.join("odd", Token.NONE);
+                peer.send(new Message.Result(0, job.job(), 0, new byte[3]));
+                assertFalse(peer.receive(Message.Refuse.class).again());
+            }
+            farm.stop();
+        }
+        try (Farm farm = new Farm(options.withWait(1, 60)).begin();
+                RawPeer peer = new RawPeer(farm.server.port())) {
+            peer.join("odd", Token.NONE);
+            assertTrue(peer.receive(Message.Refuse.class).reason().contains("expelled"));
+        }
+        IllegalArgumentException e = assertThrows(
+                IllegalArgumentException.class, () -> new Farm(options.withPardoned(List.of("0123456789"))).close());
+        assertTrue(e.getMessage().contains("these are: " + digits), e.getMessage());
+        try (Farm farm = new Farm(options.withPardoned(List.of(digits.substring(0, 8))))) {
+            assertTrue(farm.logHas("machine " + digits + " is pardoned"));
+            assertEquals(0, farm.server.snapshot().expelled().size());
+        }
+        try (Farm farm = new Farm(options)) {
+            assertEquals(0, farm.server.snapshot().expelled().size(), "the checkpoint remembers");
+        }
+    }
+
+    @Test
+    void onlyAMachineThatIsExpelledCanBePardoned() throws IOException {
+        assertThrows(
+                IllegalArgumentException.class, () -> new Farm(Farm.options().withPardoned(List.of("01234567"))));
+    }
+}

@@ -1,7 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.image.ImageFiles;
-import enlightenment.measure.Machine;
+import enlightenment.measure.EqualTime;
 import enlightenment.measure.Need;
 import enlightenment.measure.TradeResult;
 import enlightenment.measure.Verdict;
@@ -12,7 +12,6 @@ import enlightenment.measure.page.TradePage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Writes what a trade found: figures, charts, the page, and the advice on standard output. */
@@ -24,7 +23,6 @@ final class TradeOutput {
     private final Path sceneFile;
     private final List<String> given;
     private final String title;
-    private final Map<String, String> machine = Machine.facts();
 
     /** @param given the render options that were given, word by word */
     TradeOutput(Terminal terminal, Path folder, Path sceneFile, List<String> given, String title) {
@@ -36,19 +34,20 @@ final class TradeOutput {
     }
 
     void write(TradeResult result) throws IOException {
-        Target.write(folder.resolve("trade.json"), TradeJson.of(result, machine));
+        Target.write(folder.resolve("trade.json"), TradeJson.of(result));
+        Target.write(folder.resolve("summary.csv"), TradeSummary.of(result));
         List<Chart> charts = charts(result);
         Target.write(folder.resolve("index.html"), TradePage.of(result, context(), charts));
-        terminal.out().println(Verdict.headline(result).sentence());
-        Verdict.headline(result)
-                .best()
-                .filter(b -> b.source() != Need.Source.BEYOND)
-                .ifPresent(b -> terminal.out().println("  " + renderCommand() + " " + Verdict.arguments(b)));
+        Verdict headline = Verdict.headline(result);
+        terminal.out().println(headline.sentence());
+        headline.best().filter(Need::isMeasured).ifPresent(b -> terminal.out()
+                .println("  " + context().render(b, result.settings())));
         for (Verdict v : Verdict.all(result)) {
-            if (v.target() != Verdict.headline(result).target()) {
+            if (v.target() != headline.target()) {
                 terminal.out().println(v.sentence());
             }
         }
+        EqualTime.sentence(result.equalTime(), result.reference().variance()).ifPresent(terminal.out()::println);
         terminal.out().println("All of it: " + folder.resolve("index.html"));
     }
 
@@ -72,7 +71,7 @@ final class TradeOutput {
     }
 
     private PageContext context() {
-        return new PageContext(title, renderCommand(), compareCommand(), tradeCommand(), machine);
+        return new PageContext(title, renderCommand(), compareCommand(), tradeCommand());
     }
 
     private String renderCommand() {

@@ -6,11 +6,12 @@ import java.util.List;
 
 /**
  * Renders with 1, 2, 4, ... samples per pixel (and 2.5), several times each. The methods take turns, render by render: a machine with
- * neighbours then disturbs all of them alike.
+ * neighbours then disturbs all of them alike. A method that takes a number of light points climbs with others as well, as far as
+ * there is time and as long as they are worth it.
  */
 final class Ladder {
-    private static final double SHARE = 0.78;
-    private static final double SHARE_WITH_SWEEPS = 0.55;
+    private static final double SHARE = 0.72;
+    private static final double SHARE_WITH_SWEEPS = 0.52;
 
     /** These are rendered once whatever they take: with fewer there is nothing to tell. */
     private static final int LEAST_RUNGS = 4;
@@ -32,26 +33,43 @@ final class Ladder {
 
     void climb() throws IOException {
         double share = session.settings.sweeps().isEmpty() ? SHARE : SHARE_WITH_SWEEPS;
+        List<Contender> own =
+                session.settings.methods().stream().map(session.settings::own).toList();
         for (int rung = 0; rung < rungs(); rung++) {
             double samples = SAMPLES[rung];
             session.say(samples == 1 ? "1 sample per pixel" : Digits.samples(samples) + " samples per pixel");
             for (int k = 0; k < session.settings.seeds(); k++) {
                 boolean needed = rung < LEAST_RUNGS && k == 0;
-                if (!needed && !session.fits(expected(samples), share)) {
+                if (!needed && !fits(own, samples, share)) {
                     if (rung >= LEAST_RUNGS - 1) {
                         return;
                     }
                     break;
                 }
-                step(samples, session.settings.base().seed() + 1 + k + rung * RUNG, k);
+                List<Contender> all = new ArrayList<>(own);
+                for (Contender variant : variants(own)) {
+                    all.add(variant);
+                    if (!fits(all, samples, share)) {
+                        all.remove(variant);
+                    }
+                }
+                step(all, samples, session.settings.base().seed() + 1 + k + rung * RUNG, k);
             }
         }
     }
 
-    private double expected(double samples) {
-        return session.settings.methods().stream()
-                .mapToDouble(m -> session.expected(m, samples))
+    private List<Contender> variants(List<Contender> own) {
+        List<TradeRun> ladder = session.runs(r -> r.kind().equals(TradeRun.LADDER));
+        return own.stream()
+                .flatMap(c -> Variants.worthGoingOn(c, ladder).stream())
+                .toList();
+    }
+
+    private boolean fits(List<Contender> contenders, double samples, double share) {
+        double seconds = contenders.stream()
+                .mapToDouble(c -> session.expected(c, samples))
                 .sum();
+        return session.fits(seconds, share);
     }
 
     private int rungs() {
@@ -66,18 +84,17 @@ final class Ladder {
         return rungs;
     }
 
-    private void step(double samples, long seed, int turn) throws IOException {
+    private void step(List<Contender> contenders, double samples, long seed, int turn) throws IOException {
         List<Meter.Timed> renders = new ArrayList<>();
-        List<String> methods = session.settings.methods();
-        for (int i = 0; i < methods.size(); i++) {
+        for (int i = 0; i < contenders.size(); i++) {
             // Who goes first changes, too.
-            String method = methods.get((i + turn) % methods.size());
+            Contender contender = contenders.get((i + turn) % contenders.size());
             boolean done = session.has(r -> r.kind().equals(TradeRun.LADDER)
-                    && r.method().equals(method)
+                    && Contender.of(r).equals(contender)
                     && r.samples() == samples
                     && r.seed() == seed);
             if (!done) {
-                renders.add(session.timed(method, samples, seed));
+                renders.add(session.timed(contender, samples, seed));
             }
         }
         session.record(TradeRun.LADDER, renders);

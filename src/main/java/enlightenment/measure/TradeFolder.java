@@ -1,24 +1,29 @@
 package enlightenment.measure;
 
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.math.Check.InvalidValueException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The folder of a trade: what it was made with, the runs so far, the parts of the reference. Whatever happens to the process,
  * the next one can go on from here.
  */
 final class TradeFolder {
+    private static final String IDENTITY = "settings.txt";
+    private static final String RUNS = "trade.csv";
+    private static final String KEPT = "measured.txt";
+
     private final Path folder;
     private final Journal journal;
-    private final boolean resumed;
 
-    private TradeFolder(Path folder, Journal journal, boolean resumed) {
+    private TradeFolder(Path folder, Journal journal) {
         this.folder = folder;
         this.journal = journal;
-        this.resumed = resumed;
     }
 
     /**
@@ -32,28 +37,79 @@ final class TradeFolder {
             throw new InvalidValueException("output", folder + " is a file; a folder is needed");
         }
         Files.createDirectories(folder);
-        Path identity = folder.resolve("settings.txt");
-        Path runs = folder.resolve("trade.csv");
+        Path identity = folder.resolve(IDENTITY);
+        Path runs = folder.resolve(RUNS);
         if (!Files.exists(identity) || !Files.exists(runs)) {
             Journal journal = Journal.create(runs);
             Files.write(identity, settings.identity());
-            return new TradeFolder(folder, journal, false);
+            return new TradeFolder(folder, journal);
         }
         if (!resume) {
             throw new InvalidValueException(
                     "output", folder + " holds a trade already: --resume goes on with it, or name another folder");
         }
-        List<String> then = Files.readAllLines(identity);
+        checkIdentity(folder, settings, "resume");
+        return new TradeFolder(folder, Journal.open(runs));
+    }
+
+    /**
+     * Opens a folder to read what was measured. One that lost its settings, as those in the documentation did, must hold runs with
+     * the same light points and threads.
+     *
+     * @throws InvalidValueException key "evaluate", if there is no trade in it or one of something else
+     */
+    static TradeFolder stored(Path folder, TradeSettings settings) throws IOException {
+        for (String name : List.of(RUNS, KEPT)) {
+            if (!Files.exists(folder.resolve(name))) {
+                throw new InvalidValueException("evaluate", folder + " holds no finished trade: there is no " + name);
+            }
+        }
+        if (Files.exists(folder.resolve(IDENTITY))) {
+            checkIdentity(folder, settings, "evaluate");
+        }
+        TradeFolder stored = new TradeFolder(folder, Journal.open(folder.resolve(RUNS)));
+        for (TradeRun run : stored.journal.runs()) {
+            if (run.kind().equals(TradeRun.CHECK)
+                    && run.threads() != settings.base().threads()) {
+                throw new InvalidValueException(
+                        "evaluate",
+                        folder + " holds runs with " + run.threads() + " threads, not "
+                                + settings.base().threads());
+            }
+        }
+        return stored;
+    }
+
+    private static void checkIdentity(Path folder, TradeSettings settings, String key) throws IOException {
+        List<String> then = Files.readAllLines(folder.resolve(IDENTITY));
         List<String> now = settings.identity();
         for (int i = 0; i < now.size(); i++) {
             String old = i < then.size() ? then.get(i) : "nothing";
             if (!old.equals(now.get(i))) {
                 throw new InvalidValueException(
-                        "resume",
+                        key,
                         folder + " holds a trade of something else: it was made with " + old + ", not " + now.get(i));
             }
         }
-        return new TradeFolder(folder, Journal.open(runs), true);
+    }
+
+    /** What is needed beside the runs to evaluate them once more. */
+    record Kept(Reference reference, Circumstances circumstances) {}
+
+    /** Keeps the figures of the reference and the circumstances. */
+    void keep(Reference reference, Circumstances circumstances) throws IOException {
+        Files.write(file(KEPT), KeptText.lines(reference, circumstances));
+    }
+
+    /** Reads what was kept, with the reference's picture if that is still there. */
+    Kept kept() throws IOException {
+        Optional<Image> picture = Optional.empty();
+        for (String name : List.of("reference.png", "reference.pfm")) {
+            if (Files.exists(file(name))) {
+                picture = Optional.of(ImageFiles.read(file(name)));
+            }
+        }
+        return KeptText.parse(file(KEPT), picture);
     }
 
     Path file(String name) {
@@ -62,10 +118,5 @@ final class TradeFolder {
 
     Journal journal() {
         return journal;
-    }
-
-    /** Whether this goes on with what was there. */
-    boolean isResumed() {
-        return resumed;
     }
 }

@@ -2,6 +2,7 @@ package enlightenment.measure;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -19,6 +20,9 @@ final class Ladder {
     /** Powers of two, which the samplers like best, and where the cluster method begins to have a survey: from there it is another. */
     private static final double[] SAMPLES = {1, 2, 2.5, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096};
 
+    /** One sample tells little of how many light points are best, and half samples are of interest to surveys only. */
+    private static final int VARIANTS_FROM = 2;
+
     /** A render with more than this share of the reference's samples has nothing better to be compared with. */
     private static final double OF_REFERENCE = 0.25;
 
@@ -32,30 +36,59 @@ final class Ladder {
     }
 
     void climb() throws IOException {
-        double share = session.settings.sweeps().isEmpty() ? SHARE : SHARE_WITH_SWEEPS;
-        List<Contender> own =
-                session.settings.methods().stream().map(session.settings::own).toList();
         for (int rung = 0; rung < rungs(); rung++) {
             double samples = SAMPLES[rung];
             session.say(samples == 1 ? "1 sample per pixel" : Digits.samples(samples) + " samples per pixel");
+            boolean none = true;
             for (int k = 0; k < session.settings.seeds(); k++) {
-                boolean needed = rung < LEAST_RUNGS && k == 0;
-                if (!needed && !fits(own, samples, share)) {
-                    if (rung >= LEAST_RUNGS - 1) {
-                        return;
-                    }
-                    break;
+                List<Contender> climbers = climbers(rung, k);
+                if (!climbers.isEmpty()) {
+                    step(climbers, samples, session.settings.base().seed() + 1 + k + rung * RUNG, k);
+                    none = false;
                 }
-                List<Contender> all = new ArrayList<>(own);
-                for (Contender variant : variants(own)) {
-                    all.add(variant);
-                    if (!fits(all, samples, share)) {
-                        all.remove(variant);
-                    }
-                }
-                step(all, samples, session.settings.base().seed() + 1 + k + rung * RUNG, k);
+            }
+            if (none) {
+                return;
             }
         }
+    }
+
+    /** Who takes this rung: the methods as the scene has them, then what fits in of the rest, the cheapest first. */
+    private List<Contender> climbers(int rung, int turn) {
+        double samples = SAMPLES[rung];
+        List<Contender> own =
+                session.settings.methods().stream().map(session.settings::own).toList();
+        boolean needed = rung < LEAST_RUNGS && turn == 0;
+        List<Contender> climbers = new ArrayList<>();
+        if (needed || own.stream().noneMatch(c -> isDone(c, rung)) && fits(own, samples)) {
+            climbers.addAll(own);
+        }
+        List<Contender> others = new ArrayList<>(own);
+        if (samples >= VARIANTS_FROM && samples == Math.rint(samples)) {
+            others.addAll(variants(own));
+        }
+        others.sort(Comparator.comparingDouble(c -> session.expected(c, samples)));
+        for (Contender other : others) {
+            if (!climbers.contains(other) && !isDone(other, rung)) {
+                climbers.add(other);
+                if (!fits(climbers, samples)) {
+                    climbers.remove(other);
+                }
+            }
+        }
+        return climbers;
+    }
+
+    /** Whether its error went below the reference's own: more samples would tell nothing. */
+    private boolean isDone(Contender contender, int rung) {
+        return rung >= LEAST_RUNGS
+                && Curve.of(
+                                contender,
+                                session.runs(r -> r.samples() == SAMPLES[rung - 1]),
+                                session.reference().variance())
+                        .points()
+                        .stream()
+                        .anyMatch(p -> !p.judged());
     }
 
     private List<Contender> variants(List<Contender> own) {
@@ -65,7 +98,8 @@ final class Ladder {
                 .toList();
     }
 
-    private boolean fits(List<Contender> contenders, double samples, double share) {
+    private boolean fits(List<Contender> contenders, double samples) {
+        double share = session.settings.sweeps().isEmpty() ? SHARE : SHARE_WITH_SWEEPS;
         double seconds = contenders.stream()
                 .mapToDouble(c -> session.expected(c, samples))
                 .sum();

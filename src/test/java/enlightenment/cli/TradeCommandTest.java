@@ -153,6 +153,7 @@ class TradeCommandTest {
             assertTrue(json.contains("\"sentence\": \"" + sentence + "\""), json);
             assertTrue(page.contains(sentence.replace("'", "&#39;")) || page.contains(sentence), sentence);
         }
+        assertTrue(Files.readString(out.resolve("measured.txt")).contains("reference.part=raytrace,2,"));
         // raytrace was measured with other numbers of light points than the scene's, too.
         String runs = Files.readString(out.resolve("trade.csv"));
         assertTrue(runs.contains("ladder,raytrace,")

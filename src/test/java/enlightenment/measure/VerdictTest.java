@@ -167,6 +167,12 @@ class VerdictTest {
         assertTrue(
                 sentence.contains("at most 2.5 times faster than raytrace --antialias with 1 light point"), sentence);
         assertTrue(sentence.contains("(measured, gives 0.0025 or less)"), sentence);
+        // At the error that it does give the ratio is known: 8 s against 0.05 · (0.04 / 0.0025)² = 12.8 s.
+        Meeting there = Meeting.all(trade).stream()
+                .filter(m -> m.error() == 0.0025)
+                .findFirst()
+                .orElseThrow();
+        assertEquals(8 / 12.8, there.ratio(), 1e-9);
     }
 
     @Test

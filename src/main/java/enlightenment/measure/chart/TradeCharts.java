@@ -96,6 +96,7 @@ public final class TradeCharts {
         List<Curve> curves = shown(result);
         for (int i = 0; i < curves.size(); i++) {
             Curve curve = curves.get(i);
+            String label = name(curve, curves);
             List<Curve.Point> points = curve.judgedPoints().stream()
                     .filter(p -> xOfPoint.applyAsDouble(p) > 0)
                     .toList();
@@ -104,7 +105,7 @@ public final class TradeCharts {
             }
             double[] x = points.stream().mapToDouble(xOfPoint).toArray();
             double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
-            line(chart, legend(curve.contender().name(), fit.apply(curve)), x, y, i);
+            line(chart, legend(label, fit.apply(curve)), x, y, i);
             List<TradeRun> runs = result.runs().stream()
                     .filter(r -> r.kind().equals(TradeRun.LADDER)
                             && curve.contender().made(r)
@@ -113,7 +114,7 @@ public final class TradeCharts {
                     .toList();
             double[] runX = runs.stream().mapToDouble(xOfRun).toArray();
             double[] runY = runs.stream().mapToDouble(r -> r.error(variance)).toArray();
-            dots(chart, curve.contender().name() + ", each run", runX, runY, i);
+            dots(chart, label + ", each run", runX, runY, i);
             for (int k = 0; k < runX.length; k++) {
                 allX.add(runX[k]);
                 allY.add(runY[k]);
@@ -137,6 +138,13 @@ public final class TradeCharts {
                                 .filter(n -> n.contender().equals(c.contender()))
                                 .isPresent()))
                 .toList();
+    }
+
+    /** The method's name is enough where it has one line only. */
+    private static String name(Curve curve, List<Curve> shown) {
+        boolean only =
+                shown.stream().filter(c -> c.method().equals(curve.method())).count() == 1;
+        return only ? curve.method() : curve.contender().name();
     }
 
     private static String legend(String method, Optional<PowerLaw> fit) {

@@ -187,7 +187,7 @@ public final class TradePage {
         }
         if (!rows.isEmpty()) {
             html.element("h2", "Where both methods were measured");
-            html.table(List.of("error", "one takes", "the other takes", "times as long"), rows);
+            html.table(List.of("error", "first", "second", "times as long (first by second)"), rows);
         }
     }
 

@@ -3,6 +3,7 @@ package enlightenment.measure;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.math.Check.InvalidValueException;
+import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -68,16 +69,24 @@ final class TradeFolder {
             checkIdentity(folder, settings, "evaluate");
         }
         TradeFolder stored = new TradeFolder(folder, Journal.open(folder.resolve(RUNS)));
-        for (TradeRun run : stored.journal.runs()) {
-            if (run.kind().equals(TradeRun.CHECK)
-                    && run.threads() != settings.base().threads()) {
-                throw new InvalidValueException(
-                        "evaluate",
-                        folder + " holds runs with " + run.threads() + " threads, not "
-                                + settings.base().threads());
-            }
-        }
+        checkRuns(folder, stored.journal.runs(), settings.base());
         return stored;
+    }
+
+    private static void checkRuns(Path folder, List<TradeRun> runs, RenderSettings base) {
+        boolean ran = false;
+        for (TradeRun run : runs) {
+            boolean ladder = run.kind().equals(TradeRun.LADDER);
+            if (ladder && run.threads() != base.threads()) {
+                throw new InvalidValueException(
+                        "evaluate", folder + " holds runs with " + run.threads() + " threads, not " + base.threads());
+            }
+            ran |= ladder && run.shadowSamples() == base.shadowSamples();
+        }
+        if (!ran) {
+            throw new InvalidValueException(
+                    "evaluate", folder + " holds no runs with " + base.shadowSamples() + " light points");
+        }
     }
 
     private static void checkIdentity(Path folder, TradeSettings settings, String key) throws IOException {

@@ -62,30 +62,41 @@ public record Verdict(double target, Optional<Need> best, Known known, List<Comp
                     error + " there is no verdict: the smallest errors measured are " + smallest(result)
                             + " (a larger --budget goes further).");
         }
-        String use = error + " use " + arguments(best.get(), result.settings()) + ": ";
-        String time =
-                Digits.of(best.get().wall().median(), 2) + " s (" + best.get().evidence() + ")";
-        if (!best.get().isMeasured()) {
-            String text = error + " nothing was measured; extrapolated, " + arguments(best.get(), result.settings())
-                    + " would take " + time + ", and there is no comparison.";
-            return new Verdict(target, best, Known.EXTRAPOLATED, List.of(), text);
+        if (best.get().isMeasured()) {
+            return measured(result, best.get(), error);
         }
+        String text = error + " nothing was measured; extrapolated, " + arguments(best.get(), result.settings())
+                + " would take " + time(best.get()) + ", and there is no comparison.";
+        return new Verdict(target, best, Known.EXTRAPOLATED, List.of(), text);
+    }
+
+    private static Verdict measured(TradeResult result, Need best, String error) {
         List<Comparison> comparisons = new ArrayList<>();
-        StringBuilder text = new StringBuilder(use).append(time);
-        for (Contender other : others(result, best.get())) {
-            Optional<Need> need = result.reach(other).flatMap(r -> r.forError(target));
-            need.filter(Need::isMeasured)
-                    .map(n -> compare(best.get(), n))
-                    .ifPresentOrElse(
-                            c -> {
-                                comparisons.add(c);
-                                text.append(", ").append(phrase(best.get(), c, result));
-                            },
-                            () -> text.append(", ").append(notReached(result, other)));
+        StringBuilder text = new StringBuilder(error);
+        text.append(" use ")
+                .append(arguments(best, result.settings()))
+                .append(": ")
+                .append(time(best));
+        for (Contender other : others(result, best)) {
+            Optional<Comparison> comparison = result.reach(other)
+                    .flatMap(r -> r.forError(best.target()))
+                    .filter(Need::isMeasured)
+                    .map(n -> compare(best, n));
+            comparison.ifPresent(comparisons::add);
+            text.append(", ")
+                    .append(comparison.map(c -> phrase(best, c, result)).orElseGet(() -> notReached(result, other)));
         }
-        flip(result, best.get()).ifPresent(text::append);
+        flip(result, best).ifPresent(text::append);
         return new Verdict(
-                target, best, Known.MEASURED, comparisons, text.append('.').toString());
+                best.target(),
+                Optional.of(best),
+                Known.MEASURED,
+                comparisons,
+                text.append('.').toString());
+    }
+
+    private static String time(Need need) {
+        return Digits.of(need.wall().median(), 2) + " s (" + need.evidence() + ")";
     }
 
     private static Verdict nothing(double target, String sentence) {

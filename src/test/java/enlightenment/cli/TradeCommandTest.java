@@ -116,6 +116,18 @@ class TradeCommandTest {
     }
 
     @Test
+    void aFolderThatLostItsSettingsMustHoldRunsWithTheSameOnes() throws IOException {
+        assertEquals(0, trade("--budget", "1", "--seeds", "1", "--threads", "2").code());
+        Files.delete(out.resolve("settings.txt"));
+        CliRun threads = trade("--evaluate", "--threads", "3");
+        assertEquals(2, threads.code());
+        assertTrue(threads.err().contains("holds runs with 2 threads, not 3"), threads.err());
+        CliRun points = trade("--evaluate", "--threads", "2", "--shadow-samples", "77");
+        assertEquals(2, points.code());
+        assertTrue(points.err().contains("holds no runs with 77 light points"), points.err());
+    }
+
+    @Test
     void onlyAFolderWithATradeOfThisSceneIsEvaluated() throws IOException {
         CliRun none = trade("--evaluate");
         assertEquals(2, none.code());

@@ -77,19 +77,28 @@ public record Meeting(double error, boolean smallest, boolean best, Need first, 
                 : Optional.of(new Meeting(error, smallest, best, first.get(), second.get()));
     }
 
-    /** The larger one of the smallest errors that both were measured at. */
+    /** The larger one of the smallest errors that both were measured at; one of the two may have gone below the reference's. */
     private static OptionalDouble finest(List<Reach> a, List<Reach> b) {
-        OptionalDouble first = finest(a);
-        OptionalDouble second = finest(b);
-        return first.isEmpty() || second.isEmpty()
-                ? OptionalDouble.empty()
-                : OptionalDouble.of(Math.max(first.getAsDouble(), second.getAsDouble()));
+        OptionalDouble known = larger(known(a), known(b));
+        OptionalDouble reached = larger(
+                a.stream().flatMapToDouble(r -> r.smallest().stream()).min(),
+                b.stream().flatMapToDouble(r -> r.smallest().stream()).min());
+        boolean oneKnown = Stream.concat(a.stream(), b.stream())
+                .flatMap(r -> r.finest().stream())
+                .anyMatch(p -> p.error().median() == reached.orElse(0));
+        return oneKnown ? reached : known;
     }
 
-    private static OptionalDouble finest(List<Reach> reaches) {
+    private static OptionalDouble known(List<Reach> reaches) {
         return reaches.stream()
                 .flatMap(r -> r.finest().stream())
                 .mapToDouble(p -> p.error().median())
                 .min();
+    }
+
+    private static OptionalDouble larger(OptionalDouble a, OptionalDouble b) {
+        return a.isEmpty() || b.isEmpty()
+                ? OptionalDouble.empty()
+                : OptionalDouble.of(Math.max(a.getAsDouble(), b.getAsDouble()));
     }
 }

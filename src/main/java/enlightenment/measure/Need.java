@@ -39,6 +39,11 @@ public record Need(
         TRIED,
         /** This budget was rendered with other random numbers, and gave the error or a smaller one. */
         MEASURED,
+        /**
+         * This budget was rendered, and its error is below the reference's own: how far below cannot be told. The error stated is
+         * the reference's.
+         */
+        BELOW,
         /** It lies between two budgets that were rendered and gave a larger error and a smaller one. */
         BETWEEN,
         /** It lies beyond what was rendered. */
@@ -52,7 +57,7 @@ public record Need(
 
     /** Whether the error that it gives is clearly smaller than the one that is wanted, so that less time might do. */
     public boolean isMoreThanAsked() {
-        return error < STILL * target;
+        return source == Source.BELOW || error < STILL * target;
     }
 
     /** The same as an answer to the question what the error that it gives needs. */
@@ -70,6 +75,7 @@ public record Need(
         return switch (source) {
             case TRIED -> isMoreThanAsked() ? "tried, gives " + Digits.of(error, 2) : "tried";
             case MEASURED -> isMoreThanAsked() ? "measured, gives " + Digits.of(error, 2) + " or less" : "measured";
+            case BELOW -> "measured, gives less than the reference's own error of " + Digits.of(error, 2);
             case BETWEEN ->
                 "interpolated between measured errors of " + Digits.of(from.get(0), 2) + " and "
                         + Digits.of(from.get(1), 2);

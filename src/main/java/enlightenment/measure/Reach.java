@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 
@@ -72,6 +73,11 @@ public final class Reach {
         return points;
     }
 
+    /** The smallest error that it was measured to reach; the reference's own where it went below that. */
+    OptionalDouble smallest() {
+        return points.stream().mapToDouble(this::error).min();
+    }
+
     private List<Point> judged() {
         return points.stream().filter(Point::judged).toList();
     }
@@ -131,7 +137,7 @@ public final class Reach {
                 p.wall(),
                 positive(p.cpu()),
                 Optional.of(p.flip().median()),
-                Need.Source.MEASURED,
+                p.judged() ? Need.Source.MEASURED : Need.Source.BELOW,
                 List.of(error(p)));
     }
 
@@ -213,7 +219,7 @@ public final class Reach {
                 Spread.of(runs.stream().map(TradeRun::wallSeconds).toList()),
                 positive(Spread.of(runs.stream().map(TradeRun::cpuSeconds).toList())),
                 Optional.of(runs.get(0).flip()),
-                Need.Source.TRIED,
+                runs.get(0).isJudged(referenceVariance) ? Need.Source.TRIED : Need.Source.BELOW,
                 List.of(error));
     }
 

@@ -191,6 +191,31 @@ class VerdictTest {
         assertTrue(all.stream().allMatch(m -> m.error() >= 0.005 && m.first().isMeasured()));
     }
 
+    /** How far below the reference's error something is cannot be told, so its time is a bound, also just above that error. */
+    @Test
+    void aTimeForAnErrorBelowTheReferencesIsABound() {
+        // cluster jumps from 0.02 to an error that is lost in the reference's 0.0045: 0.3 s.
+        List<TradeRun> jump = new ArrayList<>();
+        jump.add(SyntheticRuns.run("cluster", 2, 1, 0.0004 + 0.0045 * 0.0045, 0.1));
+        jump.add(SyntheticRuns.run("cluster", 2.5, 1, 1e-8 + 0.0045 * 0.0045, 0.3));
+        List<TradeRun> known = raytrace(10, 256, 0.08, 0.01).stream()
+                .map(r -> SyntheticRuns.run(
+                        "raytrace", r.samples(), 1, r.meanSquaredDifference() + 0.0045 * 0.0045, r.wallSeconds()))
+                .toList();
+        TradeResult trade = trade(0.0045, List.of(known, jump));
+        String sentence = Verdict.of(trade, 0.005).sentence();
+        assertTrue(
+                sentence.contains(
+                        "0.30 s (measured, gives less than the reference's own error of 0.0045), at least 8.5 times"),
+                sentence);
+        Meeting smallest = Meeting.all(trade).stream()
+                .filter(Meeting::smallest)
+                .findFirst()
+                .orElseThrow();
+        assertEquals(0.005, smallest.error(), 1e-6);
+        assertTrue(smallest.second().isMoreThanAsked());
+    }
+
     @Test
     void nothingMeasuredIsNothingSaid() {
         Verdict verdict = Verdict.of(trade(0, List.of()), 0.01);

@@ -76,6 +76,11 @@ final class TradeCommand extends Subcommand {
     @Option(names = "--resume", description = "go on with what the folder holds")
     private boolean resume;
 
+    @Option(
+            names = "--evaluate",
+            description = "measure nothing: advice, page and tables again from what the folder holds")
+    private boolean evaluate;
+
     @Mixin
     private RenderOptions options = new RenderOptions();
 
@@ -93,6 +98,9 @@ final class TradeCommand extends Subcommand {
         OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
         if (Standard.is(sceneFile)) {
             throw CliException.wrongUsage("a trade needs a scene file, not standard input: it can be resumed");
+        }
+        if (evaluate && resume) {
+            throw CliException.wrongUsage("--evaluate measures nothing: it does not go with --resume");
         }
         List<String> chosen = methods();
         double seconds = OptionValues.number("--budget", budget, LEAST_BUDGET, MOST_BUDGET);
@@ -113,16 +121,25 @@ final class TradeCommand extends Subcommand {
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--" + optionOf(e.key()) + " " + e.problem());
         }
-        return measure(scene, settings);
-    }
-
-    private int measure(Scene scene, TradeSettings settings) throws IOException {
         new OutputFiles()
                 .reads(sceneFile, scene)
                 .reads("the file of --reference", reference.equals("auto") ? null : Path.of(reference))
                 .writes("-o", folder, TradeOutput.names(settings))
                 .check();
         TradeOutput output = new TradeOutput(terminal, folder, sceneFile, options.given(), scene.name());
+        return evaluate ? evaluate(settings, output) : measure(scene, settings, output);
+    }
+
+    private int evaluate(TradeSettings settings, TradeOutput output) throws IOException {
+        try {
+            output.write(Trade.evaluate(settings, folder));
+        } catch (InvalidValueException e) {
+            throw CliException.wrongUsage("--evaluate: " + e.getMessage());
+        }
+        return CliException.DONE;
+    }
+
+    private int measure(Scene scene, TradeSettings settings, TradeOutput output) throws IOException {
         Optional<TradeResult> result;
         try (TradeProgress display = TradeProgress.of(progress, terminal.err())) {
             result = Trade.run(scene, settings, folder, resume, display, terminal.stop());
@@ -142,7 +159,7 @@ final class TradeCommand extends Subcommand {
             return CliException.FAILED;
         }
         output.write(result.get());
-        if (!result.get().complete()) {
+        if (!result.get().circumstances().complete()) {
             terminal.say("stopped: " + folder + " holds what was measured; --resume goes on");
             return CliException.FAILED;
         }

@@ -1,7 +1,10 @@
 package enlightenment.cli;
 
+import enlightenment.measure.Circumstances;
+import enlightenment.measure.Contender;
 import enlightenment.measure.Curve;
 import enlightenment.measure.EqualTime;
+import enlightenment.measure.Meeting;
 import enlightenment.measure.Need;
 import enlightenment.measure.PowerLaw;
 import enlightenment.measure.Reference;
@@ -10,52 +13,97 @@ import enlightenment.measure.TradeResult;
 import enlightenment.measure.Verdict;
 import enlightenment.scene.RenderSettings;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 
 /** A trade as JSON; docs/trade.md lists the keys. The single runs are in {@code trade.csv}. */
 final class TradeJson {
     private TradeJson() {}
 
-    static String of(TradeResult result, Map<String, String> machine) {
+    static String of(TradeResult result) {
+        Circumstances c = result.circumstances();
         JsonText json = new JsonText().beginObject();
         json.key("enlightenment").value(Version.number());
-        BenchJson.machine(json.key("machine"), machine);
-        json.key("complete").value(result.complete());
-        json.key("seconds").value(result.seconds());
-        json.key("coldStartSeconds").value(result.coldSeconds());
+        BenchJson.machine(json.key("machine"), c.machine());
+        json.key("complete").value(c.complete());
+        json.key("seconds").value(c.seconds());
+        json.key("coldStartSeconds").value(c.coldSeconds());
         json.key("shareOfProcessors").value(result.shareOfProcessors());
         settings(json.key("settings"), result);
         reference(json.key("reference"), result.reference());
         json.key("verdicts").beginArray();
-        for (Verdict v : Verdict.all(result)) {
-            json.beginObject();
-            json.key("error").value(v.target());
-            json.key("sentence").value(v.sentence());
-            v.best().ifPresent(b -> json.key("arguments").value(Verdict.arguments(b)));
-            json.endObject();
-        }
+        Verdict.all(result).forEach(v -> verdict(json, v, result));
+        json.endArray();
+        json.key("meetings").beginArray();
+        Meeting.all(result).forEach(m -> meeting(json, m));
         json.endArray();
         json.key("needs").beginArray();
-        result.needs().forEach(n -> need(json, n));
+        for (double target : TradeResult.TARGETS) {
+            if (result.isKnown(target)) {
+                result.reaches().forEach(r -> r.forError(target).ifPresent(n -> need(json, n)));
+            }
+        }
         json.endArray();
         json.key("curves").beginArray();
-        result.curves().forEach(c -> curve(json, c));
+        result.curves().forEach(x -> curve(json, x));
         json.endArray();
+        equalTime(json, result);
+        json.key("sweeps").beginArray();
+        result.sweeps().forEach(s -> sweep(json, s));
+        return json.endArray().endObject().finish();
+    }
+
+    private static void verdict(JsonText json, Verdict v, TradeResult result) {
+        json.beginObject();
+        json.key("error").value(v.target());
+        json.key("known").value(word(v.known()));
+        json.key("sentence").value(v.sentence());
+        v.best().ifPresent(b -> {
+            json.key("arguments").value(Verdict.arguments(b, result.settings()));
+            need(json.key("need"), b);
+        });
+        json.key("comparisons").beginArray();
+        for (Verdict.Comparison c : v.comparisons()) {
+            json.beginObject();
+            json.key("timesAsLong").value(c.ratio());
+            json.key("alike").value(c.alike());
+            need(json.key("need"), c.need());
+            json.endObject();
+        }
+        json.endArray().endObject();
+    }
+
+    private static void meeting(JsonText json, Meeting m) {
+        json.beginObject();
+        json.key("error").value(m.error());
+        json.key("smallest").value(m.smallest());
+        json.key("lightPoints").value(m.best() ? "best" : "scene");
+        json.key("timesAsLong").value(m.ratio());
+        need(json.key("first"), m.first());
+        need(json.key("second"), m.second());
+        json.endObject();
+    }
+
+    private static void equalTime(JsonText json, TradeResult result) {
+        double variance = result.reference().variance();
+        json.key("equal").value(EqualTime.areEqual(result.equalTime()));
+        EqualTime.sentence(result.equalTime(), variance)
+                .ifPresent(s -> json.key("equalTimeSentence").value(s));
         json.key("equalTime").beginArray();
         for (EqualTime e : result.equalTime()) {
             json.beginObject();
             json.key("method").value(e.run().method());
+            json.key("lightPoints").value(e.run().shadowSamples());
             json.key("samples").value(e.run().samples());
             json.key("wallSeconds").value(e.run().wallSeconds());
-            json.key("error").value(e.run().error(result.reference().variance()));
+            json.key("error").value(e.run().error(variance));
             json.key("flip").value(e.run().flip());
             json.endObject();
         }
         json.endArray();
-        json.key("sweeps").beginArray();
-        result.sweeps().forEach(s -> sweep(json, s));
-        return json.endArray().endObject().finish();
+    }
+
+    private static String word(Enum<?> value) {
+        return value.name().toLowerCase(Locale.ROOT);
     }
 
     private static void settings(JsonText json, TradeResult result) {
@@ -82,6 +130,7 @@ final class TradeJson {
         for (Reference.Part part : reference.parts()) {
             json.beginObject();
             json.key("method").value(part.method());
+            json.key("lightPoints").value(part.lightPoints());
             json.key("samples").value(part.samples());
             json.key("seed").value(part.seed());
             json.endObject();
@@ -92,18 +141,28 @@ final class TradeJson {
     private static void need(JsonText json, Need n) {
         json.beginObject();
         json.key("error").value(n.target());
-        json.key("method").value(n.method());
+        contender(json, n.contender());
         json.key("samples").value(n.samples());
         json.key("errorItGives").value(n.error());
+        n.flip().ifPresent(f -> json.key("flip").value(f));
         BenchJson.spread(json.key("wallSeconds"), n.wall());
         n.cpu().ifPresent(c -> BenchJson.spread(json.key("cpuSeconds"), c));
-        json.key("source").value(n.source().name().toLowerCase(Locale.ROOT));
+        json.key("source").value(word(n.source()));
+        json.key("from").beginArray();
+        n.from().forEach(json::value);
+        json.endArray();
         json.endObject();
+    }
+
+    private static void contender(JsonText json, Contender c) {
+        json.key("method").value(c.method());
+        json.key("lightPoints").value(c.lightPoints());
+        json.key("grid").value(c.grid());
     }
 
     private static void curve(JsonText json, Curve curve) {
         json.beginObject();
-        json.key("method").value(curve.method());
+        contender(json, curve.contender());
         fit(json, "overSamples", curve.overSamples());
         fit(json, "overTime", curve.overTime());
         json.key("insideOwnInterval").value(curve.insideOwnInterval());
@@ -143,6 +202,7 @@ final class TradeJson {
         for (SweepResult.Point p : sweep.points()) {
             json.beginObject();
             json.key("value").value(p.value());
+            json.key("judged").value(p.judged());
             BenchJson.spread(json.key("wallSeconds"), p.wall());
             BenchJson.spread(json.key("cpuSeconds"), p.cpu());
             BenchJson.spread(json.key("error"), p.error());

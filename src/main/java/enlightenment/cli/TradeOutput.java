@@ -1,7 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.image.ImageFiles;
-import enlightenment.measure.Machine;
+import enlightenment.measure.EqualTime;
 import enlightenment.measure.Need;
 import enlightenment.measure.Trade;
 import enlightenment.measure.TradeResult;
@@ -15,13 +15,13 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Writes what a trade found: figures, charts, the page, and the advice on standard output. */
 final class TradeOutput {
     private static final String FIGURES = "trade.json";
     private static final String PAGE = "index.html";
+    private static final String SUMMARY = "summary.csv";
     private static final String PROGRAM = "java -jar target/enlightenment.jar";
 
     private final Terminal terminal;
@@ -29,7 +29,6 @@ final class TradeOutput {
     private final Path sceneFile;
     private final List<String> given;
     private final String title;
-    private final Map<String, String> machine = Machine.facts();
 
     /** @param given the render options that were given, word by word */
     TradeOutput(Terminal terminal, Path folder, Path sceneFile, List<String> given, String title) {
@@ -43,26 +42,28 @@ final class TradeOutput {
     /** The names of all files that the trade and this may write into the folder. */
     static List<String> names(TradeSettings settings) {
         List<String> names = new ArrayList<>(Trade.files(settings));
-        names.addAll(List.of(FIGURES, PAGE));
+        names.addAll(List.of(FIGURES, SUMMARY, PAGE));
         TradeCharts.names(settings).forEach(chart -> names.addAll(List.of(chart + ".png", chart + ".svg")));
         return names;
     }
 
     void write(TradeResult result) throws IOException {
-        Target.write(folder.resolve(FIGURES), TradeJson.of(result, machine));
+        Target.write(folder.resolve(FIGURES), TradeJson.of(result));
+        Target.write(folder.resolve(SUMMARY), TradeSummary.of(result));
         List<Chart> charts = charts(result);
         Target.write(folder.resolve(PAGE), TradePage.of(result, context(), charts));
-        terminal.out().println(Verdict.headline(result).sentence());
-        Verdict.headline(result)
-                .best()
-                .filter(b -> b.source() != Need.Source.BEYOND)
-                .ifPresent(b -> terminal.out().println("  " + renderCommand() + " " + Verdict.arguments(b)));
+        Verdict headline = Verdict.headline(result);
+        terminal.show(headline.sentence());
+        headline.best()
+                .filter(Need::isMeasured)
+                .ifPresent(b -> terminal.show("  " + context().render(b, result.settings())));
         for (Verdict v : Verdict.all(result)) {
-            if (v.target() != Verdict.headline(result).target()) {
-                terminal.out().println(v.sentence());
+            if (v.target() != headline.target()) {
+                terminal.show(v.sentence());
             }
         }
-        terminal.out().println("All of it: " + folder.resolve(PAGE));
+        EqualTime.sentence(result.equalTime(), result.reference().variance()).ifPresent(terminal::show);
+        terminal.show("All of it: " + folder.resolve(PAGE));
     }
 
     /** A machine without fonts, as some small containers are, draws no charts; all else is worth having. */
@@ -85,7 +86,7 @@ final class TradeOutput {
     }
 
     private PageContext context() {
-        return new PageContext(title, renderCommand(), compareCommand(), tradeCommand(), machine);
+        return new PageContext(title, renderCommand(), compareCommand(), tradeCommand());
     }
 
     private String renderCommand() {

@@ -18,6 +18,14 @@ public final class Digits {
         return Math.min(Math.max(two, 1), Budget.MAX_SAMPLES);
     }
 
+    /** The next number of samples that has two digits; within the limits of a budget. */
+    static double nearTwo(double samples) {
+        double two = new BigDecimal(samples)
+                .round(new MathContext(2, RoundingMode.HALF_EVEN))
+                .doubleValue();
+        return Math.min(Math.max(two, 1), Budget.MAX_SAMPLES);
+    }
+
     /** A number in so many significant digits, without an exponent. */
     public static String of(double value, int digits) {
         if (value == 0) {

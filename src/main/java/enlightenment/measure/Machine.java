@@ -12,6 +12,9 @@ import java.util.Map;
 /** What was measured on: without it no time means anything. */
 public final class Machine {
     private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
+    /** The label of the number of processors. */
+    static final String PROCESSORS = "processors in use";
+
     private static final double MEBI = 1 << 20;
 
     private Machine() {}
@@ -21,7 +24,7 @@ public final class Machine {
         Map<String, String> facts = new LinkedHashMap<>();
         Runtime runtime = Runtime.getRuntime();
         facts.put("processor", processor());
-        facts.put("processors in use", Integer.toString(runtime.availableProcessors()));
+        facts.put(PROCESSORS, Integer.toString(runtime.availableProcessors()));
         facts.put(
                 "system",
                 System.getProperty("os.name") + " " + System.getProperty("os.version") + " "

@@ -2,15 +2,17 @@ package enlightenment.measure;
 
 import enlightenment.image.Image;
 import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.Optional;
 
 /**
  * What is taken for the truth.
  *
- * @param image the picture
+ * @param picture the picture; nothing where only what was measured with it is left
  * @param variance its own mean squared error, measured: display units squared
  * @param parts what it is the mean of; empty where it was given
  */
-public record Reference(Image image, double variance, List<Part> parts) {
+public record Reference(Optional<Image> picture, double variance, List<Part> parts) {
     public Reference {
         parts = List.copyOf(parts);
     }
@@ -19,10 +21,20 @@ public record Reference(Image image, double variance, List<Part> parts) {
      * One of the independent renders that a reference is the mean of.
      *
      * @param method the method
+     * @param lightPoints light points per hit and light
      * @param samples its budget of camera rays per pixel
      * @param seed what its random numbers came from
      */
-    public record Part(String method, double samples, long seed) {}
+    public record Part(String method, int lightPoints, double samples, long seed) {}
+
+    /**
+     * The picture.
+     *
+     * @throws NoSuchElementException if it was not kept
+     */
+    public Image image() {
+        return picture.orElseThrow();
+    }
 
     /** Its own root mean square error. */
     public double error() {
@@ -60,7 +72,7 @@ public record Reference(Image image, double variance, List<Part> parts) {
             }
         }
         double variance = squares / mean.length / ((double) n * n * (n - 1));
-        return new Reference(new Image(width, height, mean), variance, parts);
+        return new Reference(Optional.of(new Image(width, height, mean)), variance, parts);
     }
 
     /**
@@ -78,6 +90,6 @@ public record Reference(Image image, double variance, List<Part> parts) {
             }
         }
         double mean = sum / (3.0 * reference.width() * reference.height());
-        return new Reference(reference, Math.max(mean, 0), List.of());
+        return new Reference(Optional.of(reference), Math.max(mean, 0), List.of());
     }
 }

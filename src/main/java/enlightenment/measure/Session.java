@@ -1,7 +1,5 @@
 package enlightenment.measure;
 
-import enlightenment.scene.Budget;
-import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.util.HashMap;
@@ -20,8 +18,8 @@ final class Session {
     private final TradeListener listener;
     private final long start = System.nanoTime();
 
-    /** Seconds by the clock for one sample per pixel, by method, as last seen. */
-    private final Map<String, Double> secondsPerSample = new HashMap<>();
+    /** Seconds by the clock for one sample per pixel, by contender, as last seen. */
+    private final Map<Contender, Double> secondsPerSample = new HashMap<>();
 
     private volatile String doing = "";
     private Reference reference;
@@ -66,23 +64,20 @@ final class Session {
         return reference;
     }
 
-    RenderSettings with(String method, double samples, long seed) {
-        return settings.base()
-                .withMethod(method)
-                .withBudget(Budget.NONE.withSamples(samples))
-                .withSeed(seed);
-    }
-
     /** Renders, and remembers what it cost. */
-    Meter.Timed timed(String method, double samples, long seed) {
-        Meter.Timed t = meter.render(with(method, samples, seed));
-        secondsPerSample.put(method, t.wall() / samples);
+    Meter.Timed timed(Contender contender, double samples, long seed) {
+        Meter.Timed t = meter.render(contender.settings(settings.base(), samples, seed));
+        secondsPerSample.put(contender, t.wall() / samples);
         return t;
     }
 
     /** What so many samples are expected to take; too much rather than too little where they are more than last time. */
-    double expected(String method, double samples) {
-        return secondsPerSample.getOrDefault(method, 0.0) * samples;
+    double expected(Contender contender, double samples) {
+        Contender own = settings.own(contender.method());
+        // Of a number of light points that was not seen yet, what those of the scene take; more take more.
+        double unseen = secondsPerSample.getOrDefault(own, 0.0)
+                * Math.max((double) contender.lightPoints() / own.lightPoints(), 1);
+        return secondsPerSample.getOrDefault(contender, unseen) * samples;
     }
 
     /** Judges renders that were made one after the other and writes them into the journal. */
@@ -106,7 +101,20 @@ final class Session {
         return folder.journal().runs().stream().anyMatch(which);
     }
 
-    Curve curve(String method) {
-        return Curve.of(method, folder.journal().runs(), reference.variance());
+    /** What is known of a contender by now. */
+    Reach reach(Contender contender) {
+        return Reach.of(contender, folder.journal().runs(), settings.base().threads(), reference.variance());
+    }
+
+    /** What is known by now of all that ran, those with the scene's own light points first. */
+    List<Reach> reaches() {
+        return TradeResult.reaches(settings, folder.journal().runs(), reference.variance());
+    }
+
+    /** What is known by now of a method with any number of light points. */
+    List<Reach> reaches(String method) {
+        return reaches().stream()
+                .filter(r -> r.contender().method().equals(method))
+                .toList();
     }
 }

@@ -25,8 +25,9 @@ public record SweepResult(Sweep sweep, String method, List<Point> points) {
      * @param wall seconds by the clock
      * @param cpu seconds of all processors
      * @param error root mean square error, without the reference's
+     * @param judged whether the error is known: no smaller than the reference's own
      */
-    public record Point(int value, Spread wall, Spread cpu, Spread error) {}
+    public record Point(int value, Spread wall, Spread cpu, Spread error, boolean judged) {}
 
     /** Turns the switch as far as the time goes: up to this share of the budget. The first two notches come in any case. */
     static void run(Session session, Sweep sweep, double share) throws IOException {
@@ -53,19 +54,22 @@ public record SweepResult(Sweep sweep, String method, List<Point> points) {
         }
     }
 
-    /** What the journal knows of a sweep. */
-    static SweepResult of(Session session, Sweep sweep) {
+    /** What the runs tell of a sweep. */
+    static SweepResult of(Sweep sweep, String method, List<TradeRun> all, double variance) {
         Map<Integer, List<TradeRun>> byValue = new TreeMap<>();
-        for (TradeRun run : session.runs(r -> r.kind().equals(sweep.kind()))) {
-            byValue.computeIfAbsent(sweep.valueOf(run), v -> new ArrayList<>()).add(run);
+        for (TradeRun run : all) {
+            if (run.kind().equals(sweep.kind())) {
+                byValue.computeIfAbsent(sweep.valueOf(run), v -> new ArrayList<>())
+                        .add(run);
+            }
         }
-        double variance = session.reference().variance();
         List<Point> points = new ArrayList<>();
         byValue.forEach((value, runs) -> points.add(new Point(
                 value,
                 Spread.of(runs.stream().map(TradeRun::wallSeconds).toList()),
                 Spread.of(runs.stream().map(TradeRun::cpuSeconds).toList()),
-                Spread.of(runs.stream().map(r -> r.error(variance)).toList()))));
-        return new SweepResult(sweep, session.settings.base().method(), points);
+                Spread.of(runs.stream().map(r -> r.error(variance)).toList()),
+                runs.stream().allMatch(r -> r.isJudged(variance)))));
+        return new SweepResult(sweep, method, points);
     }
 }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
@@ -36,6 +37,7 @@ public final class Trade {
         TradeFolder files = TradeFolder.open(folder, settings, resume);
         Session session = new Session(scene, settings, files, listener, cancelled);
         List<EqualTime> pictures = new ArrayList<>();
+        Map<String, String> machine = Machine.facts();
         double cold = 0;
         boolean complete = true;
         try {
@@ -51,7 +53,32 @@ public final class Trade {
         } catch (Stopped e) {
             complete = false;
         }
-        return session.reference() == null ? Optional.empty() : Optional.of(result(session, pictures, cold, complete));
+        Circumstances circumstances = new Circumstances(machine, cold, session.elapsed(), complete);
+        if (session.reference() == null) {
+            return Optional.empty();
+        }
+        files.keep(session.reference(), circumstances);
+        return Optional.of(
+                TradeResult.of(settings, session.reference(), session.runs(r -> true), pictures, circumstances));
+    }
+
+    /**
+     * Evaluates again what a folder holds, without measuring. Only the runs and the figures of the reference are needed; pictures
+     * are part of the result as far as they were kept.
+     *
+     * @throws enlightenment.math.Check.InvalidValueException key "evaluate", if the folder holds no trade or one of something else
+     */
+    public static TradeResult evaluate(TradeSettings settings, Path folder) throws IOException {
+        TradeFolder files = TradeFolder.stored(folder, settings);
+        TradeFolder.Kept kept = files.kept();
+        List<TradeRun> runs = files.journal().runs();
+        return TradeResult.of(
+                settings,
+                kept.reference(),
+                runs,
+                EqualTime.stored(
+                        settings.methods(), runs, files, kept.reference().variance()),
+                kept.circumstances());
     }
 
     /** The names of all files that {@link #run} may write into its folder, whatever it finds. */
@@ -65,27 +92,5 @@ public final class Trade {
             double share = BEFORE_SWEEPS + (1 - BEFORE_SWEEPS) * (i + 1) / sweeps.size();
             SweepResult.run(session, sweeps.get(i), share);
         }
-    }
-
-    private static TradeResult result(Session session, List<EqualTime> pictures, double cold, boolean complete) {
-        TradeSettings settings = session.settings;
-        Trial trial = new Trial(session);
-        List<Need> needs = new ArrayList<>();
-        for (double target : TradeResult.TARGETS) {
-            for (String method : settings.methods()) {
-                trial.need(method, target).ifPresent(needs::add);
-            }
-        }
-        return new TradeResult(
-                settings,
-                session.reference(),
-                settings.methods().stream().map(session::curve).toList(),
-                needs,
-                pictures,
-                settings.sweeps().stream().map(s -> SweepResult.of(session, s)).toList(),
-                session.runs(r -> true),
-                cold,
-                session.elapsed(),
-                complete);
     }
 }

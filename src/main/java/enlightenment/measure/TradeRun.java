@@ -47,8 +47,8 @@ public record TradeRun(
     /** What the kind of a sweep's runs begins with. */
     public static final String SWEEP = "sweep ";
 
-    /** A difference that the reference's own error makes up more than this share of says little of the render. */
-    private static final double MOST_OF_REFERENCE = 0.8;
+    /** With more than this share of the difference made up by the reference, the render's error is the smaller of the two. */
+    private static final double MOST_OF_REFERENCE = 0.5;
 
     /**
      * The root mean square error. The reference's error is independent of the render's, so their squares add up in the
@@ -60,7 +60,7 @@ public record TradeRun(
         return Math.sqrt(Math.max(meanSquaredDifference - referenceVariance, 0));
     }
 
-    /** Whether the difference is large enough to be told from the reference's own error. */
+    /** Whether the error is known: it is at least as large as the reference's own. */
     public boolean isJudged(double referenceVariance) {
         return meanSquaredDifference > 0 && referenceVariance <= MOST_OF_REFERENCE * meanSquaredDifference;
     }

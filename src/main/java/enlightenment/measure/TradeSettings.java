@@ -59,11 +59,16 @@ public record TradeSettings(
         }
     }
 
+    /** A method with the scene's own number of light points. */
+    public Contender own(String method) {
+        return new Contender(method, base.shadowSamples(), false);
+    }
+
     /** Everything that must be the same where a trade goes on, one {@code key=value} per line. */
     List<String> identity() {
         RenderSettings.Crop c = base.region();
         return List.of(
-                "format=1",
+                "format=2",
                 "scene=" + sceneKey,
                 "methods=" + String.join(",", methods),
                 "size=" + base.width() + "x" + base.height(),

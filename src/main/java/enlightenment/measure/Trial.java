@@ -2,19 +2,18 @@ package enlightenment.measure;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
+import java.util.Set;
 
 /**
  * Tries the advice before it is given. What the ladder says an error needs is rendered with the scene's own seed, as whoever
  * follows the advice will do: a render is a function of its settings, so they will see this very picture and this very error.
  */
 final class Trial {
-    private static final double SHARE = 0.93;
-    private static final double SHARE_WITH_SWEEPS = 0.65;
+    private static final double SHARE = 0.88;
+    private static final double SHARE_WITH_SWEEPS = 0.64;
     private static final int MOST_TRIES = 3;
     private static final int REPEATS = 3;
 
@@ -22,8 +21,6 @@ final class Trial {
     private static final double CLOSE_ENOUGH = 0.9;
 
     private static final double STILL = 0.85;
-    private static final double A_LITTLE_ABOVE = 1.02;
-    private static final double OF_REFERENCE = 0.5;
     private static final double STEEPEST = -1.2;
     private static final double FLATTEST = -0.4;
 
@@ -33,44 +30,63 @@ final class Trial {
         this.session = session;
     }
 
-    /** Tries all methods for an error, in turns. */
+    /** Tries all methods for an error, in turns: with the scene's light points, and with the number that seems best. */
     void run(double target) throws IOException {
+        if (target < session.reference().error()) {
+            // Nothing could be told of it.
+            return;
+        }
         session.say("trying what an error of " + target + " needs");
-        List<String> found = new ArrayList<>();
-        for (String method : session.settings.methods()) {
-            if (search(method, target)) {
-                found.add(method);
+        List<Contender> found = new ArrayList<>();
+        for (Contender contender : candidates(target)) {
+            if (search(contender, target)) {
+                found.add(contender);
             }
         }
         for (int k = 1; k < Math.min(session.settings.seeds(), REPEATS); k++) {
-            for (String method : found) {
-                repeat(method, target, k);
+            for (Contender contender : found) {
+                repeat(contender, target, k);
             }
         }
+    }
+
+    private List<Contender> candidates(double target) {
+        Set<Contender> candidates = new LinkedHashSet<>();
+        for (String method : session.settings.methods()) {
+            candidates.add(session.settings.own(method));
+            List<Reach> reaches = session.reaches(method).stream()
+                    .filter(r -> !r.contender().grid())
+                    .toList();
+            TradeResult.quickest(reaches, target).ifPresent(n -> candidates.add(n.contender()));
+        }
+        return List.copyOf(candidates);
     }
 
     private double share() {
         return session.settings.sweeps().isEmpty() ? SHARE : SHARE_WITH_SWEEPS;
     }
 
-    private boolean search(String method, double target) throws IOException {
-        Curve curve = session.curve(method);
-        Optional<Curve.Estimate> estimate = curve.samplesFor(target);
-        if (estimate.isEmpty() || !estimate.get().measured() && estimate.get().samples() > mostSamples()) {
+    private boolean search(Contender contender, double target) throws IOException {
+        Optional<Need> estimate = session.reach(contender).forError(target);
+        if (estimate.isEmpty()) {
             return false;
         }
-        double slope = curve.overSamples().map(PowerLaw::slope).orElse(FLATTEST);
+        double slope = Curve.of(
+                        contender, session.runs(r -> true), session.reference().variance())
+                .overSamples()
+                .map(PowerLaw::slope)
+                .orElse(FLATTEST);
         double samples = estimate.get().samples();
         for (int k = 0; k < MOST_TRIES; k++) {
-            if (tried(method, target, STILL).isPresent()) {
+            if (tried(contender, target, STILL).isPresent()) {
                 return true;
             }
             samples = Digits.upTwo(samples);
-            if (!session.fits(session.expected(method, samples), share())) {
+            if (!session.fits(session.expected(contender, samples), share())) {
                 return false;
             }
             Meter.Timed render =
-                    session.timed(method, samples, session.settings.base().seed());
+                    session.timed(contender, samples, session.settings.base().seed());
             double error = session.record(TradeRun.CHECK, List.of(render))
                     .get(0)
                     .error(session.reference().variance());
@@ -81,76 +97,26 @@ final class Trial {
             double steep = Math.min(Math.max(slope, STEEPEST), FLATTEST);
             samples = Math.max(samples * Math.pow(target / error, 1 / steep), 1);
         }
-        return tried(method, target, 0).isPresent();
+        return tried(contender, target, 0).isPresent();
     }
 
-    /** With more samples than this, a render could not be told from the reference. */
-    private double mostSamples() {
-        return OF_REFERENCE
-                * session.reference().parts().stream()
-                        .mapToDouble(Reference.Part::samples)
-                        .min()
-                        .orElse(0);
+    private Optional<Need> tried(Contender contender, double target, double leastShare) {
+        return session.reach(contender).tried(target, leastShare);
     }
 
-    private void repeat(String method, double target, int times) throws IOException {
-        List<TradeRun> runs = best(method, target).orElseThrow();
-        double samples = runs.get(0).samples();
-        if (runs.size() > times || !session.fits(session.expected(method, samples), share())) {
+    private void repeat(Contender contender, double target, int times) throws IOException {
+        Need need = tried(contender, target, STILL)
+                .or(() -> tried(contender, target, 0))
+                .orElseThrow();
+        double samples = need.samples();
+        if (need.wall().count() > times || !session.fits(session.expected(contender, samples), share())) {
             return;
         }
-        Meter.Timed again =
-                session.timed(method, samples, session.settings.base().seed());
-        session.record(runs.get(0).withTimes(again.wall(), again.cpu()));
-    }
-
-    /** What comes closest from below; where an error jumps past the one that is wanted, anything below it. */
-    private Optional<List<TradeRun>> best(String method, double target) {
-        Optional<List<TradeRun>> close = tried(method, target, STILL);
-        return close.isPresent() ? close : tried(method, target, 0);
-    }
-
-    /** The runs of the cheapest budget that was tried and gives the error, or less of it down to a share. */
-    private Optional<List<TradeRun>> tried(String method, double target, double leastShare) {
-        double variance = session.reference().variance();
-        Map<Double, List<TradeRun>> bySamples = new TreeMap<>();
-        for (TradeRun run :
-                session.runs(r -> r.method().equals(method) && r.kind().equals(TradeRun.CHECK))) {
-            bySamples.computeIfAbsent(run.samples(), n -> new ArrayList<>()).add(run);
-        }
-        return bySamples.values().stream()
-                .filter(runs -> {
-                    double error = runs.get(0).error(variance);
-                    boolean least = runs.get(0).samples() <= 1;
-                    return error <= A_LITTLE_ABOVE * target && (least || error >= leastShare * target);
-                })
-                .min(Comparator.comparingDouble(runs -> runs.get(0).samples()));
-    }
-
-    /** What a method needs for an error, as well as it is known by now. */
-    Optional<Need> need(String method, double target) {
-        Optional<List<TradeRun>> tried = best(method, target);
-        if (tried.isPresent()) {
-            List<TradeRun> runs = tried.get();
-            return Optional.of(new Need(
-                    method,
-                    target,
-                    runs.get(0).samples(),
-                    runs.get(0).error(session.reference().variance()),
-                    Spread.of(runs.stream().map(TradeRun::wallSeconds).toList()),
-                    Optional.of(
-                            Spread.of(runs.stream().map(TradeRun::cpuSeconds).toList())),
-                    Need.Source.TRIED));
-        }
-        return session.curve(method)
-                .samplesFor(target)
-                .map(e -> new Need(
-                        method,
-                        target,
-                        Digits.upTwo(e.samples()),
-                        e.error(),
-                        Spread.of(e.wall()),
-                        Optional.empty(),
-                        e.measured() ? Need.Source.BETWEEN : Need.Source.BEYOND));
+        long seed = session.settings.base().seed();
+        TradeRun run = session.runs(r ->
+                        r.kind().equals(TradeRun.CHECK) && Contender.of(r).equals(contender) && r.samples() == samples)
+                .get(0);
+        Meter.Timed again = session.timed(contender, samples, seed);
+        session.record(run.withTimes(again.wall(), again.cpu()));
     }
 }

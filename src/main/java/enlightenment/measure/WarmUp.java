@@ -24,7 +24,8 @@ final class WarmUp {
         long seed = session.settings.base().seed();
         for (int round = 0; round < LEAST_ROUNDS || session.elapsed() < limit; round++) {
             for (String method : session.settings.methods()) {
-                double wall = session.timed(method, SAMPLES, seed).wall();
+                double wall = session.timed(session.settings.own(method), SAMPLES, seed)
+                        .wall();
                 if (method.equals(session.settings.methods().get(0))) {
                     first = round == 0 ? wall : first;
                     last = wall;

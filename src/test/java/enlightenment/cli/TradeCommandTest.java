@@ -54,6 +54,8 @@ class TradeCommandTest {
                 "index.html",
                 "trade.csv",
                 "trade.json",
+                "summary.csv",
+                "measured.txt",
                 "error-over-time.png",
                 "error-over-time.svg",
                 "error-over-samples.png",
@@ -90,6 +92,91 @@ class TradeCommandTest {
         assertFalse(page.contains("http://www.w3.org/1999"));
         assertTrue(page.contains("data:image/png;base64,") && page.contains("data:image/svg+xml;base64,"));
         assertTrue(page.contains("<h1>Two balls: speed against accuracy</h1>"));
+    }
+
+    /** Evaluated again from what was kept, every figure and sentence is the same; without the pictures as well. */
+    @Test
+    void evaluatingAgainMeasuresNothingAndSaysTheSame() throws IOException {
+        CliRun first = trade("--budget", "1", "--seeds", "1", "--threads", "2");
+        assertEquals(0, first.code(), first.err());
+        String json = Files.readString(out.resolve("trade.json"));
+        String page = Files.readString(out.resolve("index.html"));
+        String runs = Files.readString(out.resolve("trade.csv"));
+        Files.delete(out.resolve("trade.json"));
+        CliRun again = trade("--budget", "1", "--seeds", "1", "--threads", "2", "--evaluate");
+        assertEquals(0, again.code(), again.err());
+        assertEquals(first.out(), again.out());
+        assertEquals(json, Files.readString(out.resolve("trade.json")));
+        assertEquals(runs, Files.readString(out.resolve("trade.csv")));
+        // The pictures on the page are those of the files, which have eight bits.
+        String pictures = "data:image/png[^\"]*";
+        assertEquals(
+                page.replaceAll(pictures, ""),
+                Files.readString(out.resolve("index.html")).replaceAll(pictures, ""));
+        for (String name : List.of("equal-time-cluster.png", "reference.pfm", "reference.png", "settings.txt")) {
+            Files.delete(out.resolve(name));
+        }
+        assertEquals(
+                first.out(),
+                trade("--budget", "1", "--seeds", "1", "--threads", "2", "--evaluate")
+                        .out());
+    }
+
+    @Test
+    void aFolderThatLostItsSettingsMustHoldRunsWithTheSameOnes() throws IOException {
+        assertEquals(0, trade("--budget", "1", "--seeds", "1", "--threads", "2").code());
+        Files.delete(out.resolve("settings.txt"));
+        CliRun threads = trade("--evaluate", "--threads", "3");
+        assertEquals(2, threads.code());
+        assertTrue(threads.err().contains("holds runs with 2 threads, not 3"), threads.err());
+        CliRun points = trade("--evaluate", "--threads", "2", "--shadow-samples", "77");
+        assertEquals(2, points.code());
+        assertTrue(points.err().contains("holds no runs with 77 light points"), points.err());
+    }
+
+    @Test
+    void onlyAFolderWithATradeOfThisSceneIsEvaluated() throws IOException {
+        CliRun none = trade("--evaluate");
+        assertEquals(2, none.code());
+        assertTrue(none.err().contains("--evaluate: " + out + " holds no finished trade"), none.err());
+        assertFalse(Files.exists(out));
+        assertEquals(0, trade("--budget", "1", "--seeds", "1").code());
+        CliRun other = trade("--evaluate", "--size", "16x16");
+        assertEquals(2, other.code());
+        assertTrue(other.err().contains("--evaluate: " + out + " holds a trade of something else"), other.err());
+        Files.writeString(out.resolve("measured.txt"), "reference.variance=little\n");
+        CliRun damaged = trade("--evaluate");
+        assertEquals(1, damaged.code());
+        assertTrue(damaged.err().contains("is not what the command trade wrote"), damaged.err());
+    }
+
+    /** Every sentence that names a ratio names what was measured; what is extrapolated is called so. */
+    @Test
+    void everySentenceSaysWhereItsFiguresComeFrom() throws IOException {
+        CliRun run = trade("--budget", "2", "--seeds", "1");
+        assertEquals(0, run.code(), run.err());
+        List<String> sentences = run.outLines().stream()
+                .filter(l -> l.startsWith("For an error of"))
+                .toList();
+        assertEquals(3, sentences.size(), run.out());
+        for (String sentence : sentences) {
+            assertTrue(
+                    sentence.matches(".* s \\((tried|measured|interpolated between measured|extrapolated from).*")
+                            || sentence.contains("there is no verdict: "),
+                    sentence);
+            assertEquals(sentence.contains("extrapolated"), sentence.contains("there is no comparison"), sentence);
+        }
+        String page = Files.readString(out.resolve("index.html"));
+        String json = Files.readString(out.resolve("trade.json"));
+        for (String sentence : sentences) {
+            assertTrue(json.contains("\"sentence\": \"" + sentence + "\""), json);
+            assertTrue(page.contains(sentence.replace("'", "&#39;")) || page.contains(sentence), sentence);
+        }
+        assertTrue(Files.readString(out.resolve("measured.txt")).contains("reference.part=raytrace,2,"));
+        // raytrace was measured with other numbers of light points than the scene's, too.
+        String runs = Files.readString(out.resolve("trade.csv"));
+        assertTrue(runs.contains("ladder,raytrace,")
+                && runs.lines().map(l -> l.split(",")[3]).distinct().count() > 2);
     }
 
     @Test
@@ -172,6 +259,7 @@ class TradeCommandTest {
                 "--budget 0 | --budget must be a number in 0.1..10000000, not \"0\"",
                 "--budget soon | --budget must be a number",
                 "--seeds 0 | --seeds must be a whole number in 1..1000",
+                "--evaluate --resume | --evaluate measures nothing",
                 "--sweep antialias=3 | --sweep must be NAME=FROM..TO",
                 "--sweep antialias=1..1000 | --sweep antialias must lie in",
                 "--samples 4 | --samples must not be given here",

@@ -1,7 +1,6 @@
 package enlightenment.measure;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -21,7 +20,8 @@ class CurveTest {
         return runs;
     }
 
-    private static final Curve CURVE = Curve.of("cluster", runs(), 0);
+    private static final Contender CLUSTER = new Contender("cluster", 10, false);
+    private static final Curve CURVE = Curve.of(CLUSTER, runs(), 0);
 
     @Test
     void mediansPassOverADisturbedRun() {
@@ -30,43 +30,22 @@ class CurveTest {
     }
 
     @Test
-    void theBudgetForAnErrorIsFoundBetweenThoseThatWereTried() {
-        Curve.Estimate estimate = CURVE.samplesFor(0.016).orElseThrow();
-        assertEquals(25, estimate.samples(), 1e-9);
-        assertEquals(2.5, estimate.wall(), 1e-9);
-        assertTrue(estimate.measured());
-    }
-
-    @Test
-    void beyondTheLastBudgetTheLineGoesOnAndSaysSo() {
-        Curve.Estimate estimate = CURVE.samplesFor(0.001).orElseThrow();
-        assertEquals(6400, estimate.samples(), 1e-6);
-        assertEquals(640, estimate.wall(), 1e-7);
-        assertFalse(estimate.measured());
-    }
-
-    @Test
-    void anErrorThatOneSampleUndercutsNeedsOneSample() {
-        assertEquals(1, CURVE.samplesFor(0.5).orElseThrow().samples());
-    }
-
-    @Test
-    void theBudgetForATimeIsFoundAmongUndisturbedRuns() {
-        assertEquals(25, CURVE.samplesIn(2.5), 1e-9);
-        assertEquals(1, CURVE.samplesIn(0.001), 1e-9);
-        assertEquals(96, CURVE.samplesIn(9.6), 1e-9);
-    }
-
-    @Test
     void runsThatCannotBeToldFromTheReferenceDoNotBendTheLine() {
-        // The last rung's squared error is 0.0001 by now, all of it the reference's.
+        // The last two rungs' squared errors are 0.0004 and 0.0001, less than the reference's.
         List<TradeRun> runs = runs().stream()
                 .map(r -> SyntheticRuns.run(
                         "cluster", r.samples(), r.seed(), r.meanSquaredDifference() + 1e-3, r.wallSeconds()))
                 .toList();
-        Curve curve = Curve.of("cluster", runs, 1e-3);
-        assertEquals(3, curve.judgedPoints().size());
+        Curve curve = Curve.of(CLUSTER, runs, 1e-3);
+        assertEquals(2, curve.judgedPoints().size());
         assertEquals(-0.5, curve.overSamples().orElseThrow().slope(), 1e-9);
+    }
+
+    @Test
+    void otherNumbersOfLightPointsAreOtherCurves() {
+        List<TradeRun> runs = new ArrayList<>(runs());
+        runs.add(SyntheticRuns.of(TradeRun.LADDER, "cluster", 1, 256, 1, 1, 1, 1));
+        assertEquals(CURVE, Curve.of(CLUSTER, runs, 0));
     }
 
     @Test
@@ -79,15 +58,14 @@ class CurveTest {
     void budgetsThatComeToTheSameNumberOfSamplesGiveNoLine() {
         List<TradeRun> runs =
                 List.of(SyntheticRuns.run("cluster", 2, 1, 0.01, 1), SyntheticRuns.run("cluster", 2, 2, 0.011, 1.1));
-        assertTrue(Curve.of("cluster", runs, 0).overSamples().isEmpty());
-        assertTrue(Curve.of("cluster", runs, 0).overTime().isEmpty());
+        assertTrue(Curve.of(CLUSTER, runs, 0).overSamples().isEmpty());
+        assertTrue(Curve.of(CLUSTER, runs, 0).overTime().isEmpty());
     }
 
     @Test
     void nothingIsKnownOfAMethodThatWasNotRun() {
-        Curve none = Curve.of("raytrace", runs(), 0);
-        assertTrue(none.samplesFor(0.01).isEmpty());
+        Curve none = Curve.of(new Contender("raytrace", 10, false), runs(), 0);
+        assertTrue(none.points().isEmpty());
         assertTrue(none.overSamples().isEmpty());
-        assertTrue(none.last().isEmpty());
     }
 }

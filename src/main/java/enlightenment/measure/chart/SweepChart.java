@@ -28,7 +28,11 @@ final class SweepChart {
         if (result.points().size() < 2) {
             return Optional.empty();
         }
-        return Optional.of(result.sweep().name().equals("threads") ? threads(result) : errors(result, usualThreads));
+        boolean threads = result.sweep().name().equals("threads");
+        if (!threads && result.points().stream().noneMatch(SweepResult.Point::judged)) {
+            return Optional.empty();
+        }
+        return Optional.of(threads ? threads(result) : errors(result, usualThreads));
     }
 
     private static Chart errors(SweepResult result, int threads) {
@@ -39,7 +43,7 @@ final class SweepChart {
                 "time for the picture in seconds by the clock, " + threads + (threads == 1 ? " thread" : " threads"),
                 "error (RMSE, 1 = black against white)");
         List<SweepResult.Point> points =
-                result.points().stream().filter(p -> p.error().median() > 0).toList();
+                result.points().stream().filter(SweepResult.Point::judged).toList();
         double[] x = points.stream().mapToDouble(p -> p.wall().median()).toArray();
         double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
         series(chart, name, x, y, 0);

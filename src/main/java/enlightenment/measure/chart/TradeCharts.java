@@ -104,8 +104,10 @@ public final class TradeCharts {
         XYChart chart = Look.chart(title, xTitle, "error (RMSE, 1 = black against white)");
         List<Double> allX = new ArrayList<>();
         List<Double> allY = new ArrayList<>();
-        for (int i = 0; i < result.curves().size(); i++) {
-            Curve curve = result.curves().get(i);
+        List<Curve> curves = shown(result);
+        for (int i = 0; i < curves.size(); i++) {
+            Curve curve = curves.get(i);
+            String label = name(curve, curves);
             List<Curve.Point> points = curve.judgedPoints().stream()
                     .filter(p -> xOfPoint.applyAsDouble(p) > 0)
                     .toList();
@@ -114,16 +116,16 @@ public final class TradeCharts {
             }
             double[] x = points.stream().mapToDouble(xOfPoint).toArray();
             double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
-            line(chart, legend(curve.method(), fit.apply(curve)), x, y, i);
+            line(chart, legend(label, fit.apply(curve)), x, y, i);
             List<TradeRun> runs = result.runs().stream()
                     .filter(r -> r.kind().equals(TradeRun.LADDER)
-                            && r.method().equals(curve.method())
+                            && curve.contender().made(r)
                             && r.isJudged(variance)
                             && xOfRun.applyAsDouble(r) > 0)
                     .toList();
             double[] runX = runs.stream().mapToDouble(xOfRun).toArray();
             double[] runY = runs.stream().mapToDouble(r -> r.error(variance)).toArray();
-            dots(chart, curve.method() + ", each run", runX, runY, i);
+            dots(chart, label + ", each run", runX, runY, i);
             for (int k = 0; k < runX.length; k++) {
                 allX.add(runX[k]);
                 allY.add(runY[k]);
@@ -137,6 +139,23 @@ public final class TradeCharts {
         Look.logarithmic(chart, x, y);
         targets(chart, x, y);
         return Optional.of(new Chart(name, title + ". The numbers are in the tables below.", chart));
+    }
+
+    /** The methods as the scene has them, and with another number of light points where that is best for some error. */
+    private static List<Curve> shown(TradeResult result) {
+        return result.curves().stream()
+                .filter(c -> c.contender().equals(result.settings().own(c.method()))
+                        || TradeResult.TARGETS.stream().anyMatch(t -> result.best(c.method(), t)
+                                .filter(n -> n.contender().equals(c.contender()))
+                                .isPresent()))
+                .toList();
+    }
+
+    /** The method's name is enough where it has one line only. */
+    private static String name(Curve curve, List<Curve> shown) {
+        boolean only =
+                shown.stream().filter(c -> c.method().equals(curve.method())).count() == 1;
+        return only ? curve.method() : curve.contender().name();
     }
 
     private static String legend(String method, Optional<PowerLaw> fit) {

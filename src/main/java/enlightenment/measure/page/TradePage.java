@@ -1,9 +1,12 @@
 package enlightenment.measure.page;
 
+import enlightenment.measure.Contender;
 import enlightenment.measure.Curve;
 import enlightenment.measure.Digits;
 import enlightenment.measure.EqualTime;
+import enlightenment.measure.Meeting;
 import enlightenment.measure.Need;
+import enlightenment.measure.Reach;
 import enlightenment.measure.Reference;
 import enlightenment.measure.SweepResult;
 import enlightenment.measure.TradeResult;
@@ -61,7 +64,7 @@ public final class TradePage {
                 region.width() + " × " + region.height() + " pixels, " + s.shadowSamples() + " light points per hit, "
                         + s.threads() + (s.threads() == 1 ? " thread" : " threads")
                         + ". All that is said here holds for this size and these settings.");
-        if (!result.complete()) {
+        if (!result.circumstances().complete()) {
             html.element("p class=\"warning\"", "The measurement was stopped before its end: this is what is known.");
         }
     }
@@ -83,15 +86,17 @@ public final class TradePage {
         Verdict headline = Verdict.headline(result);
         html.raw("<section class=\"verdict\">\n").element("p class=\"big\"", headline.sentence());
         headline.best().ifPresent(best -> {
-            html.element("pre", context.renderCommand() + " " + Verdict.arguments(best));
+            html.element("pre", context.render(best, result.settings()));
             if (best.source() == Need.Source.TRIED) {
                 html.element(
                         "p",
                         "This was tried: the picture that this command makes has an error of "
+                                + (best.error() > result.reference().error() ? "" : "at most ")
                                 + Digits.of(best.error(), 3)
                                 + ". It makes the same picture for you, to the last bit. The time is by the clock on this machine once Java has warmed up; as the first "
                                 + "render of a process it took "
-                                + Digits.of(Math.max(result.coldSeconds(), 0.01), 2) + " s longer. To check it:");
+                                + Digits.of(Math.max(result.circumstances().coldSeconds(), 0.01), 2)
+                                + " s longer. To check it:");
                 html.element("pre", context.compareCommand());
                 html.element(
                         "p",
@@ -134,23 +139,61 @@ public final class TradePage {
     private void needs() {
         html.element("h2", "What an error costs");
         List<List<String>> rows = new ArrayList<>();
-        for (Need n : result.needs()) {
-            rows.add(List.of(
-                    Digits.samples(PERCENT * n.target()) + " %",
-                    n.method(),
-                    Digits.samples(n.samples()),
-                    Digits.of(n.error(), 3),
-                    spread(n.wall().low(), n.wall().median(), n.wall().high()),
-                    n.cpu().map(c -> Digits.of(c.median(), 2)).orElse("–"),
-                    switch (n.source()) {
-                        case TRIED -> "tried, " + n.wall().count() + (n.wall().count() == 1 ? " run" : " runs");
-                        case BETWEEN -> "between two that were";
-                        case BEYOND -> "not tried: beyond what there was time for";
-                    }));
+        for (double target : TradeResult.TARGETS) {
+            for (Reach reach : result.reaches()) {
+                if (result.isKnown(target)) {
+                    reach.forError(target).ifPresent(n -> rows.add(row(n)));
+                }
+            }
         }
         html.table(
-                List.of("error", "method", "--samples", "error it gives", "seconds", "CPU seconds", "known because"),
+                List.of("error", "by", "options", "error it gives", "FLIP", "seconds", "CPU seconds", "known because"),
                 rows);
+        html.element(
+                "p",
+                "An error that is missing here was not measured, or is smaller than the reference's own, "
+                        + Digits.of(result.reference().error(), 2) + ": below that, nothing is said.");
+        meetings();
+    }
+
+    private List<String> row(Need n) {
+        return List.of(
+                Digits.samples(PERCENT * n.target()) + " %",
+                n.contender().name(),
+                Verdict.arguments(n, result.settings()),
+                Digits.of(n.error(), 3),
+                n.flip().map(f -> Digits.of(f, 2)).orElse("–"),
+                spread(n.wall().low(), n.wall().median(), n.wall().high()),
+                n.cpu().map(c -> Digits.of(c.median(), 2)).orElse("–"),
+                n.evidence()
+                        + (n.source() == Need.Source.TRIED
+                                ? ", " + runs(n.wall().count())
+                                : ""));
+    }
+
+    private static String runs(int count) {
+        return count + (count == 1 ? " run" : " runs");
+    }
+
+    /** How many times faster: only where both were measured. */
+    private void meetings() {
+        List<List<String>> rows = new ArrayList<>();
+        for (Meeting m : Meeting.all(result)) {
+            rows.add(List.of(
+                    Digits.of(m.error(), 2) + (m.smallest() ? ", the smallest that both reached" : ""),
+                    side(m.first()),
+                    side(m.second()),
+                    Digits.of(m.ratio(), 2)));
+        }
+        if (!rows.isEmpty()) {
+            html.element("h2", "Where both methods were measured");
+            html.table(List.of("error", "first", "second", "times as long (first by second)"), rows);
+        }
+    }
+
+    private static String side(Need n) {
+        return n.contender().name() + ": " + Digits.of(n.wall().median(), 2) + " s"
+                + n.flip().map(f -> ", FLIP " + Digits.of(f, 2)).orElse("") + " (" + n.evidence() + ")";
     }
 
     private static String spread(double low, double median, double high) {
@@ -163,23 +206,38 @@ public final class TradePage {
         if (result.equalTime().isEmpty()) {
             return;
         }
-        html.element("h2", "The same time, side by side");
+        html.element(
+                "h2",
+                EqualTime.areEqual(result.equalTime())
+                        ? "The same time, side by side"
+                        : "Side by side, in different times");
+        double variance = result.reference().variance();
+        EqualTime.sentence(result.equalTime(), variance).ifPresent(s -> html.element("p", s));
         html.raw("<div class=\"side\">\n");
         for (EqualTime e : result.equalTime()) {
             html.raw("<div>\n");
-            String what = e.run().method() + ", " + Digits.samples(e.run().samples()) + " samples, "
+            String name = Contender.of(e.run()).name();
+            String what = name + ", " + Digits.samples(e.run().samples()) + " samples, "
                     + Digits.of(e.run().wallSeconds(), 2) + " s: error "
-                    + Digits.of(e.run().error(result.reference().variance()), 3) + ", FLIP "
+                    + Digits.of(e.run().error(variance), 3) + ", FLIP "
                     + Digits.of(e.run().flip(), 3);
-            html.picture(e.image(), context.title() + " by " + e.run().method(), what);
-            html.picture(
-                    e.difference(),
-                    "where it differs from the reference",
-                    "where it differs from the reference: black not at all; all differences times " + e.gain());
+            if (e.image().isPresent()) {
+                html.picture(e.image().get(), context.title() + " by " + e.run().method(), what);
+            } else {
+                html.element("p", what);
+            }
+            if (e.difference().isPresent()) {
+                html.picture(
+                        e.difference().get(),
+                        "where it differs from the reference",
+                        "where it differs from the reference: black not at all; all differences times " + e.gain());
+            }
             html.raw("</div>\n");
         }
         html.raw("</div>\n");
-        html.picture(result.reference().image(), context.title() + ", reference", "the reference");
+        if (result.reference().picture().isPresent()) {
+            html.picture(result.reference().image(), context.title() + ", reference", "the reference");
+        }
     }
 
     private void sweeps(List<Chart> charts) throws IOException {
@@ -198,11 +256,11 @@ public final class TradePage {
                         Integer.toString(p.value()),
                         spread(p.wall().low(), p.wall().median(), p.wall().high()),
                         Digits.of(p.cpu().median(), 2),
-                        Digits.of(p.error().median(), 3),
+                        p.judged() ? Digits.of(p.error().median(), 3) : "below the reference's",
                         before == null
                                 ? ""
                                 : change(p.wall().median(), before.wall().median()),
-                        before == null
+                        before == null || !before.judged() || !p.judged()
                                 ? ""
                                 : change(p.error().median(), before.error().median())));
                 before = p;
@@ -227,20 +285,20 @@ public final class TradePage {
         for (Curve curve : result.curves()) {
             for (Curve.Point p : curve.points()) {
                 rows.add(List.of(
-                        curve.method(),
+                        curve.contender().name(),
                         Digits.samples(p.samples()),
                         Digits.of(p.samplesPerPixel(), 3),
                         Integer.toString(p.wall().count()),
                         spread(p.wall().low(), p.wall().median(), p.wall().high()),
                         Digits.of(p.cpu().median(), 2),
-                        p.judged() ? Digits.of(p.error().median(), 3) : "too near the reference",
+                        p.judged() ? Digits.of(p.error().median(), 3) : "below the reference's",
                         Digits.of(p.flip().median(), 3),
                         Digits.of(p.estimated().median(), 3)));
             }
         }
         html.table(
                 List.of(
-                        "method",
+                        "by",
                         "--samples",
                         "rays per pixel",
                         "runs",
@@ -254,7 +312,7 @@ public final class TradePage {
             if (curve.judged() > 0) {
                 html.element(
                         "p",
-                        curve.method() + ": in " + curve.insideOwnInterval() + " of " + curve.judged()
+                        curve.contender().name() + ": in " + curve.insideOwnInterval() + " of " + curve.judged()
                                 + " runs the error lay inside the interval that the render gave for it (95 of 100 "
                                 + "would be right).");
             }
@@ -266,7 +324,9 @@ public final class TradePage {
         Reference r = result.reference();
         StringBuilder parts = new StringBuilder();
         for (Reference.Part part : r.parts()) {
-            parts.append(parts.isEmpty() ? "" : " and ").append(part.method()).append(" with ");
+            parts.append(parts.isEmpty() ? "" : " and ");
+            parts.append(new Contender(part.method(), part.lightPoints(), false).name())
+                    .append(", ");
             parts.append(Digits.samples(part.samples())).append(" samples per pixel");
         }
         html.element(
@@ -277,7 +337,7 @@ public final class TradePage {
                                         + ". Its own error, from the difference of the two, is ")
                         + Digits.of(r.error(), 2)
                         + ". It has been taken off the errors above (as squares). "
-                        + "Runs that differ from it by little more than that are left out.");
+                        + "Runs whose error is smaller than that are left out: what it is cannot be told.");
         html.element(
                 "p",
                 "Java was warmed up first. The methods took turns, render by render, so that a busy machine disturbs "
@@ -285,11 +345,12 @@ public final class TradePage {
                         + "memory to the finished picture, without reading and writing files. Every render of the ladder has "
                         + "random numbers of its own.");
         List<List<String>> rows = new ArrayList<>();
-        context.machine().forEach((k, v) -> rows.add(List.of(k, v)));
+        result.circumstances().machine().forEach((k, v) -> rows.add(List.of(k, v)));
         rows.add(List.of("command", context.tradeCommand()));
         rows.add(List.of(
                 "this took",
-                Digits.of(result.seconds(), 3) + " s, " + result.runs().size() + " runs"));
+                Digits.of(result.circumstances().seconds(), 3) + " s, "
+                        + result.runs().size() + " runs"));
         html.table(List.of("what", "value"), rows);
     }
 }

@@ -1,0 +1,54 @@
+package enlightenment.cli;
+
+import enlightenment.measure.Meeting;
+import enlightenment.measure.Need;
+import enlightenment.measure.TradeResult;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * Where two methods were both measured, and what either took there, as comma-separated values: what may be said of a scene in a
+ * sentence. docs/trade.md lists the columns.
+ */
+final class TradeSummary {
+    private static final String HEADER =
+            "error,smallestBothReached,lightPoints,timesAsLong," + columns("first") + "," + columns("second");
+
+    private TradeSummary() {}
+
+    private static String columns(String who) {
+        return String.join(
+                ",",
+                List.of("Method", "LightPoints", "Samples", "Seconds", "CpuSeconds", "ErrorItGives", "Flip", "Known")
+                        .stream()
+                        .map(c -> who + c)
+                        .toList());
+    }
+
+    static String of(TradeResult result) {
+        StringBuilder text = new StringBuilder(HEADER).append('\n');
+        for (Meeting m : Meeting.all(result)) {
+            List<String> cells = new ArrayList<>();
+            cells.add(Double.toString(m.error()));
+            cells.add(Boolean.toString(m.smallest()));
+            cells.add(m.best() ? "best" : "scene");
+            cells.add(Double.toString(m.ratio()));
+            need(cells, m.first());
+            need(cells, m.second());
+            text.append(String.join(",", cells)).append('\n');
+        }
+        return text.toString();
+    }
+
+    private static void need(List<String> cells, Need n) {
+        cells.add(n.method());
+        cells.add(Integer.toString(n.contender().lightPoints()));
+        cells.add(Double.toString(n.samples()));
+        cells.add(Double.toString(n.wall().median()));
+        cells.add(n.cpu().map(c -> Double.toString(c.median())).orElse(""));
+        cells.add(Double.toString(n.error()));
+        cells.add(n.flip().map(f -> Double.toString(f)).orElse(""));
+        cells.add(n.source().name().toLowerCase(Locale.ROOT) + (n.isMoreThanAsked() ? " less" : ""));
+    }
+}

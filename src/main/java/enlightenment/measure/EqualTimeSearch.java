@@ -1,0 +1,106 @@
+package enlightenment.measure;
+
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Looks for budgets that take equally long, by rendering: what a budget takes is only known from doing it, and the machine's speed
+ * drifts. The slowest keeps its budget, the others are brought to its time.
+ */
+final class EqualTimeSearch {
+    /** Times that differ by no more than this factor are called equal. */
+    static final double TOLERANCE = 1.1;
+
+    private static final int MOST_ROUNDS = 6;
+
+    /** Nobody's budget changes by more than this at once, nor by a higher power of what its time is off by. */
+    private static final double MOST_CHANGE = 4;
+
+    private static final double STEEPEST = 3;
+
+    /** Renders once with a budget and tells the seconds. */
+    @FunctionalInterface
+    interface Stopwatch {
+        double seconds(int contender, double samples);
+    }
+
+    /**
+     * The budgets that came closest.
+     *
+     * @param samples by contender
+     * @param seconds the time that each was measured to take, in the same round: the mean of two renders
+     */
+    record Found(double[] samples, double[] seconds) {
+        /** The longest time divided by the shortest. */
+        double apart() {
+            return Arrays.stream(seconds).max().orElse(1)
+                    / Arrays.stream(seconds).min().orElse(1);
+        }
+
+        boolean isEqual() {
+            return apart() <= TOLERANCE;
+        }
+    }
+
+    private final Stopwatch stopwatch;
+    private final BooleanSupplier more;
+
+    /** @param more whether there is time for another round; the first is made in any case */
+    EqualTimeSearch(Stopwatch stopwatch, BooleanSupplier more) {
+        this.stopwatch = stopwatch;
+        this.more = more;
+    }
+
+    /** Searches from these budgets, each at least 1. */
+    Found search(double[] start) {
+        Found now = measure(start);
+        Found best = now;
+        int leader = slowest(now.seconds);
+        double[] power = new double[start.length];
+        Arrays.fill(power, 1);
+        for (int round = 1; round < MOST_ROUNDS && !best.isEqual() && more.getAsBoolean(); round++) {
+            double[] samples = now.samples.clone();
+            for (int i = 0; i < samples.length; i++) {
+                if (i != leader) {
+                    double factor = Math.pow(now.seconds[leader] / now.seconds[i], power[i]);
+                    samples[i] = Digits.nearTwo(samples[i] * Math.min(Math.max(factor, 1 / MOST_CHANGE), MOST_CHANGE));
+                }
+            }
+            Found before = now;
+            now = measure(samples);
+            for (int i = 0; i < samples.length; i++) {
+                power[i] = power(before, now, i);
+            }
+            best = now.apart() < best.apart() ? now : best;
+        }
+        return best;
+    }
+
+    /** Everyone in turn and back again: a speed that changes steadily favours nobody. */
+    private Found measure(double[] samples) {
+        double[] seconds = new double[samples.length];
+        for (int i = 0; i < samples.length; i++) {
+            seconds[i] += stopwatch.seconds(i, samples[i]) / 2;
+        }
+        for (int i = samples.length - 1; i >= 0; i--) {
+            seconds[i] += stopwatch.seconds(i, samples[i]) / 2;
+        }
+        return new Found(samples, seconds);
+    }
+
+    /** With which power of the time the budget goes, by the last two rounds: above 1 where much of the time does not depend on it. */
+    private static double power(Found before, Found now, int i) {
+        double samples = Math.log(now.samples[i] / before.samples[i]);
+        double seconds = Math.log(now.seconds[i] / before.seconds[i]);
+        double power = samples / seconds;
+        return Double.isFinite(power) && power > 1 ? Math.min(power, STEEPEST) : 1;
+    }
+
+    private static int slowest(double[] seconds) {
+        int slowest = 0;
+        for (int i = 1; i < seconds.length; i++) {
+            slowest = seconds[i] > seconds[slowest] ? i : slowest;
+        }
+        return slowest;
+    }
+}

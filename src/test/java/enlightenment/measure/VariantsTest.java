@@ -1,0 +1,47 @@
+package enlightenment.measure;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class VariantsTest {
+    private static final Contender OWN = new Contender("raytrace", 10, false);
+
+    private static List<Integer> worth(List<TradeRun> ladder) {
+        return Variants.worthGoingOn(OWN, ladder).stream()
+                .map(Contender::lightPoints)
+                .toList();
+    }
+
+    @Test
+    void fewerAndMoreLightPointsAreTriedAtLeastAFactorOfTwoApart() {
+        assertEquals(List.of(1, 4, 40), worth(List.of()));
+        assertEquals(List.of(), Variants.worthGoingOn(new Contender("cluster", 10, false), List.of()));
+        assertEquals(
+                List.of(4),
+                Variants.worthGoingOn(new Contender("raytrace", 1, false), List.of()).stream()
+                        .map(Contender::lightPoints)
+                        .toList());
+    }
+
+    @Test
+    void whatIsTwiceSurpassedIsGivenUp() {
+        List<TradeRun> runs = new ArrayList<>(SyntheticRuns.ladder("raytrace", 10, 16, 0.08, 0.1, 0.1));
+        runs.addAll(SyntheticRuns.ladder("raytrace", 1, 2, 0.09, 0.1, 0.02));
+        // Four times the time for nearly the same error: surpassed. Quick but coarse: not.
+        runs.addAll(SyntheticRuns.ladder("raytrace", 40, 1, 0.079, 0.1, 0.4));
+        assertEquals(List.of(1, 4, 40), worth(runs));
+        runs.addAll(SyntheticRuns.ladder("raytrace", 40, 2, 0.079, 0.1, 0.4));
+        assertEquals(List.of(1, 4), worth(runs));
+    }
+
+    @Test
+    void whatMakesTheSamePictureIsNotTriedAgain() {
+        // A scene of point lights: the light points change nothing.
+        List<TradeRun> runs = new ArrayList<>(SyntheticRuns.ladder("raytrace", 10, 1, 0.08, 0.1, 0.1));
+        runs.addAll(SyntheticRuns.ladder("raytrace", 4, 1, 0.08, 0.1, 0.1));
+        assertEquals(List.of(1, 40), worth(runs));
+    }
+}

@@ -2,7 +2,9 @@ package enlightenment.cli;
 
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
+import enlightenment.image.Rounding;
 import enlightenment.net.RenderParts;
+import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -50,21 +52,26 @@ final class MergeCommand extends Subcommand {
             Target.check(report);
         }
         RenderParts.Merged merged = RenderParts.merge(parts);
+        RenderResult result =
+                merged.result().withRounding(Rounding.of(merged.result().image(), PictureOptions.depth(output, depth)));
         if (!merged.missing().isEmpty() && !partial) {
             say(merged.missing());
             terminal.say(output + " was not written; --partial writes what there is");
             return CliException.FAILED;
         }
         int bits = "16".equals(depth) ? 16 : 8;
-        ImageFiles.write(merged.result().image(), output, new PngOptions(bits, merged.text()));
+        ImageFiles.write(result.image(), output, new PngOptions(bits, merged.text()));
         if (report != null) {
-            Target.write(report, ReportJson.of(merged.result()));
+            Target.write(report, ReportJson.of(result));
         }
         if (stats) {
-            terminal.out().print(StatsTable.of(merged.result().report()));
+            terminal.out().print(StatsTable.of(result.report()));
         }
         say(merged.missing());
-        return merged.missing().isEmpty() ? CliException.DONE : CliException.FAILED;
+        boolean isWhole = merged.missing().isEmpty();
+        return isWhole && PictureOptions.keepsError(result.report(), terminal)
+                ? CliException.DONE
+                : CliException.FAILED;
     }
 
     private void say(List<String> missing) {

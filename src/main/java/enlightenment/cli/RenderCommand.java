@@ -9,7 +9,6 @@ import enlightenment.render.RenderReport;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -17,7 +16,6 @@ import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -88,7 +86,7 @@ final class RenderCommand extends Subcommand {
     int execute() throws IOException {
         checkOptions();
         Scene scene = read();
-        RenderSettings settings = options.settings(scene, sceneFile.toString());
+        RenderSettings settings = PictureOptions.forFile(options.settings(scene, sceneFile.toString()), output, depth);
         Target.check(output);
         if (part != null) {
             return renderPart(scene, settings);
@@ -128,8 +126,7 @@ final class RenderCommand extends Subcommand {
             terminal.say("stopped: " + output + " holds " + percent + " % of the picture" + rest);
             return CliException.FAILED;
         }
-        warnOfError(result.report());
-        return CliException.DONE;
+        return PictureOptions.keepsError(result.report(), terminal) ? CliException.DONE : CliException.FAILED;
     }
 
     private void checkClusters(RenderSettings settings) throws IOException {
@@ -147,18 +144,6 @@ final class RenderCommand extends Subcommand {
         Target.check(clusters);
     }
 
-    /** Another part of the budget may have ended the render before the error was as small as asked. */
-    private void warnOfError(RenderReport report) {
-        if (!report.isErrorMet()) {
-            terminal.say(String.format(
-                    Locale.ROOT,
-                    "the error is about %.4g, more than --error %s; decided by %s",
-                    report.sampling().estimatedError(),
-                    RenderOptions.number(report.settings().budget().error().getAsDouble()),
-                    report.sampling().decidedBy()));
-        }
-    }
-
     private int renderPart(Scene scene, RenderSettings settings) throws IOException {
         int[] p = OptionValues.part("--part", part);
         RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
@@ -169,9 +154,9 @@ final class RenderCommand extends Subcommand {
                     settings,
                     p[0],
                     p[1],
-                    PictureOptions.text(scene, options.canonical(settings)),
+                    samples -> PictureOptions.text(scene, options.replayable(settings, samples)),
                     output,
-                    display,
+                    new PlanNote(display, settings.budget(), terminal),
                     terminal.stop());
         } catch (InvalidValueException e) {
             throw options.blame(e, sceneFile.toString());
@@ -193,9 +178,11 @@ final class RenderCommand extends Subcommand {
             throw CliException.wrongUsage(
                     "with --part, -o must name a file that ends in .film, not \"" + output + "\"");
         }
-        if (depth != null || report != null || stats || aov != null || preview != null || clusters != null) {
+        // The depth is that of the picture that is to keep an error.
+        boolean isDeep = depth != null && !options.hasError();
+        if (isDeep || report != null || stats || aov != null || preview != null || clusters != null) {
             throw CliException.wrongUsage(
-                    "with --part there is no picture yet: --depth, --report, --stats, --aov, --preview and "
+                    "with --part there is no picture yet: --depth (but for --error), --report, --stats, --aov, --preview and "
                             + "--dump-clusters must not be given");
         }
         if (options.hasTime()) {
@@ -207,6 +194,7 @@ final class RenderCommand extends Subcommand {
     private void checkOptions() throws IOException {
         if (part != null) {
             checkPart();
+            PictureOptions.checkDepth(depth);
         } else {
             PictureOptions.check(output, depth);
         }
@@ -241,15 +229,12 @@ final class RenderCommand extends Subcommand {
 
     private RenderResult render(Scene scene, RenderSettings settings) {
         RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
-        RenderProgress told = settings.budget().seconds().isPresent()
-                ? new PlanNote(display, settings.budget().seconds().getAsDouble(), terminal.err())
-                : display;
+        RenderProgress told = new PlanNote(display, settings.budget(), terminal);
         PreviewWriter writer = preview == null ? null : previewWriter(scene, settings, told);
         RenderRequest request = RenderRequest.of(scene, settings)
                 .withProgress(writer == null ? told : writer)
                 .withCancelled(terminal.stop())
                 .withAuxiliary(companions.kinds())
-                .withClusters(clusters != null)
                 .withClusters(clusters != null)
                 .withProgressive(writer != null);
         try {
@@ -276,16 +261,11 @@ final class RenderCommand extends Subcommand {
                 System::nanoTime);
     }
 
-    /** With the number of samples in place of a time that decided it. */
-    private static RenderSettings replayable(RenderSettings settings, RenderReport.Sampling sampling) {
-        return sampling != null && sampling.decidedBy().equals("time")
-                ? settings.withBudget(Budget.NONE.withSamples(sampling.plannedSamples()))
-                : settings;
-    }
-
     /** What the file says of itself: nothing that differs from run to run. */
     private PngOptions pngOptions(Scene scene, RenderSettings settings, RenderReport.Sampling sampling) {
-        String canonical = options.canonical(replayable(settings, sampling));
+        String canonical = sampling == null
+                ? options.canonical(settings)
+                : options.replayable(settings, sampling.plannedSamples());
         return new PngOptions("16".equals(depth) ? 16 : 8, PictureOptions.text(scene, canonical));
     }
 }

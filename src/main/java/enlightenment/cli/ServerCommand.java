@@ -134,7 +134,7 @@ final class ServerCommand extends Subcommand {
         Scene scene = options.frame().isPresent()
                 ? SceneReader.read(sceneFile, options.frame().get())
                 : SceneReader.read(sceneFile);
-        RenderSettings settings = options.settings(scene, sceneFile.toString());
+        RenderSettings settings = PictureOptions.forFile(options.settings(scene, sceneFile.toString()), output, depth);
         return finish(serve(scene, settings, server), scene, settings);
     }
 
@@ -239,7 +239,8 @@ final class ServerCommand extends Subcommand {
             terminal.say("stopped before anything was rendered; " + output + " was not written");
             return CliException.FAILED;
         }
-        Map<String, String> text = PictureOptions.text(scene, options.canonical(settings));
+        double planned = result.report().sampling().plannedSamples();
+        Map<String, String> text = PictureOptions.text(scene, options.replayable(settings, planned));
         ImageFiles.write(result.image(), output, new PngOptions("16".equals(depth) ? 16 : 8, text));
         if (report != null) {
             Target.write(report, ReportJson.of(result));
@@ -253,6 +254,6 @@ final class ServerCommand extends Subcommand {
             terminal.say("stopped: " + output + " holds " + percent + " % of the picture");
             return CliException.FAILED;
         }
-        return CliException.DONE;
+        return PictureOptions.keepsError(result.report(), terminal) ? CliException.DONE : CliException.FAILED;
     }
 }

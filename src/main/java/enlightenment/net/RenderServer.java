@@ -19,6 +19,9 @@ import java.util.function.BooleanSupplier;
 public final class RenderServer implements Closeable {
     private static final long TICK_MILLIS = 200;
 
+    /** What workers are told where another render of the picture follows. */
+    private static final String MORE = "the picture is rendered again with more samples";
+
     private final ServerOptions options;
     private final ServerJob job;
     private final Secrets secrets;
@@ -28,9 +31,15 @@ public final class RenderServer implements Closeable {
     private final long started = System.nanoTime();
     private final Connections connections = new Connections();
     private LocalWorker local;
+
+    /** The server of the render that must follow this one, if there is one. */
+    private RenderServer follower;
+
     private boolean hasBegun;
     private boolean isFinished;
     private boolean isClosed;
+    private boolean goesOn;
+    private volatile boolean isStopped;
     private long lonelySince = System.nanoTime();
     private Throwable failure;
 
@@ -39,7 +48,7 @@ public final class RenderServer implements Closeable {
         this.secrets = secrets;
         this.job = job;
         if (options.checkpoint.isPresent()) {
-            job.open(options.checkpoint.get());
+            job.open(options.checkpointOfRound().orElseThrow());
         }
         CoordinatorSettings settings = CoordinatorSettings.of(job.tiles(), new SecureRandom().nextLong(), job.hash())
                 .withAuditRate(options.auditRate)
@@ -83,7 +92,11 @@ public final class RenderServer implements Closeable {
         Canary.hash();
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
         JobContent content = JobContent.of(scene, settings, render.plan(), options.build);
-        RenderServer server = new RenderServer(options, secrets, new ServerJob(render, content, options.log));
+        render.notes().forEach(options.log);
+        return begin(new RenderServer(options, secrets, new ServerJob(render, content, options.log)));
+    }
+
+    private static RenderServer begin(RenderServer server) {
         Reception.startThread(() -> server.reception.accept(server::welcome), "accept");
         Reception.startThread(server::tickAll, "tick");
         return server;
@@ -105,12 +118,31 @@ public final class RenderServer implements Closeable {
     }
 
     /**
-     * Renders until the picture is done or it is cancelled, and closes the server.
+     * Renders until the picture is done or it is cancelled, and closes the server. Where an error was asked for and the picture is
+     * not as exact, it is rendered again with more samples, by a server at the same port that the workers come to again.
      *
      * @param progress hears how it gets on, a few times a second
+     * @return the last picture that became whole; if not even the first did, what there is of it
      * @throws IOException if something in this process failed
      */
     public RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
+        RenderResult best = awaitOne(progress, cancelled);
+        RenderServer next = followed(best, cancelled);
+        while (next != null) {
+            try {
+                RenderResult result = next.awaitOne(progress, cancelled);
+                best = result.complete() ? result : best;
+                next = next.followed(result, cancelled);
+            } catch (IOException e) {
+                // There is a picture already.
+                options.log.accept(e.getMessage());
+                next = null;
+            }
+        }
+        return best;
+    }
+
+    private RenderResult awaitOne(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
         long told = -1;
         while (!isOver() && !cancelled.getAsBoolean()) {
             synchronized (this) {
@@ -126,11 +158,42 @@ public final class RenderServer implements Closeable {
         synchronized (this) {
             failed = failure;
         }
-        close();
         if (failed != null) {
+            close();
             throw new IOException("rendering failed here: " + failed, failed);
         }
         return job.film().result();
+    }
+
+    /** Ends this server; returns the one that goes on with more samples, or null if there is no more to do. */
+    private RenderServer followed(RenderResult result, BooleanSupplier cancelled) {
+        TiledRender more = cancelled.getAsBoolean()
+                ? null
+                : job.render().next(result, options.log).orElse(null);
+        synchronized (this) {
+            goesOn = more != null && !isClosed;
+        }
+        ServerOptions further = more == null ? options : options.following(port(), statusPort(), more.round());
+        end();
+        return goesOn ? follow(more, further) : null;
+    }
+
+    private RenderServer follow(TiledRender more, ServerOptions further) {
+        ServerJob next = job.with(more, options.build, coordinator.parts().expelled());
+        try {
+            RenderServer server = new RenderServer(further, secrets, next);
+            synchronized (this) {
+                follower = server;
+            }
+            begin(server);
+            if (isStopped) {
+                server.close();
+            }
+            return server;
+        } catch (IOException e) {
+            options.log.accept("the picture cannot be rendered again with more samples: " + e.getMessage());
+            return null;
+        }
     }
 
     private synchronized boolean isOver() {
@@ -323,6 +386,18 @@ public final class RenderServer implements Closeable {
     /** Ends the server: workers are told why, the checkpoint is kept. Harmless if it has ended already. */
     @Override
     public void close() {
+        RenderServer next;
+        synchronized (this) {
+            isStopped = true;
+            next = follower;
+        }
+        if (next != null) {
+            next.close();
+        }
+        end();
+    }
+
+    private void end() {
         Message last;
         synchronized (this) {
             if (isClosed) {
@@ -330,9 +405,9 @@ public final class RenderServer implements Closeable {
             }
             isClosed = true;
             notifyAll();
-            last = isFinished
-                    ? new Message.Bye("the picture is done")
-                    : new Message.Refuse("the server was stopped", true);
+            last = !isFinished
+                    ? new Message.Refuse("the server was stopped", true)
+                    : goesOn ? new Message.Refuse(MORE, true) : new Message.Bye("the picture is done");
         }
         connections.list().forEach(c -> c.sayLast(last));
         if (local != null) {

@@ -7,7 +7,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /** What a server renders: the job, its picture so far and its checkpoint. One thread at a time changes it. */
@@ -18,12 +20,20 @@ final class ServerJob implements Closeable {
     private final Consumer<String> log;
     private Restored restored = Restored.NOTHING;
     private Journal journal;
+    private Set<String> alreadyExpelled = Set.of();
 
     ServerJob(TiledRender render, JobContent content, Consumer<String> log) {
         this.render = render;
         this.content = content;
         this.log = log;
         film = render.assembly();
+    }
+
+    /** The job of the same picture with more samples; machines that were found out stay expelled. */
+    ServerJob with(TiledRender more, String build, Set<String> expelled) {
+        ServerJob next = new ServerJob(more, content.with(more.outline().settings(), more.plan(), build), log);
+        next.alreadyExpelled = Set.copyOf(expelled);
+        return next;
     }
 
     /** Goes on from a checkpoint, or begins one. */
@@ -123,7 +133,12 @@ final class ServerJob implements Closeable {
     }
 
     Restored restored() {
-        return restored;
+        if (alreadyExpelled.isEmpty()) {
+            return restored;
+        }
+        Set<String> all = new HashSet<>(restored.expelled());
+        all.addAll(alreadyExpelled);
+        return new Restored(restored.tiles(), all);
     }
 
     ContentHash hash() {

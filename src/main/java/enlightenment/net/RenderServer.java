@@ -19,6 +19,9 @@ import java.util.function.BooleanSupplier;
 public final class RenderServer implements Closeable {
     private static final long TICK_MILLIS = 200;
 
+    /** How often a server that follows tries to listen where the one before did. */
+    private static final int TRIES = 50;
+
     /** What workers are told where another render of the picture follows. */
     private static final String MORE = "the picture is rendered again with more samples";
 
@@ -179,21 +182,29 @@ public final class RenderServer implements Closeable {
     }
 
     private RenderServer follow(TiledRender more, ServerOptions further) {
-        ServerJob next = job.with(more, options.build, coordinator.parts().expelled());
-        try {
-            RenderServer server = new RenderServer(further, secrets, next);
-            synchronized (this) {
-                follower = server;
+        RenderServer server = null;
+        for (int k = 0; server == null; k++) {
+            try {
+                ServerJob next =
+                        job.with(more, options.build, coordinator.parts().expelled());
+                server = new RenderServer(further, secrets, next);
+            } catch (IOException e) {
+                // The thread that listened here may need a moment to let go of the port.
+                if (k == TRIES || isStopped) {
+                    options.log.accept("the picture cannot be rendered again with more samples: " + e.getMessage());
+                    return null;
+                }
+                Connections.sleep(TICK_MILLIS);
             }
-            begin(server);
-            if (isStopped) {
-                server.close();
-            }
-            return server;
-        } catch (IOException e) {
-            options.log.accept("the picture cannot be rendered again with more samples: " + e.getMessage());
-            return null;
         }
+        synchronized (this) {
+            follower = server;
+        }
+        begin(server);
+        if (isStopped) {
+            server.close();
+        }
+        return server;
     }
 
     private synchronized boolean isOver() {

@@ -9,7 +9,6 @@ import enlightenment.method.cluster.ClusterCost;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
-import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -182,7 +181,7 @@ final class Planner {
                 "rounding to %d bits makes an error of about %.2g, of %s that is asked for",
                 budget.depth(),
                 trials.rounding(),
-                asked);
+                Rounds.number(asked));
         boolean isLimited = budget.samples().isPresent() || budget.seconds().isPresent();
         Check.that(isLimited || !trials.isHopeless(), "error", "cannot be kept: " + said);
         notes.add(said + (trials.isHopeless() ? ": it cannot be kept" : ": more bits would take far fewer samples"));
@@ -216,8 +215,7 @@ final class Planner {
         } while (!over.getAsBoolean() && pace.isWorthTrying());
         double planned = pace.planned(since(start));
         if (planned < 1 && !cancelled.getAsBoolean()) {
-            notes.add("time " + BigDecimal.valueOf(seconds).toPlainString()
-                    + " s is too short: the least is taken, one sample per pixel");
+            notes.add("time " + Rounds.number(seconds) + " s is too short: the least is taken, one sample per pixel");
         }
         return isClustered(planned) && !clustered ? MOST_OF_OTHERS : Tidy.of(planned);
     }

@@ -85,7 +85,8 @@ final class Rounds {
                 number(next));
     }
 
-    private static String number(double value) {
+    /** A number with as many digits as it has, and no exponent. */
+    static String number(double value) {
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
     }
 

@@ -19,9 +19,6 @@ import java.util.function.BooleanSupplier;
 public final class RenderServer implements Closeable {
     private static final long TICK_MILLIS = 200;
 
-    /** How often a server that follows tries to listen where the one before did. */
-    private static final int TRIES = 50;
-
     /** What workers are told where another render of the picture follows. */
     private static final String MORE = "the picture is rendered again with more samples";
 
@@ -35,14 +32,12 @@ public final class RenderServer implements Closeable {
     private final Connections connections = new Connections();
     private LocalWorker local;
 
-    /** The server of the render that must follow this one, if there is one. */
-    private RenderServer follower;
+    /** The servers that must follow this one, if there are any. */
+    private final FollowingServers following = new FollowingServers(this);
 
     private boolean hasBegun;
     private boolean isFinished;
     private boolean isClosed;
-    private boolean goesOn;
-    private volatile boolean isStopped;
     private long lonelySince = System.nanoTime();
     private Throwable failure;
 
@@ -99,6 +94,13 @@ public final class RenderServer implements Closeable {
         return begin(new RenderServer(options, secrets, new ServerJob(render, content, options.log)));
     }
 
+    /** A server that goes on where another ended, with more samples. */
+    static RenderServer follow(RenderServer before, ServerOptions options, TiledRender more) throws IOException {
+        ServerJob next =
+                before.job.with(more, options.build, before.coordinator.parts().expelled());
+        return begin(new RenderServer(options, before.secrets, next));
+    }
+
     private static RenderServer begin(RenderServer server) {
         Reception.startThread(() -> server.reception.accept(server::welcome), "accept");
         Reception.startThread(server::tickAll, "tick");
@@ -129,23 +131,11 @@ public final class RenderServer implements Closeable {
      * @throws IOException if something in this process failed
      */
     public RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
-        RenderResult best = awaitOne(progress, cancelled);
-        RenderServer next = followed(best, cancelled);
-        while (next != null) {
-            try {
-                RenderResult result = next.awaitOne(progress, cancelled);
-                best = result.complete() ? result : best;
-                next = next.followed(result, cancelled);
-            } catch (IOException e) {
-                // There is a picture already.
-                options.log.accept(e.getMessage());
-                next = null;
-            }
-        }
-        return best;
+        return following.await(progress, cancelled);
     }
 
-    private RenderResult awaitOne(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
+    /** Renders this server's own render, and leaves it open. */
+    RenderResult awaitOne(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
         long told = -1;
         while (!isOver() && !cancelled.getAsBoolean()) {
             synchronized (this) {
@@ -166,45 +156,6 @@ public final class RenderServer implements Closeable {
             throw new IOException("rendering failed here: " + failed, failed);
         }
         return job.film().result();
-    }
-
-    /** Ends this server; returns the one that goes on with more samples, or null if there is no more to do. */
-    private RenderServer followed(RenderResult result, BooleanSupplier cancelled) {
-        TiledRender more = cancelled.getAsBoolean()
-                ? null
-                : job.render().next(result, options.log).orElse(null);
-        synchronized (this) {
-            goesOn = more != null && !isClosed;
-        }
-        ServerOptions further = more == null ? options : options.following(port(), statusPort(), more.round());
-        end();
-        return goesOn ? follow(more, further) : null;
-    }
-
-    private RenderServer follow(TiledRender more, ServerOptions further) {
-        RenderServer server = null;
-        for (int k = 0; server == null; k++) {
-            try {
-                ServerJob next =
-                        job.with(more, options.build, coordinator.parts().expelled());
-                server = new RenderServer(further, secrets, next);
-            } catch (IOException e) {
-                // The thread that listened here may need a moment to let go of the port.
-                if (k == TRIES || isStopped) {
-                    options.log.accept("the picture cannot be rendered again with more samples: " + e.getMessage());
-                    return null;
-                }
-                Connections.sleep(TICK_MILLIS);
-            }
-        }
-        synchronized (this) {
-            follower = server;
-        }
-        begin(server);
-        if (isStopped) {
-            server.close();
-        }
-        return server;
     }
 
     private synchronized boolean isOver() {
@@ -397,18 +348,12 @@ public final class RenderServer implements Closeable {
     /** Ends the server: workers are told why, the checkpoint is kept. Harmless if it has ended already. */
     @Override
     public void close() {
-        RenderServer next;
-        synchronized (this) {
-            isStopped = true;
-            next = follower;
-        }
-        if (next != null) {
-            next.close();
-        }
-        end();
+        following.stop();
+        end(false);
     }
 
-    private void end() {
+    /** Ends this server, which another one may follow that the workers are to come to. */
+    void end(boolean goesOn) {
         Message last;
         synchronized (this) {
             if (isClosed) {

@@ -40,7 +40,7 @@ final class Planner {
     /** What a search for an error begins with: evenly spaced rays, and surveyed ones. */
     private static final double FIRST_SAMPLES = 2;
 
-    private static final double FIRST_OF_CLUSTER = 4;
+    static final double FIRST_OF_CLUSTER = 4;
 
     /** A trial of speed has this share of the blocks, or this many if that is more. */
     private static final double SHARE_OF_TIME = 1.0 / 16;

@@ -54,6 +54,11 @@ final class Rounds {
             return OptionalDouble.empty();
         }
         double next = wanted(n, report.sampling().errorHigh(), aim);
+        boolean isPlain = report.sampling().method().equals(RenderPlan.RAYTRACE);
+        if (isPlain && report.settings().method().equals(RenderPlan.CLUSTER)) {
+            // The error of evenly spaced rays tells little of that of surveyed ones: it may be far smaller.
+            next = Math.min(next, Planner.FIRST_OF_CLUSTER);
+        }
         samples = n;
         error = report.sampling().errorHigh();
         if (budget.seconds().isPresent()) {

@@ -209,6 +209,35 @@ class PlannerTest {
         }
     }
 
+    /** What is asked for is what the report shows was spent, whoever decided about it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1.37, 2.44, 2.5, 5, 12.3, 48})
+    void raytraceTakesTheSamplesThatItMayTake(double samples) {
+        Scene scene = ManySeeds.shipped("fire-and-ice");
+        RenderSettings s = settings(scene, "raytrace", 96, 48).withShadowSamples(1);
+        for (RenderSettings settings : List.of(s, s.withCrop(new RenderSettings.Crop(13, 5, 61, 33)))) {
+            RenderReport report = render(scene, settings.withBudget(Budget.NONE.withSamples(samples)))
+                    .report();
+            assertEquals(samples, report.sampling().plannedSamples());
+            // The share of doubled pixels is met within a few pixels.
+            assertEquals(1, report.sampling().samplesPerPixel() / samples, 0.01);
+            double camera = report.raysByKind().get("camera");
+            assertEquals(report.sampling().samplesPerPixel(), camera / report.pixels(), 1e-9);
+        }
+    }
+
+    @Test
+    void whatIsPlannedForAnErrorOrATimeIsSpent() {
+        Scene scene = ManySeeds.shipped("glass");
+        for (Budget budget : List.of(Budget.NONE.withError(0.02), Budget.NONE.withSeconds(0.3))) {
+            RenderReport.Sampling sampling = render(
+                            scene, settings(scene, "raytrace", 160, 80).withBudget(budget))
+                    .report()
+                    .sampling();
+            assertEquals(1, sampling.samplesPerPixel() / sampling.plannedSamples(), 0.01);
+        }
+    }
+
     @Test
     void clusterTakesAboutTheSamplesThatItMayTake() {
         for (String name : List.of("fire-and-ice", "keyhole", "glass")) {

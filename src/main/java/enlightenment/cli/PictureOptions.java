@@ -52,12 +52,15 @@ final class PictureOptions {
             OptionalDouble samples = report.samplesForError();
             terminal.say(String.format(
                     Locale.ROOT,
-                    "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s",
+                    "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s%s",
                     Math.hypot(sampling.estimatedError(), sampling.rounding()),
                     sampling.errorInFile(),
                     RenderOptions.number(asked),
                     sampling.decidedBy(),
-                    samples.isPresent() ? "; try --samples " + RenderOptions.number(samples.getAsDouble()) : ""));
+                    samples.isPresent() ? "; try --samples " + RenderOptions.number(samples.getAsDouble()) : "",
+                    2 * sampling.rounding() > asked
+                            ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"
+                            : ""));
         }
         return report.isErrorMet();
     }

@@ -96,10 +96,10 @@ final class ErrorTrials {
         double n = Math.min(Math.max(first, least), most);
         for (int k = 0; k < MOST_TRIALS; k++) {
             List<FilmTile> tiles = trial(n, 0);
+            double e = stop.getAsBoolean() ? 0 : figure(tiles);
             if (stop.getAsBoolean() || isHopeless()) {
                 return Double.POSITIVE_INFINITY;
             }
-            double e = figure(tiles);
             search.found(n, e);
             answered = search.answer() == n ? tiles : answered;
             if (search.isOver()) {
@@ -124,6 +124,9 @@ final class ErrorTrials {
             return n;
         }
         double e = figure(both);
+        if (isHopeless()) {
+            return Double.POSITIVE_INFINITY;
+        }
         double more = e <= asked ? n : Tidy.of(n * StrictMath.pow(e / asked, 1 / ErrorSearch.USUAL_SLOPE));
         return more <= most ? more : Double.POSITIVE_INFINITY;
     }

@@ -50,7 +50,10 @@ final class Rounds {
         double n = report.sampling().plannedSamples();
         double most = budget.samples().orElse(Budget.MAX_SAMPLES);
         double aim = aim(report.sampling().rounding());
-        if (report.isErrorMet() || !(n < most) || !(aim > 0)) {
+        // What cannot be reached is come as near to as other limits allow.
+        boolean isEndless =
+                !(aim > 0) && budget.samples().isEmpty() && budget.seconds().isEmpty();
+        if (report.isErrorMet() || !(n < most) || isEndless) {
             return OptionalDouble.empty();
         }
         double next = wanted(n, report.sampling().errorHigh(), aim);

@@ -134,6 +134,8 @@ class RoundsTest {
         assertTrue(rounded.last > 2 * plain.last);
         assertTrue(Math.hypot(error.applyAsDouble(rounded.last), 0.0015) <= 0.002);
         assertEquals(1, render(Budget.NONE.withError(0.0014), 1, error, 0.0015).rounds);
+        // Another limit ends it, too, and the picture is as good as that allows.
+        assertEquals(77.7, render(Budget.NONE.withError(0.0014).withSamples(77.7), 1, error, 0.0015).last);
     }
 
     @Test

@@ -1,7 +1,9 @@
 package enlightenment.cli;
 
 import enlightenment.image.PngOptions;
+import enlightenment.image.Rounding;
 import enlightenment.net.RenderParts;
+import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -54,6 +56,8 @@ final class MergeCommand extends Subcommand {
         parts.forEach(part -> files.reads("a part", part));
         files.writes("-o", output).writes("--report", report).check();
         RenderParts.Merged merged = RenderParts.merge(parts);
+        RenderResult result =
+                merged.result().withRounding(Rounding.of(merged.result().image(), PictureOptions.depth(output, format, depth)));
         if (!merged.missing().isEmpty() && !partial) {
             say(merged.missing());
             terminal.say(Standard.output(output) + " was not written; --partial writes what there is");
@@ -61,15 +65,18 @@ final class MergeCommand extends Subcommand {
         }
         int bits = "16".equals(depth) ? 16 : 8;
         PngOptions png = new PngOptions(bits, merged.text());
-        PictureOptions.write(merged.result().image(), output, format, png, terminal);
+        PictureOptions.write(result.image(), output, format, png, terminal);
         if (report != null) {
-            Target.write(report, ReportJson.of(merged.result()));
+            Target.write(report, ReportJson.of(result));
         }
         if (stats) {
-            PictureOptions.printStatistics(merged.result().report(), output, terminal);
+            PictureOptions.printStatistics(result.report(), output, terminal);
         }
         say(merged.missing());
-        return merged.missing().isEmpty() ? CliException.DONE : CliException.FAILED;
+        boolean isWhole = merged.missing().isEmpty();
+        return isWhole && PictureOptions.keepsError(result.report(), terminal)
+                ? CliException.DONE
+                : CliException.FAILED;
     }
 
     private void say(List<String> missing) {

@@ -42,7 +42,7 @@ final class OptionValues {
     }
 
     private static String shorter(double limit) {
-        return limit == Math.rint(limit) ? Long.toString((long) limit) : Double.toString(limit);
+        return limit == Math.rint(limit) ? Long.toString((long) limit) : RenderOptions.number(limit);
     }
 
     /** A picture's size: width and height. */

@@ -4,11 +4,14 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.render.RenderReport;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 
 /** What commands that write pictures check alike. */
 final class PictureOptions {
@@ -30,11 +33,16 @@ final class PictureOptions {
         if (!extension.equals(".png") && !extension.equals(".pfm")) {
             throw CliException.wrongUsage("-o must name a file that ends in .png or .pfm, not \"" + output + "\"");
         }
+        checkDepth(depth);
+        if (depth != null && extension.equals(".pfm")) {
+            throw CliException.wrongUsage("--depth must not be given for " + file + ", which holds floats");
+        }
+    }
+
+    /** Fails unless it is one, or null. */
+    static void checkDepth(String depth) {
         if (depth != null) {
             OptionValues.word("--depth", depth, "8", "16");
-            if (extension.equals(".pfm")) {
-                throw CliException.wrongUsage("--depth must not be given for " + file + ", which holds floats");
-            }
         }
     }
 
@@ -53,6 +61,40 @@ final class PictureOptions {
     /** Shows the statistics where they are not mixed with the picture. */
     static void printStatistics(RenderReport report, Path output, Terminal terminal) {
         (Standard.is(output) ? terminal.err() : terminal.out()).print(StatsTable.of(report));
+    }
+
+    /** The settings with what the file adds to an error that is asked for. */
+    static RenderSettings forFile(RenderSettings settings, Path output, String format, String depth) {
+        return settings.budget().error().isEmpty()
+                ? settings
+                : settings.withBudget(settings.budget().withDepth(depth(output, format, depth)));
+    }
+
+    /** Bits per component of the file, or 0 for floats. */
+    static int depth(Path output, String format, String depth) {
+        boolean holdsFloats = Standard.is(output) ? "pfm".equals(format) : Target.extension(output).equals(".pfm");
+        return holdsFloats ? 0 : "16".equals(depth) ? 16 : 8;
+    }
+
+    /** Whether the finished picture is as exact as was asked; says so if not. */
+    static boolean keepsError(RenderReport report, Terminal terminal) {
+        if (!report.isErrorMet()) {
+            RenderReport.Sampling sampling = report.sampling();
+            double asked = report.settings().budget().error().getAsDouble();
+            OptionalDouble samples = report.samplesForError();
+            terminal.say(String.format(
+                    Locale.ROOT,
+                    "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s%s",
+                    Math.hypot(sampling.estimatedError(), sampling.rounding()),
+                    sampling.errorInFile(),
+                    RenderOptions.number(asked),
+                    sampling.decidedBy(),
+                    samples.isPresent() ? "; try --samples " + RenderOptions.number(samples.getAsDouble()) : "",
+                    2 * sampling.rounding() > asked
+                            ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"
+                            : ""));
+        }
+        return report.isErrorMet();
     }
 
     /** What a picture's file says of itself: nothing that differs from run to run. */

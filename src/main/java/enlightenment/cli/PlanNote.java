@@ -2,28 +2,38 @@ package enlightenment.cli;
 
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
-import java.io.PrintStream;
+import enlightenment.scene.Budget;
 import java.util.function.Supplier;
 
-/** Says which number of samples a time has become, so that the picture can be made again; tells on all that it hears. */
+/**
+ * Says what becomes of a budget: which number of samples a time has become, so that the picture can be made again, what cannot be
+ * kept, and why a picture is rendered once more. Tells on all that it hears.
+ */
 final class PlanNote implements RenderProgress {
     private final RenderProgress display;
-    private final double seconds;
-    private final PrintStream err;
+    private final Budget budget;
+    private final Terminal terminal;
 
-    PlanNote(RenderProgress display, double seconds, PrintStream err) {
+    PlanNote(RenderProgress display, Budget budget, Terminal terminal) {
         this.display = display;
-        this.seconds = seconds;
-        this.err = err;
+        this.budget = budget;
+        this.terminal = terminal;
     }
 
     @Override
     public void planned(double samples, String decidedBy) {
         if (decidedBy.equals("time")) {
-            err.println("time " + RenderOptions.number(seconds) + " s: --samples " + RenderOptions.number(samples)
-                    + " makes the same picture");
+            terminal.err()
+                    .println("time " + RenderOptions.number(budget.seconds().orElse(0)) + " s: --samples "
+                            + RenderOptions.number(samples) + " makes the same picture");
         }
         display.planned(samples, decidedBy);
+    }
+
+    @Override
+    public void note(String text) {
+        terminal.say(text);
+        display.note(text);
     }
 
     @Override

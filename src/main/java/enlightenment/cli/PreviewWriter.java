@@ -52,6 +52,11 @@ final class PreviewWriter implements RenderProgress {
     }
 
     @Override
+    public void note(String text) {
+        display.note(text);
+    }
+
+    @Override
     public void progress(long done, long total, Supplier<Image> soFar) {
         display.progress(done, total, soFar);
         long now = clock.getAsLong();

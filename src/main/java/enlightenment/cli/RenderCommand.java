@@ -9,14 +9,12 @@ import enlightenment.render.RenderReport;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.function.LongSupplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -103,7 +101,8 @@ final class RenderCommand extends Subcommand {
         checkOptions();
         input = new SceneInput(sceneFile, terminal);
         Scene scene = input.read(options.frame());
-        RenderSettings settings = options.settings(scene, input.name());
+        RenderSettings settings =
+                PictureOptions.forFile(options.settings(scene, input.name()), output, format, depth);
         options.tellOfStretch(scene, settings, terminal);
         if (clusters != null) {
             checkClusters(settings);
@@ -143,8 +142,7 @@ final class RenderCommand extends Subcommand {
             return CliException.FAILED;
         }
         OneColor.tell(scene, settings, result, terminal);
-        warnOfError(result.report());
-        return CliException.DONE;
+        return PictureOptions.keepsError(result.report(), terminal) ? CliException.DONE : CliException.FAILED;
     }
 
     private void checkClusters(RenderSettings settings) {
@@ -158,18 +156,6 @@ final class RenderCommand extends Subcommand {
         }
     }
 
-    /** Another part of the budget may have ended the render before the error was as small as asked. */
-    private void warnOfError(RenderReport report) {
-        if (!report.isErrorMet()) {
-            terminal.say(String.format(
-                    Locale.ROOT,
-                    "the error is about %.4g, more than --error %s; decided by %s",
-                    report.sampling().estimatedError(),
-                    RenderOptions.number(report.settings().budget().error().getAsDouble()),
-                    report.sampling().decidedBy()));
-        }
-    }
-
     private int renderPart(Scene scene, RenderSettings settings) throws IOException {
         int[] p = OptionValues.part("--part", part);
         RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
@@ -180,9 +166,9 @@ final class RenderCommand extends Subcommand {
                     settings,
                     p[0],
                     p[1],
-                    PictureOptions.text(scene, options.canonical(settings)),
+                    samples -> PictureOptions.text(scene, options.replayable(settings, samples)),
                     output,
-                    display,
+                    new PlanNote(display, settings.budget(), terminal),
                     terminal.stop());
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());
@@ -204,15 +190,12 @@ final class RenderCommand extends Subcommand {
             throw CliException.wrongUsage(
                     "with --part, -o must name a file that ends in .film, not \"" + output + "\"");
         }
-        if (depth != null
-                || format != null
-                || report != null
-                || stats
-                || aov != null
-                || preview != null
-                || clusters != null) {
+        // The depth is that of the picture that is to keep an error.
+        boolean isDeep = depth != null && !options.hasError();
+        if (isDeep || format != null || report != null || stats || aov != null || preview != null || clusters != null) {
             throw CliException.wrongUsage(
-                    "with --part there is no picture yet: --depth, --format, --report, --stats, --aov, --preview and "
+                    "with --part there is no picture yet: --depth (but for --error), --format, --report, --stats, --aov, "
+                            + "--preview and "
                             + "--dump-clusters must not be given");
         }
         if (options.hasTime()) {
@@ -224,6 +207,7 @@ final class RenderCommand extends Subcommand {
     private void checkOptions() {
         if (part != null) {
             checkPart();
+            PictureOptions.checkDepth(depth);
         } else {
             PictureOptions.check(output, depth, format);
         }
@@ -246,9 +230,7 @@ final class RenderCommand extends Subcommand {
 
     private RenderResult render(Scene scene, RenderSettings settings) {
         RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
-        RenderProgress told = settings.budget().seconds().isPresent()
-                ? new PlanNote(display, settings.budget().seconds().getAsDouble(), terminal.err())
-                : display;
+        RenderProgress told = new PlanNote(display, settings.budget(), terminal);
         PreviewWriter writer = preview == null ? null : previewWriter(scene, settings, told);
         RenderRequest request = RenderRequest.of(scene, settings)
                 .withProgress(writer == null ? told : writer)
@@ -280,16 +262,11 @@ final class RenderCommand extends Subcommand {
                 clock);
     }
 
-    /** With the number of samples in place of a time that decided it. */
-    private static RenderSettings replayable(RenderSettings settings, RenderReport.Sampling sampling) {
-        return sampling != null && sampling.decidedBy().equals("time")
-                ? settings.withBudget(Budget.NONE.withSamples(sampling.plannedSamples()))
-                : settings;
-    }
-
     /** What the file says of itself: nothing that differs from run to run. */
     private PngOptions pngOptions(Scene scene, RenderSettings settings, RenderReport.Sampling sampling) {
-        String canonical = options.canonical(replayable(settings, sampling));
+        String canonical = sampling == null
+                ? options.canonical(settings)
+                : options.replayable(settings, sampling.plannedSamples());
         return new PngOptions("16".equals(depth) ? 16 : 8, PictureOptions.text(scene, canonical));
     }
 }

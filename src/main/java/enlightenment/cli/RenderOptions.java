@@ -22,7 +22,9 @@ final class RenderOptions {
     /** Smaller errors are below the rounding of the picture's floats. */
     private static final double LEAST_ERROR = 1e-7;
 
-    private static final double LEAST_TIME = 0.001;
+    /** The finest that a clock tells. */
+    private static final double LEAST_TIME = 1e-9;
+
     private static final double MOST_TIME = 1e9;
 
     @Option(names = "--method", paramLabel = "METHOD", description = "how: raytrace or cluster")
@@ -81,6 +83,11 @@ final class RenderOptions {
     /** Whether the render is to take some time, so that it is not the same each time. */
     boolean hasTime() {
         return time != null;
+    }
+
+    /** Whether the render is to have an error that is not exceeded. */
+    boolean hasError() {
+        return error != null;
     }
 
     /** Which frame is wanted, if any is named. */
@@ -238,7 +245,15 @@ final class RenderOptions {
                     ? CliException.wrongUsage("--size: " + e.problem())
                     : Failures.inFile(sceneFile, new InvalidValueException("image", e.problem()));
         }
+        if (e.key().equals("error")) {
+            return CliException.wrongUsage("--error " + e.getMessage() + "; more bits (--depth 16) or a .pfm file can");
+        }
         return Failures.inFile(sceneFile, e);
+    }
+
+    /** The same line for a picture that so many samples were planned for: with it the same bytes can be made again. */
+    String replayable(RenderSettings s, double planned) {
+        return canonical(s.withBudget(s.budget().replayable(planned)));
     }
 
     /** The settings that the picture depends on, in one line that never changes its form. */

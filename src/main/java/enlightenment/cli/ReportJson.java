@@ -89,6 +89,8 @@ final class ReportJson {
                 .value(s.errorHigh())
                 .endArray();
         if (report.settings().budget().error().isPresent()) {
+            json.key("rounding").value(s.rounding());
+            json.key("rounds").value(s.rounds());
             json.key("errorMet").value(report.isErrorMet());
         }
         json.key("clusters").value(s.clusters());

@@ -138,7 +138,8 @@ final class ServerCommand extends Subcommand {
         ServerOptions server = serverOptions();
         input = new SceneInput(sceneFile, terminal);
         Scene scene = input.read(options.frame());
-        RenderSettings settings = options.settings(scene, input.name());
+        RenderSettings settings =
+                PictureOptions.forFile(options.settings(scene, input.name()), output, format, depth);
         options.tellOfStretch(scene, settings, terminal);
         outputFiles(scene).check();
         return finish(serve(scene, settings, server), scene, settings);
@@ -244,7 +245,8 @@ final class ServerCommand extends Subcommand {
             terminal.say("stopped before anything was rendered; " + Standard.output(output) + " was not written");
             return CliException.FAILED;
         }
-        Map<String, String> text = PictureOptions.text(scene, options.canonical(settings));
+        double planned = result.report().sampling().plannedSamples();
+        Map<String, String> text = PictureOptions.text(scene, options.replayable(settings, planned));
         PngOptions png = new PngOptions("16".equals(depth) ? 16 : 8, text);
         PictureOptions.write(result.image(), output, format, png, terminal);
         if (report != null) {
@@ -260,6 +262,6 @@ final class ServerCommand extends Subcommand {
             return CliException.FAILED;
         }
         OneColor.tell(scene, settings, result, terminal);
-        return CliException.DONE;
+        return PictureOptions.keepsError(result.report(), terminal) ? CliException.DONE : CliException.FAILED;
     }
 }

@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.render.RenderReport;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 
 /** A render's report for people. */
 final class StatsTable {
@@ -46,11 +47,19 @@ final class StatsTable {
                 s.estimatedError(),
                 s.errorLow(),
                 s.errorHigh());
-        report.settings()
-                .budget()
-                .error()
-                .ifPresent(asked ->
-                        line("error asked for", "%18.5f   %s", asked, report.isErrorMet() ? "met" : "not met"));
+        OptionalDouble asked = report.settings().budget().error();
+        if (asked.isPresent()) {
+            String met = report.isErrorMet() ? "met" : "not met";
+            if (s.rounding() > 0) {
+                met += String.format(Locale.ROOT, "; the file's rounding makes the upper end %.5f", s.errorInFile());
+            }
+            line(
+                    "error asked for",
+                    "%18.5f   %s%s",
+                    asked.getAsDouble(),
+                    met,
+                    s.rounds() > 1 ? "; rendered " + s.rounds() + " times" : "");
+        }
         if (s.clusters() > 0) {
             double percent = s.proposals() == 0 ? 0 : 100.0 * s.accepted() / s.proposals();
             line("ray clusters", "%,18d   %,d proposals, %.1f %% accepted", s.clusters(), s.proposals(), percent);

@@ -12,17 +12,30 @@ public final class SpreadPlaces {
      * row.
      */
     public static List<int[]> of(int columns, int rows, int count) {
-        double share = (double) count / ((double) columns * rows);
+        List<int[]> places = of(columns, rows, 0, (double) count / ((double) columns * rows));
+        if (places.isEmpty()) {
+            places.add(new int[] {columns / 2, rows / 2});
+        }
+        return places;
+    }
+
+    /**
+     * About a share of the fields, row by row: those whose thresholds lie in the range of this length that begins here, and goes on
+     * at 0 where it passes 1. So two ranges that touch are together one that is as even as each of them, and have no field in
+     * common.
+     *
+     * @param from where the range begins, 0..1
+     * @param share its length, 0..1; from 1 on all fields are in it
+     */
+    public static List<int[]> of(int columns, int rows, double from, double share) {
         List<int[]> places = new ArrayList<>();
         for (int y = 0; y < rows; y++) {
             for (int x = 0; x < columns; x++) {
-                if (Dither.at(x, y) < share) {
+                double t = Dither.at(x, y) - from;
+                if ((t < 0 ? t + 1 : t) < share) {
                     places.add(new int[] {x, y});
                 }
             }
-        }
-        if (places.isEmpty()) {
-            places.add(new int[] {columns / 2, rows / 2});
         }
         return places;
     }

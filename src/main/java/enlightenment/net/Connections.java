@@ -119,12 +119,20 @@ final class Connections {
     void waitForFarewells() {
         long deadline = System.nanoTime() + FAREWELL_MILLIS * 1_000_000L;
         while (!list().isEmpty() && System.nanoTime() - deadline < 0) {
-            try {
-                Thread.sleep(10);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
+            if (!sleep(10)) {
                 return;
             }
+        }
+    }
+
+    /** False if the thread was interrupted. */
+    static boolean sleep(long millis) {
+        try {
+            Thread.sleep(millis);
+            return true;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
         }
     }
 }

@@ -66,6 +66,22 @@ final class JobContent {
         return new JobContent(all);
     }
 
+    /** The job of rendering the same scene by another plan. */
+    JobContent with(RenderOutline outline, String build) {
+        Map<ContentHash, byte[]> all = new LinkedHashMap<>();
+        try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(contents.get(hash())))) {
+            in.readUTF();
+            in.readUTF();
+            SettingsBytes.read(in, 1);
+            SettingsBytes.readTexts(in);
+            add(all, document(outline, build, new String(in.readAllBytes(), StandardCharsets.UTF_8)));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        hashes().stream().skip(1).forEach(image -> all.put(image, content(image)));
+        return new JobContent(all);
+    }
+
     private static ContentHash add(Map<ContentHash, byte[]> contents, byte[] content) {
         ContentHash hash = ContentHash.of(content);
         contents.put(hash, content);

@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -29,7 +30,7 @@ public final class RenderParts {
      *
      * @param part which part, 1..parts
      * @param parts how many there are
-     * @param text what the picture's file is to say of itself; kept in the part
+     * @param text what the picture's file is to say of itself, by the number of samples per pixel that is planned; kept in the part
      * @return whether the part is complete: false where it was cancelled
      * @throws IOException if the file cannot be written
      * @throws IllegalArgumentException if the part's number is out of range
@@ -39,7 +40,7 @@ public final class RenderParts {
             RenderSettings settings,
             int part,
             int parts,
-            Map<String, String> text,
+            DoubleFunction<Map<String, String>> text,
             Path file,
             RenderProgress progress,
             BooleanSupplier cancelled)
@@ -51,12 +52,17 @@ public final class RenderParts {
             throw new IllegalArgumentException("parts of a render must not depend on the time that they take");
         }
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        render.notes().forEach(progress::note);
         ContentHash job = JobContent.of(scene, render.outline(), Build.number()).hash();
         int[] tiles = IntStream.range(0, render.tiles())
                 .filter(tile -> tile % parts == part - 1)
                 .toArray();
         Map<Integer, byte[]> made = make(render, tiles, progress, cancelled);
-        PartFile.write(file, new PartFile.Head(job, render.outline(), text, part, parts), made);
+        PartFile.write(
+                file,
+                new PartFile.Head(
+                        job, render.outline(), text.apply(render.plan().samples()), part, parts),
+                made);
         return made.size() == tiles.length;
     }
 

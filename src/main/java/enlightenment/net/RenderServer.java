@@ -19,6 +19,9 @@ import java.util.function.BooleanSupplier;
 public final class RenderServer implements Closeable {
     private static final long TICK_MILLIS = 200;
 
+    /** What workers are told where another render of the picture follows. */
+    private static final String MORE = "the picture is rendered again with more samples";
+
     private final ServerOptions options;
     private final ServerJob job;
     private final Secrets secrets;
@@ -29,6 +32,10 @@ public final class RenderServer implements Closeable {
     private final Connections connections = new Connections();
     private final ServerLog log;
     private LocalWorker local;
+
+    /** The servers that must follow this one, if there are any. */
+    private final FollowingServers following = new FollowingServers(this);
+
     private boolean hasBegun;
     private volatile boolean isFinished;
     private boolean isClosed;
@@ -92,10 +99,24 @@ public final class RenderServer implements Closeable {
         Secrets secrets = Secrets.open(options);
         Canary.hash();
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        render.notes().forEach(options.log);
         JobContent content = JobContent.of(scene, render.outline(), options.build);
         ServerJob job = new ServerJob(render, content, options.log);
+        return begin(options, log, secrets, job, options.pardoned);
+    }
+
+    /** A server that goes on where another ended, with more samples. */
+    static RenderServer follow(RenderServer before, ServerOptions options, TiledRender more) throws IOException {
+        ServerJob next =
+                before.job.with(more, options.build, before.coordinator.parts().expelled());
+        return begin(options, before.log, before.secrets, next, List.of());
+    }
+
+    private static RenderServer begin(
+            ServerOptions options, ServerLog log, Secrets secrets, ServerJob job, List<String> pardoned)
+            throws IOException {
         if (options.checkpoint.isPresent()) {
-            job.open(options.checkpoint.get(), options.pardoned);
+            job.open(options.checkpointOfRound().orElseThrow(), pardoned);
         }
         RenderServer server = new RenderServer(options, log, secrets, job);
         Lobby lobby = new Lobby(server, server.connections, options.threads, log);
@@ -121,18 +142,29 @@ public final class RenderServer implements Closeable {
 
     /**
      * Renders until the picture is done, it is cancelled, or the calling thread is interrupted, and closes the server. An
-     * interrupt stays set.
+     * interrupt stays set. Where an error was asked for and the picture is not as exact, it is rendered again with more samples,
+     * by a server at the same port that the workers come to again.
      *
      * @param progress hears how it gets on, a few times a second, on the calling thread
      * @param cancelled asked a few times a second on the calling thread
+     * @return the last picture that became whole; if not even the first did, what there is of it
      * @throws IOException if something in this process failed
      */
     public RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
+        Interrupts stop = new Interrupts(cancelled);
+        try {
+            return following.await(progress, stop);
+        } finally {
+            stop.restore();
+        }
+    }
+
+    /** Renders this server's own render, and leaves it open. */
+    RenderResult awaitOne(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
         long told = -1;
-        boolean interrupted = Thread.interrupted();
-        while (!isOver() && !interrupted && !cancelled.getAsBoolean()) {
+        while (!isOver() && !cancelled.getAsBoolean()) {
             synchronized (this) {
-                interrupted = pause(TICK_MILLIS);
+                pause(TICK_MILLIS);
             }
             long done = job.film().pixelsDone();
             if (done != told) {
@@ -144,12 +176,8 @@ public final class RenderServer implements Closeable {
         synchronized (this) {
             failed = failure;
         }
-        // An interrupted thread could not write the last of the checkpoint.
-        close();
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
         if (failed != null) {
+            close();
             throw new IOException("rendering failed here: " + failed, failed);
         }
         return job.film().result();
@@ -159,13 +187,11 @@ public final class RenderServer implements Closeable {
         return isFinished || isClosed || failure != null;
     }
 
-    /** Whether it was interrupted. */
-    private boolean pause(long millis) {
+    private void pause(long millis) {
         try {
             wait(millis);
-            return false;
         } catch (InterruptedException e) {
-            return true;
+            Thread.currentThread().interrupt();
         }
     }
 
@@ -355,6 +381,12 @@ public final class RenderServer implements Closeable {
     /** Ends the server: workers are told why, the checkpoint is kept. Harmless if it has ended already. */
     @Override
     public void close() {
+        following.stop();
+        end(false);
+    }
+
+    /** Ends this server, which another one may follow that the workers are to come to. */
+    void end(boolean goesOn) {
         Message last;
         synchronized (this) {
             if (isClosed) {
@@ -362,9 +394,9 @@ public final class RenderServer implements Closeable {
             }
             isClosed = true;
             notifyAll();
-            last = isFinished
-                    ? new Message.Bye("the picture is done")
-                    : new Message.Refuse("the server was stopped", true);
+            last = !isFinished
+                    ? new Message.Refuse("the server was stopped", true)
+                    : goesOn ? new Message.Refuse(MORE, true) : new Message.Bye("the picture is done");
         }
         connections.list().forEach(c -> c.sayLast(last));
         if (local != null) {

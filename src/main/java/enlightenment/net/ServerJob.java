@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -27,6 +28,7 @@ final class ServerJob implements Closeable {
 
     private Restored restored = Restored.NOTHING;
     private Journal journal;
+    private Set<Origin.Peer> alreadyExpelled = Set.of();
 
     ServerJob(TiledRender render, JobContent content, Consumer<String> log) {
         this.render = render;
@@ -34,6 +36,13 @@ final class ServerJob implements Closeable {
         this.log = log;
         film = render.assembly();
         kept = new ContentHash[render.tiles()];
+    }
+
+    /** The job of the same picture with more samples; machines that were found out stay expelled. */
+    ServerJob with(TiledRender more, String build, Set<Origin.Peer> expelled) {
+        ServerJob next = new ServerJob(more, content.with(more.outline(), build), log);
+        next.alreadyExpelled = Set.copyOf(expelled);
+        return next;
     }
 
     /** Goes on from a checkpoint, or begins one. */
@@ -176,7 +185,12 @@ final class ServerJob implements Closeable {
     }
 
     Restored restored() {
-        return restored;
+        if (alreadyExpelled.isEmpty()) {
+            return restored;
+        }
+        Set<Origin.Peer> all = new HashSet<>(restored.expelled());
+        all.addAll(alreadyExpelled);
+        return new Restored(restored.tiles(), all);
     }
 
     ContentHash hash() {

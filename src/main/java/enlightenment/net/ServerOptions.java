@@ -33,6 +33,7 @@ public final class ServerOptions implements Cloneable {
     int statusPort = -1;
     Optional<Path> checkpoint = Optional.empty();
     int localThreads = Math.max(Runtime.getRuntime().availableProcessors() - 1, 1);
+    int round = 1;
     double auditRate = CoordinatorSettings.AUDIT_RATE;
     Consumer<String> log = line -> {};
 
@@ -162,6 +163,19 @@ public final class ServerOptions implements Cloneable {
         ServerOptions o = copy();
         o.threads = threads;
         return o;
+    }
+
+    /** For the same picture with more samples: at the same ports, with a checkpoint of its own beside that of the first. */
+    ServerOptions following(int port, int statusPort, int round) {
+        ServerOptions o = withAddress(host, port);
+        o.statusPort = statusPort;
+        o.round = round;
+        return o;
+    }
+
+    /** Where this render of the picture is kept: the file that was given, and FILE.2, FILE.3 … for those that follow. */
+    Optional<Path> checkpointOfRound() {
+        return round == 1 ? checkpoint : checkpoint.map(file -> file.resolveSibling(file.getFileName() + "." + round));
     }
 
     ServerOptions withBuild(String build) {

@@ -72,7 +72,8 @@ final class SettingsBytes {
         int antialias = in.readInt();
         int shadowSamples = in.readInt();
         long seed = in.readLong();
-        Budget budget = new Budget(readOptional(in), readOptional(in), readOptional(in));
+        // For which file the error was planned matters to nobody who has the plan.
+        Budget budget = new Budget(readOptional(in), readOptional(in), readOptional(in), 0);
         RenderSettings settings = new RenderSettings(
                 method,
                 width,

@@ -21,7 +21,10 @@ final class ErrorSearch {
     private static final double SHORTEST_STEP = 1.1;
 
     private static final double LEAST_SLOPE = 0.5;
-    private static final double USUAL_SLOPE = 0.75;
+    static final double USUAL_SLOPE = 0.75;
+
+    /** It does not fall more steeply than 1/n unless other rays are followed. */
+    private static final double MOST_SLOPE = 1;
 
     /** Of the way between too few and enough, in logarithms: what a step may come to, so that either side shrinks. */
     private static final double LEAST_SHARE = 0.15;
@@ -58,12 +61,23 @@ final class ErrorSearch {
         }
     }
 
+    /** Whether a number is known to be enough. */
+    boolean isFound() {
+        return enough < Double.POSITIVE_INFINITY;
+    }
+
     /** Whether another trial would tell little. */
     boolean isOver() {
-        return enough <= few * SAME
+        return isOutOfReach()
+                || enough <= few * SAME
                 || enough <= least * SAME
                 || few >= most
                 || lastError <= error && lastError >= error / CLOSE;
+    }
+
+    /** Whether even the greatest number is too few, as far as can be told. */
+    private boolean isOutOfReach() {
+        return !isFound() && few > 0 && StrictMath.pow(few / most, MOST_SLOPE) * fewError > error;
     }
 
     /** The number of samples to try next. */
@@ -94,7 +108,7 @@ final class ErrorSearch {
      * beyond what was tried.
      */
     double answer() {
-        if (enough < Double.POSITIVE_INFINITY) {
+        if (isFound()) {
             return enough;
         }
         return Math.min(Math.max(few * StrictMath.pow(fewError / error, 1 / LEAST_SLOPE), least), most);

@@ -3,6 +3,7 @@ package enlightenment.render;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.Film;
 import enlightenment.image.Image;
+import enlightenment.image.Rounding;
 import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -20,6 +21,7 @@ public final class FilmAssembly {
     private final ColumnGrid grid;
     private final Film film;
     private final Phases phases;
+    private final int round;
     private final int kinds;
     private final long start = System.nanoTime();
 
@@ -37,10 +39,11 @@ public final class FilmAssembly {
 
     /** A picture without tiles yet. */
     public FilmAssembly(RenderOutline outline) {
-        this(outline, new Phases());
+        this(outline, new Phases(), 1);
     }
 
-    FilmAssembly(RenderOutline outline, Phases phases) {
+    FilmAssembly(RenderOutline outline, Phases phases, int round) {
+        this.round = round;
         Renderer.check(outline.settings());
         this.outline = outline;
         this.phases = phases;
@@ -147,7 +150,8 @@ public final class FilmAssembly {
         }
         film.samplesAreDifferences(!differences.isEmpty());
         long samples = film.cameraSamples() + Arrays.stream(surveyRays).sum();
-        RenderReport report = Reports.of(outline, film.error(), samples, all, phases.list(), pixels, peakMemory);
+        RenderReport report = Reports.of(outline, film.error(), samples, all, phases.list(), pixels, peakMemory)
+                .with(Rounding.of(image, outline.settings().budget().depth()), round);
         return new RenderResult(image, report, done == counters.length, pixels, Map.of(), List.of());
     }
 }

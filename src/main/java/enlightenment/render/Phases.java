@@ -29,6 +29,21 @@ final class Phases {
         phases.add(new RenderReport.Phase(name, (System.nanoTime() - start) * NANO, 0));
     }
 
+    /** What was rendered is not exact enough and is rendered again: it becomes a phase of another name. */
+    void again() {
+        phases.replaceAll(p -> p.name().equals("render")
+                ? new RenderReport.Phase("earlier render", p.wallSeconds(), p.cpuSeconds())
+                : p);
+        phases.removeIf(p -> p.name().equals("finish"));
+    }
+
+    /** These phases, to which others can be added. */
+    Phases copy() {
+        Phases copy = new Phases();
+        copy.phases.addAll(phases);
+        return copy;
+    }
+
     void run(String name, Runnable work) {
         run(name, () -> {
             work.run();

@@ -23,11 +23,14 @@ public interface RenderProgress {
     void progress(long done, long total, Supplier<Image> soFar);
 
     /**
-     * It is decided how many samples there will be; called once, before the first progress, on the
-     * thread that asked for the render.
+     * It is decided how many samples there will be; called before the first progress, and again before the picture is rendered once
+     * more because it was not as exact as asked; on the thread that asked for the render.
      *
      * @param samples camera rays per pixel in the mean: as {@code --samples} this makes the same picture
      * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
      */
     default void planned(double samples, String decidedBy) {}
+
+    /** Something about the budget that whoever waits should know: that it cannot be kept, or what it takes. One sentence. */
+    default void note(String text) {}
 }

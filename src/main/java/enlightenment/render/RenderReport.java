@@ -1,8 +1,10 @@
 package enlightenment.render;
 
+import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 
 /**
  * What a render did (the paper's Timekeeper): counts that depend on scene and settings only, and times that do not.
@@ -50,6 +52,8 @@ public record RenderReport(
      * @param clusters ray clusters that proposed light points
      * @param proposals light points that were proposed
      * @param accepted those of them that were of the kind sought
+     * @param rounding root mean square of what rounding to the depth of the budget changes; 0 where there is none
+     * @param rounds how often the picture was rendered: more than once where it was not as exact as asked
      */
     public record Sampling(
             String method,
@@ -61,22 +65,80 @@ public record RenderReport(
             double errorHigh,
             long clusters,
             long proposals,
-            long accepted) {}
+            long accepted,
+            double rounding,
+            int rounds) {
+        /** The error that is to be counted on, with that of rounding: the upper end of the interval. */
+        public double errorInFile() {
+            return Math.hypot(errorHigh, rounding);
+        }
+
+        private Sampling with(double newRounding, int newRounds) {
+            return new Sampling(
+                    method,
+                    decidedBy,
+                    plannedSamples,
+                    samplesPerPixel,
+                    estimatedError,
+                    errorLow,
+                    errorHigh,
+                    clusters,
+                    proposals,
+                    accepted,
+                    newRounding,
+                    newRounds);
+        }
+    }
 
     /**
      * How long a phase took.
      *
-     * @param name compile, auxiliary (only where that takes rays of its own), plan, preview (only where asked for), render or
-     *     finish
+     * @param name compile, auxiliary (only where that takes rays of its own), plan, preview (only where asked for), earlier render
+     *     (only where there was more than one round), render or finish
      * @param wallSeconds by the clock
      * @param cpuSeconds of all threads together, 0 where the machine cannot tell
      */
     public record Phase(String name, double wallSeconds, double cpuSeconds) {}
 
-    /** False if an error was asked for and the estimated one is larger. */
+    /**
+     * False if an error was asked for that is not sure to be kept: where the upper end of the interval, together with the rounding
+     * of the file, is larger.
+     */
     public boolean isErrorMet() {
         return settings.budget().error().isEmpty()
-                || sampling.estimatedError() <= settings.budget().error().getAsDouble();
+                || sampling.errorInFile() <= settings.budget().error().getAsDouble();
+    }
+
+    /**
+     * About how many samples per pixel would keep the error that was asked for, whatever other limits there were; empty if it is
+     * kept, or no number of samples would do.
+     */
+    public OptionalDouble samplesForError() {
+        OptionalDouble error = settings.budget().error();
+        return error.isEmpty() ? error : new Rounds(Budget.NONE.withError(error.getAsDouble())).next(this, 0, 0);
+    }
+
+    /** The same report for a file with another root mean square of what rounding changes. */
+    public RenderReport withRounding(double rounding) {
+        return with(rounding, sampling.rounds());
+    }
+
+    /** The same report of a picture that was rendered so often. */
+    RenderReport with(double rounding, int rounds) {
+        return new RenderReport(
+                sceneName,
+                settings,
+                features,
+                raysByKind,
+                lightSamples,
+                lightSamplesWithoutRay,
+                sampling.with(rounding, rounds),
+                testsByPrimitive,
+                hitsByPrimitive,
+                textureLookups,
+                phases,
+                pixels,
+                peakMemoryBytes);
     }
 
     /** All rays of all kinds. */

@@ -32,4 +32,9 @@ public record RenderResult(
         clusters = List.copyOf(clusters);
         auxiliary = Collections.unmodifiableMap(copy);
     }
+
+    /** The same result, to be kept in a file, with the root mean square of what its rounding changes. */
+    public RenderResult withRounding(double rounding) {
+        return new RenderResult(image, report.withRounding(rounding), complete, shownPixels, auxiliary, clusters);
+    }
 }

@@ -9,7 +9,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
@@ -83,7 +82,11 @@ public final class Renderer {
         RenderSettings settings = request.settings();
         checkMethod(settings.method());
         checkMemory(
-                settings, (request.progressive() ? 1 : 0) + request.auxiliary().size());
+                settings,
+                (request.progressive() ? 1 : 0)
+                        + request.auxiliary().size()
+                        // The picture that was not exact enough is kept until there is a better one.
+                        + (settings.budget().error().isPresent() ? 1 : 0));
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         Phases phases = new Phases();
         CompiledScene scene = phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings));
@@ -93,25 +96,14 @@ public final class Renderer {
         }
         Planner planner = new Planner(scene, settings, cancelled);
         RenderPlan plan = phases.run("plan", () -> planner.plan(start, request.progressive() ? Preview.SHARE : 0));
+        planner.notes().forEach(request.progress()::note);
         request.progress().planned(plan.samples(), plan.decidedBy());
         Preview preview = request.progressive() ? new Preview(scene, settings, planner) : null;
         if (preview != null) {
             phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
         }
-        TileRender render = new TileRender(scene, settings, plan, request.progress(), cancelled, preview);
-        if (request.clusters()) {
-            render.gatherClusters();
-        }
-        phases.run("render", render::run);
-        Image image = phases.run("finish", render::image);
-        Map<Auxiliary, Image> auxiliary = pass.images();
-        for (Auxiliary kind : request.auxiliary()) {
-            if (!kind.needsRays()) {
-                auxiliary.put(kind, new PixelStatistics(render.film()).of(kind));
-            }
-        }
-        RenderReport report = render.report(request.scene().name(), phases.list());
-        return new RenderResult(image, report, render.isComplete(), render.shownPixels(), auxiliary, render.clusters());
+        RenderRequest stoppable = request.withCancelled(cancelled);
+        return new RenderRounds(stoppable, scene, planner, preview, pass, phases, start).run(plan);
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */

@@ -33,7 +33,9 @@ final class Reports {
                 error.high(),
                 all.clusters,
                 all.proposals,
-                all.accepted);
+                all.accepted,
+                0,
+                1);
         return new RenderReport(
                 outline.sceneName(),
                 outline.settings(),

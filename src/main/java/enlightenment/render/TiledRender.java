@@ -9,8 +9,12 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
@@ -18,6 +22,8 @@ import java.util.function.Function;
  * arrays. {@link FilmAssembly} puts the tiles together to the picture that {@link Renderer} makes, bit for bit.
  */
 public final class TiledRender {
+    private static final double NANO = 1e-9;
+
     private final CompiledScene compiled;
     private final RenderSettings settings;
     private final TilePlan plan;
@@ -25,11 +31,31 @@ public final class TiledRender {
     private final RenderOutline outline;
     private final Phases phases;
 
-    private TiledRender(String name, CompiledScene compiled, RenderSettings settings, TilePlan plan, Phases phases) {
+    /** What makes further plans, or null where it was planned elsewhere. */
+    private final Planner planner;
+
+    private final Rounds rounds;
+    private final int round;
+    private final long start;
+
+    private TiledRender(
+            String name,
+            CompiledScene compiled,
+            RenderSettings settings,
+            TilePlan plan,
+            Phases phases,
+            Planner planner,
+            Rounds rounds,
+            int round,
+            long start) {
         this.compiled = compiled;
         this.settings = settings;
         this.plan = plan;
         this.phases = phases;
+        this.planner = planner;
+        this.rounds = rounds;
+        this.round = round;
+        this.start = start;
         grid = new ColumnGrid(settings, plan);
         outline = new RenderOutline(name, settings, plan, compiled.features(), compiled.kindNames);
     }
@@ -47,9 +73,48 @@ public final class TiledRender {
         Renderer.check(settings);
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
-        TilePlan plan = phases.run(
-                "plan", () -> TilePlan.of(new Planner(compiled, settings, Cancellation.of(cancelled)).plan(start, 0)));
-        return new TiledRender(scene.name(), compiled, settings, plan, phases);
+        Planner planner = new Planner(compiled, settings, Cancellation.of(cancelled));
+        TilePlan plan = phases.run("plan", () -> TilePlan.of(planner.plan(start, 0)));
+        Rounds rounds = new Rounds(settings.budget());
+        return new TiledRender(scene.name(), compiled, settings, plan, phases, planner, rounds, 1, start);
+    }
+
+    /** What cannot be kept of the budget, or only at a price, in plain words. */
+    public List<String> notes() {
+        return planner == null ? List.of() : planner.notes();
+    }
+
+    /**
+     * The render that must follow: the same with more samples, if the picture of this one is complete, is not as exact as its
+     * budget asks, and the budget allows more. To be asked once; what follows can be asked in turn.
+     *
+     * @param result what {@link FilmAssembly#result} gave
+     * @param log hears why there is another one
+     */
+    public Optional<TiledRender> next(RenderResult result, Consumer<String> log) {
+        if (planner == null || !result.complete()) {
+            return Optional.empty();
+        }
+        double took = result.report().phases().stream()
+                .filter(p -> p.name().equals("render"))
+                .mapToDouble(RenderReport.Phase::wallSeconds)
+                .sum();
+        OptionalDouble samples = rounds.next(result.report(), took, (System.nanoTime() - start) * NANO);
+        if (samples.isEmpty()) {
+            return Optional.empty();
+        }
+        double n = samples.getAsDouble();
+        log.accept(Rounds.note(result.report(), n));
+        Phases further = phases.copy();
+        further.again();
+        TilePlan more = further.run("plan", () -> TilePlan.of(planner.withSamples(n, rounds.decidedBy(n))));
+        return Optional.of(new TiledRender(
+                outline.sceneName(), compiled, settings, more, further, planner, rounds, round + 1, start));
+    }
+
+    /** Which render of the picture this is: 1, or more where those before were not as exact as asked. */
+    public int round() {
+        return round;
     }
 
     /**
@@ -64,7 +129,16 @@ public final class TiledRender {
         Renderer.checkMethod(settings.method());
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, files));
-        return new TiledRender(scene.name(), compiled, settings, plan, phases);
+        return new TiledRender(
+                scene.name(),
+                compiled,
+                settings,
+                plan,
+                phases,
+                null,
+                new Rounds(settings.budget()),
+                1,
+                System.nanoTime());
     }
 
     /** Number of tiles, counted from 0. */
@@ -84,7 +158,7 @@ public final class TiledRender {
 
     /** A picture without tiles yet. */
     public FilmAssembly assembly() {
-        return new FilmAssembly(outline, phases);
+        return new FilmAssembly(outline, phases, round);
     }
 
     /** Makes tiles, for one thread. */

@@ -90,7 +90,8 @@ public final class SparkCommand extends Subcommand {
         Scene scene = options.frame().isPresent()
                 ? SceneReader.read(sceneFile, options.frame().get())
                 : SceneReader.read(sceneFile);
-        RenderSettings settings = options.settings(scene, sceneFile.toString());
+        RenderSettings settings =
+                PictureOptions.forFile(options.settings(scene, sceneFile.toString()), output, null, depth);
         new OutputFiles()
                 .reads(sceneFile, scene)
                 .writes("--checkpoint", checkpoint)
@@ -136,8 +137,8 @@ public final class SparkCommand extends Subcommand {
             terminal.say("stopped before anything was rendered; " + output + " was not written");
             return CliException.FAILED;
         }
-        PngOptions png =
-                new PngOptions("16".equals(depth) ? 16 : 8, PictureOptions.text(scene, options.canonical(settings)));
+        String text = options.replayable(settings, result.report().sampling().plannedSamples());
+        PngOptions png = new PngOptions("16".equals(depth) ? 16 : 8, PictureOptions.text(scene, text));
         ImageFiles.write(result.image(), output, png);
         if (report != null) {
             Target.write(report, ReportJson.of(result));
@@ -146,6 +147,6 @@ public final class SparkCommand extends Subcommand {
             terminal.say("stopped: " + output + " is not complete");
             return CliException.FAILED;
         }
-        return CliException.DONE;
+        return PictureOptions.keepsError(result.report(), terminal) ? CliException.DONE : CliException.FAILED;
     }
 }

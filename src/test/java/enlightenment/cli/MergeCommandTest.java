@@ -140,6 +140,19 @@ class MergeCommandTest {
         assertSays(CliRun.of("merge", file, "-o", merged), 1, "missing: part 1/2, part 2/2");
     }
 
+    /** No part knows the whole picture: whoever puts it together finds out whether it keeps the error. */
+    @Test
+    void anErrorThatTheWholeDoesNotKeepIsAFailureAndThePictureIsWritten() throws IOException {
+        Path a = part(1, 2, "--error", "0.02", "--samples", "2", "--depth", "16");
+        Path b = part(2, 2, "--error", "0.02", "--samples", "2", "--depth", "16");
+        assertSays(CliRun.of("merge", a, b, "-o", merged, "--depth", "16"), 1, "more than --error 0.02");
+        assertTrue(Files.exists(merged));
+        Path c = part(1, 1, "--error", "0.5");
+        assertEquals(new CliRun(0, "", ""), CliRun.of("merge", c, "-o", merged));
+        CliRun.of("render", scene, "-o", picture, "--error", "0.5", "--progress", "none");
+        assertArrayEquals(Files.readAllBytes(picture), Files.readAllBytes(merged));
+    }
+
     @Test
     void whatMakesNoSenseIsRefused() {
         Path film = folder.resolve("x.film");

@@ -27,6 +27,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.ObjectMapper;
 
 /** The options for what there is beside the finished picture. */
 class RenderExtrasTest {
@@ -193,32 +197,86 @@ class RenderExtrasTest {
         assertEquals(new CliRun(2, "", "enlightenment: " + message + "\n"), render(options));
     }
 
-    @Test
-    void aTimeIsToldAsANumberOfSamplesThatMakesTheSameBytes() throws IOException {
-        CliRun run = render("--time", "0.25", "--threads", "2");
+    @ParameterizedTest
+    @ValueSource(strings = {"0.25", "0.001", "0.000000001", "1e-9"})
+    @Timeout(60)
+    void aTimeIsToldAsANumberOfSamplesThatMakesTheSameBytes(String time) throws IOException {
+        CliRun run = render("--time", time, "--threads", "2");
         assertEquals(0, run.code());
-        assertTrue(run.err().matches("time 0\\.25 s: --samples [0-9.]+ makes the same picture\n"), run.err());
+        List<String> said = run.errLines();
+        String last = said.get(said.size() - 1);
+        assertTrue(last.matches("time [0-9.]+ s: --samples [0-9.]+ makes the same picture"), run.err());
+        // How much fits into a quarter of a second depends on the machine, but nothing fits into less than an instant.
+        assertTrue(said.size() == 1 && time.equals("0.25") || said.get(0).contains(" is too short: "), run.err());
+        assertTrue(said.size() <= 2, run.err());
         byte[] timed = Files.readAllBytes(picture);
-        String samples = run.err().replaceAll(".*--samples ([0-9.]+) .*\n", "$1");
+        String samples = last.replaceAll(".*--samples ([0-9.]+) .*", "$1");
+        assertTrue(said.size() == 1 || samples.equals("1"), run.err());
         assertEquals(new CliRun(0, "", ""), render("--samples", samples));
         assertArrayEquals(Files.readAllBytes(picture), timed);
     }
 
     @Test
-    void anErrorThatIsNotReachedIsToldAndNoFailure() throws IOException {
+    void anErrorThatIsNotReachedIsToldAndTheExitCodeSaysSo() throws IOException {
         Path report = folder.resolve("r.json");
-        CliRun run = render("--error", "0.00001", "--samples", "2", "--stats", "--report", report);
-        assertEquals(0, run.code());
+        CliRun run = render("--error", "0.00001", "--depth", "16", "--samples", "2", "--stats", "--report", report);
+        assertEquals(1, run.code());
+        List<String> said = run.errLines();
         assertTrue(
-                run.err()
-                        .matches("enlightenment: the error is about 0\\.[0-9]+, more than --error 0\\.00001;"
-                                + " decided by samples\n"),
+                said.get(said.size() - 1)
+                        .matches("enlightenment: the error is about 0\\.[0-9]+ and may be 0\\.[0-9]+, more than"
+                                + " --error 0\\.00001; decided by samples; try --samples [0-9.]+"),
                 run.err());
-        assertTrue(run.out().matches("(?s).*\nerror asked for +0\\.00001 +not met\n.*"), run.out());
+        assertTrue(run.out().matches("(?s).*\nerror asked for +0\\.00001 +not met;.*"), run.out());
         assertTrue(Files.readString(report).contains("\"errorMet\": false"));
+        byte[] bytes = Files.readAllBytes(picture);
+        assertEquals(0, render("--samples", "2", "--depth", "16").code());
+        assertArrayEquals(Files.readAllBytes(picture), bytes);
         CliRun met = render("--error", "0.5", "--stats");
         assertEquals("", met.err());
-        assertTrue(met.out().matches("(?s).*\nerror asked for +0\\.50000 +met\n.*"), met.out());
+        assertTrue(met.out().matches("(?s).*\nerror asked for +0\\.50000 +met; .*"), met.out());
+    }
+
+    /** Rounds and all: what the report says makes the same file, and no round is silent. */
+    @ParameterizedTest
+    @ValueSource(strings = {"raytrace", "cluster"})
+    void anErrorIsToldAsANumberOfSamplesThatMakesTheSameBytes(String method) throws IOException {
+        Path report = folder.resolve("r.json");
+        CliRun run = render("--method", method, "--error", "0.02", "--report", report);
+        assertEquals(0, run.code(), run.err());
+        JsonNode sampling =
+                new ObjectMapper().readTree(Files.readString(report)).get("sampling");
+        assertTrue(sampling.get("errorMet").asBoolean());
+        assertEquals(sampling.get("rounds").asInt() - 1, run.errLines().size());
+        assertTrue(run.errLines().stream().allMatch(line -> line.contains("once more with")), run.err());
+        byte[] bytes = Files.readAllBytes(picture);
+        assertEquals(
+                0,
+                render(
+                                "--method",
+                                method,
+                                "--samples",
+                                sampling.get("plannedSamples").asString())
+                        .code());
+        assertArrayEquals(Files.readAllBytes(picture), bytes);
+    }
+
+    /** Sixteen bits can keep what eight cannot; where nothing else ends the render it is refused before it begins. */
+    @Test
+    void anErrorBelowTheRoundingOfTheFileIsRefusedBeforeTheRender() {
+        CliRun run = render("--size", "256x160", "--error", "0.0005");
+        assertEquals(2, run.code());
+        assertTrue(
+                run.err()
+                        .matches(
+                                "enlightenment: --error cannot be kept: rounding to 8 bits makes an error of about 0\\.[0-9]+,"
+                                        + " of 0\\.0005[0-9]* that is asked for; more bits \\(--depth 16\\) or a .pfm file can\n"),
+                run.err());
+        assertFalse(Files.exists(picture));
+        CliRun limited = render("--size", "256x160", "--error", "0.0005", "--samples", "2");
+        assertEquals(1, limited.code());
+        assertTrue(limited.err().contains("it cannot be kept\n"), limited.err());
+        assertTrue(Files.exists(picture));
     }
 
     @Test

@@ -52,6 +52,21 @@ class ServerCommandTest {
     }
 
     @Test
+    void anErrorIsKeptByAServerAsByOneProcess() throws IOException {
+        Path alone = folder.resolve("alone.png");
+        CliRun render = CliRun.of("render", scene, "-o", alone, "--error", "0.02", "--progress", "none");
+        assertEquals(0, render.code(), render.err());
+        assertTrue(render.err().contains("once more with"), render.err());
+        CliRun run = CliRun.of("server", scene, "-o", picture, "--port", 0, "--error", "0.02", "--progress", "none");
+        assertEquals(0, run.code(), run.err());
+        assertArrayEquals(Files.readAllBytes(alone), Files.readAllBytes(picture));
+        CliRun limited = CliRun.of(
+                "server", scene, "-o", picture, "--port", 0, "--error", "0.02", "--samples", 1, "--progress", "none");
+        assertEquals(1, limited.code(), limited.err());
+        assertTrue(limited.err().contains("more than --error 0.02; decided by samples"), limited.err());
+    }
+
+    @Test
     void aTimeBudgetMakesACompletePicture() {
         CliRun run = CliRun.of("server", scene, "-o", picture, "--port", 0, "--time", "0.3", "--progress", "none");
         assertEquals(0, run.code(), run.err());

@@ -9,8 +9,10 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderReport;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
+import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -76,6 +78,34 @@ class RenderServerTest {
                     result.image().toArray());
             assertEquals(alone.raysByKind(), result.report().raysByKind());
             assertEquals(alone.sampling(), result.report().sampling());
+        }
+    }
+
+    /** Workers come to the render that follows, whose picture is that of one process. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aPictureThatIsNotAsExactAsAskedIsRenderedAgainWithTheWorkers(boolean isRestarted) throws Exception {
+        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
+        RenderResult alone = Renderer.render(RenderRequest.of(Farm.SCENE, settings));
+        assertTrue(alone.report().sampling().rounds() > 1);
+        Path checkpoint = folder.resolve("checkpoint");
+        ServerOptions options = Farm.options().withWait(1, 30).withCheckpoint(checkpoint);
+        for (int run = 0; run < (isRestarted ? 2 : 1); run++) {
+            try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
+                CompletableFuture<RenderWorker.Outcome> worker = farm.join(Farm.worker(2));
+                RenderResult result = farm.result();
+                assertTrue(result.report().isErrorMet());
+                assertArrayEquals(alone.image().toArray(), result.image().toArray());
+                assertEquals(alone.report().sampling(), result.report().sampling());
+                assertTrue(farm.logHas("once more with"));
+                if (run == 0) {
+                    assertEquals(
+                            "the picture is done",
+                            worker.get(20, TimeUnit.SECONDS).reason());
+                }
+                assertTrue(Files.exists(
+                        folder.resolve("checkpoint." + alone.report().sampling().rounds())));
+            }
         }
     }
 

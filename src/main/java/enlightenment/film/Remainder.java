@@ -47,12 +47,12 @@ final class Remainder {
     /** What is left of the figure of one, two and four differences if nothing of it, and if all of it comes from light points. */
     private static final double[] OF_REST = {0.8, 0.6, 0.5};
 
-    private static final double[] OF_LIGHT = {1, 0.6, 0.8};
+    private static final double[] OF_LIGHT = {1, 0.85, 0.85};
 
     /** By how much the error of one, two and four differences was found to differ from that. */
-    private static final double[] LEAST_OF_DIFFERENCES = {0.5, 0.6, 0.5};
+    private static final double[] LEAST_OF_DIFFERENCES = {0.5, 0.65, 0.5};
 
-    private static final double[] MOST_OF_DIFFERENCES = {1.3, 1.6, 1.7};
+    private static final double[] MOST_OF_DIFFERENCES = {1.3, 1.6, 1.8};
 
     /** Numbers that are no power of two are worse than those of the next lower one; between the curve and independence. */
     private static final int OTHERS_LEVEL = 3;

@@ -36,18 +36,23 @@ final class SampledPicture {
         return truth;
     }
 
-    /** As many samples in every pixel, or the next power of two below in some pixels and that above in the others. */
+    /** So many samples in the mean: the next power of two below in some pixels and that above in the others. */
     static Film sampled(Function function, int width, int height, double samples, long seed) {
+        int fewer = Integer.highestOneBit((int) samples);
+        return sampled(function, width, height, fewer, samples / fewer - 1, seed);
+    }
+
+    /** So many samples in each pixel, and twice as many in a share of them. */
+    static Film sampled(Function function, int width, int height, int fewer, double doubled, long seed) {
         Film film = new Film(0, 0, width, height);
         Random random = new Random(seed);
         SampleSpread spread = new SampleSpread();
-        int fewer = Integer.highestOneBit((int) samples);
         for (int cell = 0; cell < width * height / (CELL * CELL); cell++) {
             int left = cell % (width / CELL) * CELL;
             int top = cell / (width / CELL) * CELL;
             FilmTile tile = new FilmTile(left, top, CELL, CELL);
             for (int k = 0; k < CELL * CELL; k++) {
-                int n = random.nextDouble() < samples / fewer - 1 ? 2 * fewer : fewer;
+                int n = random.nextDouble() < doubled ? 2 * fewer : fewer;
                 sample(function, tile, left + k % CELL, top + k / CELL, n, seed, random, spread);
             }
             film.put(tile);

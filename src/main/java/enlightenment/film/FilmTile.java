@@ -1,5 +1,7 @@
 package enlightenment.film;
 
+import java.util.Arrays;
+
 /**
  * Sums of the samples of a rectangle of pixels: compensated, so that a billion samples lose nothing (Neumaier, "Rounding
  * error analysis of some methods for summing finite sums", 1974); and what the samples tell about their own error.
@@ -11,7 +13,7 @@ public final class FilmTile {
     /** So many samples are kept one by one, so many numbers of each. */
     private static final int FEW = 2;
 
-    private static final int PER_SAMPLE = 5;
+    static final int PER_SAMPLE = 5;
 
     public final int x;
     public final int y;
@@ -136,9 +138,13 @@ public final class FilmTile {
         return counts[pixel(column, row)];
     }
 
-    /** Number 0..4 (place, red, green, blue) of the first or second sample of a pixel, by its index. */
-    double sample(int pixel, int sample, int number) {
-        return few == null ? Double.NaN : few[PER_SAMPLE * (FEW * pixel + sample) + number];
+    /** Writes place, red, green and blue of the first or second sample of a pixel, by its index. */
+    void few(int pixel, int sample, float[] out, int from) {
+        if (few == null) {
+            Arrays.fill(out, from, from + PER_SAMPLE, Float.NaN);
+        } else {
+            System.arraycopy(few, PER_SAMPLE * (FEW * pixel + sample), out, from, PER_SAMPLE);
+        }
     }
 
     /** The square of the mean without the known part, mean of the components, of a pixel by its index. */

@@ -17,10 +17,11 @@ final class Neighbours {
     /** Binary logarithm of a cell's side. */
     private static final int CELL = 3;
 
+    private static final int SIDE = 1 << CELL;
     private static final int MOST = 2;
 
-    /** The pixels right of a pixel, below it, and below it to the left and to the right: each pair is met once. */
-    private static final int[] STEP_X = {1, 0, -1, 1};
+    /** The pixels right of a pixel, below it, and below it to the right and to the left: each pair is met once. */
+    private static final int[] STEP_X = {1, 0, 1, -1};
 
     private static final int[] STEP_Y = {0, 1, 1, 1};
 
@@ -29,20 +30,28 @@ final class Neighbours {
     /** Per pixel: its share of the sum of the variances of single samples of its cell's pixels with as many samples. */
     private final float[] single;
 
-    /** Of the cell and number of samples in hand: pairs of pixels side by side, one above the other, and by their corners. */
-    private final int[] pairs = new int[3];
+    /** The cell's samples, as {@link FilmTile#few} has them but with the column or row added to the place: first, then second ones. */
+    private final float[] samples = new float[MOST * SIDE * SIDE * FilmTile.PER_SAMPLE];
 
+    /** Per pixel of the cell: whether it belongs to those in hand, and its share. */
+    private final boolean[] isIn = new boolean[SIDE * SIDE];
+
+    private final double[] shares = new double[SIDE * SIDE];
+
+    /** Of those in hand: pairs of pixels side by side, one above the other, and by their corners. */
+    private int beside;
+
+    private int below;
+    private int across;
     private int pixels;
-    private int samples;
     private double weights;
 
     /** Of the tile as it is now. */
     Neighbours(FilmTile tile) {
         this.tile = tile;
         single = new float[tile.width * tile.height];
-        int side = 1 << CELL;
-        for (int y = tile.y >> CELL << CELL; y < tile.y + tile.height; y += side) {
-            for (int x = tile.x >> CELL << CELL; x < tile.x + tile.width; x += side) {
+        for (int y = tile.y >> CELL << CELL; y < tile.y + tile.height; y += SIDE) {
+            for (int x = tile.x >> CELL << CELL; x < tile.x + tile.width; x += SIDE) {
                 for (int count = 1; count <= MOST; count++) {
                     compare(x, y, count);
                 }
@@ -55,90 +64,105 @@ final class Neighbours {
         return single[index(column, row)];
     }
 
-    private void compare(int cellX, int cellY, int count) {
-        int left = Math.max(cellX, tile.x);
-        int top = Math.max(cellY, tile.y);
-        int right = Math.min(cellX + (1 << CELL), tile.x + tile.width);
-        int bottom = Math.min(cellY + (1 << CELL), tile.y + tile.height);
-        samples = count;
-        countPairs(left, top, right, bottom);
+    private void compare(int left, int top, int count) {
+        gather(left, top, count);
         if (pixels == 0) {
             return;
         }
+        countPairs();
         weights = 0;
-        for (int y = top; y < bottom; y++) {
-            for (int x = left; x < right; x++) {
-                if (tile.count(x, y) == count) {
-                    addPairs(x, y, left, right, bottom);
-                }
+        for (int k = 0; k < isIn.length; k++) {
+            if (isIn[k]) {
+                addPairs(k, count);
             }
         }
-        for (int y = top; y < bottom; y++) {
-            for (int x = left; x < right; x++) {
-                if (tile.count(x, y) == count) {
-                    int k = index(x, y);
-                    // A pixel on its own: where there is a known part, the distance from it is all there is to compare
-                    // with.
-                    single[k] = (float) (weights > 0 ? single[k] * (pixels / weights) : count * tile.squaredMean(k));
-                }
+        for (int k = 0; k < isIn.length; k++) {
+            if (isIn[k]) {
+                int i = index(left + k % SIDE, top + k / SIDE);
+                // A pixel on its own: where there is a known part, the distance from it is all there is to compare
+                // with.
+                single[i] = (float) (weights > 0 ? shares[k] * (pixels / weights) : count * tile.squaredMean(i));
             }
         }
     }
 
-    private void countPairs(int left, int top, int right, int bottom) {
+    private void gather(int left, int top, int count) {
         pixels = 0;
-        pairs[0] = 0;
-        pairs[1] = 0;
-        pairs[2] = 0;
-        for (int y = top; y < bottom; y++) {
-            for (int x = left; x < right; x++) {
-                if (tile.count(x, y) == samples) {
-                    pixels++;
-                    for (int k = 0; k < STEP_X.length; k++) {
-                        pairs[Math.min(k, 2)] += isAlike(x + STEP_X[k], y + STEP_Y[k], left, right, bottom) ? 1 : 0;
-                    }
+        for (int k = 0; k < isIn.length; k++) {
+            int column = k % SIDE;
+            int row = k / SIDE;
+            isIn[k] = tile.contains(left + column, top + row) && tile.count(left + column, top + row) == count;
+            shares[k] = 0;
+            if (isIn[k]) {
+                pixels++;
+                for (int s = 0; s < count; s++) {
+                    int i = FilmTile.PER_SAMPLE * (s * SIDE * SIDE + k);
+                    tile.few(index(left + column, top + row), s, samples, i);
+                    samples[i] += column;
+                    samples[i + 1] += row;
                 }
             }
         }
     }
 
-    private boolean isAlike(int x, int y, int left, int right, int bottom) {
-        return x >= left && x < right && y < bottom && tile.count(x, y) == samples;
+    private void countPairs() {
+        if (pixels == isIn.length) {
+            beside = SIDE * (SIDE - 1);
+            below = beside;
+            across = 2 * (SIDE - 1) * (SIDE - 1);
+            return;
+        }
+        beside = 0;
+        below = 0;
+        across = 0;
+        for (int k = 0; k < isIn.length; k++) {
+            if (isIn[k]) {
+                beside += other(k, 0) >= 0 ? 1 : 0;
+                below += other(k, 1) >= 0 ? 1 : 0;
+                across += (other(k, 2) >= 0 ? 1 : 0) + (other(k, 3) >= 0 ? 1 : 0);
+            }
+        }
     }
 
-    private void addPairs(int x, int y, int left, int right, int bottom) {
-        int pixel = index(x, y);
-        if (samples == MOST) {
-            add(pixel, 0, pixel, 1, 0, 0);
+    /** The pixel in one of the four directions from a pixel, or a negative number if that is not one of those in hand. */
+    private int other(int pixel, int direction) {
+        int column = (pixel & SIDE - 1) + STEP_X[direction];
+        int other = pixel + STEP_X[direction] + SIDE * STEP_Y[direction];
+        return column >= 0 && column < SIDE && other < SIDE * SIDE && isIn[other] ? other : -1;
+    }
+
+    /** Of two samples each, one pair of each pair of pixels is enough: the two of one pixel are there as well. */
+    private void addPairs(int pixel, int count) {
+        int last = (count - 1) * SIDE * SIDE + pixel;
+        if (count == MOST) {
+            add(pixel, pixel, last, pixel, true);
         }
         for (int k = 0; k < STEP_X.length; k++) {
-            if (isAlike(x + STEP_X[k], y + STEP_Y[k], left, right, bottom)) {
-                int other = index(x + STEP_X[k], y + STEP_Y[k]);
-                for (int s = 0; s < samples * samples; s++) {
-                    add(pixel, s % samples, other, s / samples, STEP_X[k], STEP_Y[k]);
-                }
+            int other = other(pixel, k);
+            if (other >= 0) {
+                add(pixel, other, last, other, count == MOST);
             }
         }
     }
 
-    /** Adds the pair of the sample of a pixel and that of another, or the same, so many columns and rows farther. */
-    private void add(int pixel, int sample, int other, int otherSample, int columns, int rows) {
-        double a = Math.abs(columns + tile.sample(other, otherSample, 0) - tile.sample(pixel, sample, 0));
-        double b = Math.abs(rows + tile.sample(other, otherSample, 1) - tile.sample(pixel, sample, 1));
+    /** Adds the pair of two samples of two pixels, or of one. */
+    private void add(int pixel, int other, int sample, int otherSample, boolean ofTwo) {
+        int i = FilmTile.PER_SAMPLE * sample;
+        int j = FilmTile.PER_SAMPLE * otherSample;
+        double a = Math.abs(samples[i] - samples[j]);
+        double b = Math.abs(samples[i + 1] - samples[j + 1]);
         // Farther from each other than two points of one pixel can be?
         if (!(a < 1 && b < 1)) {
             return;
         }
-        double weight = weight(a, b);
-        double sum = 0;
-        for (int c = 2; c < 5; c++) {
-            double d = tile.sample(other, otherSample, c) - tile.sample(pixel, sample, c);
-            sum += d * d;
-        }
+        double weight = weight(a, b, ofTwo);
+        double red = samples[i + 2] - samples[j + 2];
+        double green = samples[i + 3] - samples[j + 3];
+        double blue = samples[i + 4] - samples[j + 4];
         // Half the square, mean of three components, and half of it for either pixel.
-        float share = (float) (weight * sum / 12);
-        single[pixel] += share;
-        single[other] += share;
+        double share = weight * (red * red + green * green + blue * blue) / 12;
+        shares[pixel] += share;
+        shares[other] += share;
         weights += weight;
     }
 
@@ -147,11 +171,11 @@ final class Neighbours {
      * of neighbouring columns a has the density a, in the same column 2 (1 − a); the two points of one pixel, of which each half
      * has one, 4 min(a, 1 − a).
      */
-    private double weight(double a, double b) {
+    private double weight(double a, double b, boolean ofTwo) {
         double p = 1 - a;
         double q = 1 - b;
-        double density = samples * samples * (2 * (pairs[0] * a * q + pairs[1] * p * b) + pairs[2] * a * b);
-        if (samples == MOST) {
+        double density = 2 * (beside * a * q + below * p * b) + across * a * b;
+        if (ofTwo) {
             density += 16.0 * pixels * Math.min(a, p) * Math.min(b, q);
         }
         return density > 0 ? 4 * p * q / density : 0;

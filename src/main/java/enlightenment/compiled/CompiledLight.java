@@ -1,7 +1,9 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.geometry.EndFaces;
 import enlightenment.geometry.Primitive;
+import enlightenment.geometry.SupportSurface;
 import enlightenment.light.Light;
 import enlightenment.math.Bounds;
 import enlightenment.math.SceneFrame;
@@ -9,6 +11,12 @@ import enlightenment.math.Vec3;
 
 /** A light in the scene's frame. */
 public final class CompiledLight {
+    /** The side of a plane that its normal points to. */
+    static final int ABOVE = 1;
+
+    /** The other side. */
+    static final int BELOW = 2;
+
     /** The light's form. */
     public enum Kind {
         SPHERE,
@@ -44,6 +52,14 @@ public final class CompiledLight {
 
     /** What a viewer sees, or null where nothing can be seen. */
     public final Primitive surface;
+
+    /** Bounds the sum of the absolute coordinates of any of its points. */
+    private final double bound;
+
+    /** By id: on which sides of flat primitives' planes the light lies ({@link #sidesOf}); null where that is asked rarely. */
+    byte[] sides;
+
+    private final EndFaces lyingOn = new EndFaces();
 
     CompiledLight(Light light, SceneFrame frame) {
         DisplayRgb c = light.color();
@@ -84,7 +100,53 @@ public final class CompiledLight {
         ballZ = middle.z();
         double half = 0.5
                 * Math.max(toRight.plus(toTop).length(), toRight.minus(toTop).length());
+        bound = 3 * bounds().maxAbs();
         ballRadius = radius + half * (1 + enlightenment.math.Scale.gamma(16));
+    }
+
+    /** The faces that the light lies on, so that they do not hide it. */
+    public EndFaces lyingOn() {
+        return lyingOn;
+    }
+
+    /** Finds the faces of these primitives that the light lies on: that coincide with it or, a point, go through it. */
+    void lieOn(Primitive[] primitives) {
+        Bounds own = bounds();
+        SupportSurface shape = surface == null ? null : surface.support(0);
+        for (int id = 0; id < primitives.length; id++) {
+            Primitive p = primitives[id];
+            Bounds box = p.bounds();
+            double tolerance = CoincidentSurfaces.tolerance(own, box);
+            if (!CoincidentSurfaces.widened(own, tolerance).overlaps(box)) {
+                continue;
+            }
+            for (int face = 0; face < p.faceCount(); face++) {
+                SupportSurface s = p.support(face);
+                boolean on = shape == null
+                        ? s.passes(new Vec3(x, y, z), tolerance)
+                        : s.coincides(shape, tolerance) && s.overlaps(shape, tolerance);
+                if (on) {
+                    lyingOn.add(p, id, face, tolerance);
+                }
+            }
+        }
+    }
+
+    /**
+     * On which side of a plane the light lies: {@link #ABOVE} if no point of it is below, {@link #BELOW} if none is above, both if
+     * all are in it.
+     *
+     * @param offset n·q for the plane's points q, where n = (nx, ny, nz) is its unit normal
+     * @param error bounds the rounding of a distance from the plane, in units of the coordinates that are summed up
+     */
+    byte sidesOf(double nx, double ny, double nz, double offset, double error) {
+        double there = nx * x + ny * y + nz * z - offset;
+        double toRight = nx * right.x() + ny * right.y() + nz * right.z();
+        double toTop = nx * up.x() + ny * up.y() + nz * up.z();
+        double least = there - radius + Math.min(toRight, 0) + Math.min(toTop, 0);
+        double greatest = there + radius + Math.max(toRight, 0) + Math.max(toTop, 0);
+        double slack = error * (bound + Math.abs(offset));
+        return (byte) ((least >= -slack ? ABOVE : 0) | (greatest <= slack ? BELOW : 0));
     }
 
     /** A box around the light. */

@@ -3,11 +3,11 @@ package enlightenment.compiled;
 import enlightenment.accel.Bvh;
 import enlightenment.accel.BvhQuery;
 import enlightenment.geometry.Primitive;
-import enlightenment.geometry.RectanglePrimitive;
 import enlightenment.geometry.SpherePrimitive;
+import enlightenment.geometry.SupportSurface;
 import enlightenment.math.Bounds;
+import enlightenment.math.Scale;
 import enlightenment.math.Vec3;
-import java.util.Arrays;
 
 /**
  * Which primitives can stand between a point and a light.
@@ -16,16 +16,19 @@ import java.util.Arrays;
  * primitive whose bounding ball keeps clear of that cone can block none of them. Bounds are conservative: a candidate
  * too many costs a test, one too few would be a wrong picture. See docs/occluders.md.
  *
- * <p>A rectangle that has everything on one side (a wall of the room) can never stand between two things in the room and
- * is left out from the start.
+ * <p>A flat primitive (a wall of the room) blocks none of them if point and light lie on the same side of its plane. That is told
+ * by the two alone: whatever else there is in the scene changes nothing.
  */
 final class OccluderSet {
     /** What {@link #gather} returns where one ball hides the whole light, so that no ray is needed to know it. */
     static final int ALL_BLOCKED = -1;
 
-    private final int[] ids;
+    /** Bounds the rounding of a distance from a plane, in units of the coordinates that are summed up. */
+    private static final double PLANE_ERROR = Scale.gamma(16);
 
-    /** By id: centre and radius of a ball around the primitive; radius −1 for a wall. */
+    private final int count;
+
+    /** By id: centre and radius of a ball around the primitive. */
     private final double[] balls;
 
     /** By id: whether the primitive is that ball, so that it blocks what the ball blocks. */
@@ -33,33 +36,47 @@ final class OccluderSet {
 
     private final Bvh bvh;
 
+    /** By id: whether the primitive is flat, and its plane's unit normal and offset. */
+    private final boolean[] isFlat;
+
+    private final double[] planes;
+
     OccluderSet(Primitive[] primitives, CompiledLight[] lights, Bvh bvh) {
         this.bvh = bvh;
-        Bounds everything = everything(primitives, lights);
-        int[] candidates = new int[primitives.length];
-        balls = new double[4 * primitives.length];
-        isBall = new boolean[primitives.length];
-        int n = 0;
-        for (int id = 0; id < primitives.length; id++) {
+        count = primitives.length;
+        balls = new double[4 * count];
+        isBall = new boolean[count];
+        isFlat = new boolean[count];
+        planes = new double[4 * count];
+        for (int id = 0; id < count; id++) {
             setBall(primitives[id], id);
-            if (isWall(primitives[id], everything)) {
-                balls[4 * id + 3] = -1;
-            } else {
-                candidates[n++] = id;
+            isFlat[id] = primitives[id].isFlat();
+            if (isFlat[id] && primitives[id].support(0) instanceof SupportSurface.Plane p) {
+                setPlane(p.unitNormal(), p.corners()[0], id);
             }
         }
-        ids = Arrays.copyOf(candidates, n);
+        for (CompiledLight light : lights) {
+            light.sides = bvh == null ? sides(light) : null;
+        }
     }
 
-    private static Bounds everything(Primitive[] primitives, CompiledLight[] lights) {
-        Bounds all = null;
-        for (Primitive p : primitives) {
-            all = all == null ? p.bounds() : all.union(p.bounds());
+    private void setPlane(Vec3 n, Vec3 point, int id) {
+        planes[4 * id] = n.x();
+        planes[4 * id + 1] = n.y();
+        planes[4 * id + 2] = n.z();
+        planes[4 * id + 3] = n.dot(point);
+    }
+
+    private byte[] sides(CompiledLight light) {
+        byte[] sides = new byte[count];
+        for (int id = 0; id < count; id++) {
+            sides[id] = isFlat[id] ? sidesOf(light, 4 * id) : 0;
         }
-        for (CompiledLight light : lights) {
-            all = all == null ? light.bounds() : all.union(light.bounds());
-        }
-        return all;
+        return sides;
+    }
+
+    private byte sidesOf(CompiledLight light, int k) {
+        return light.sidesOf(planes[k], planes[k + 1], planes[k + 2], planes[k + 3], PLANE_ERROR);
     }
 
     private void setBall(Primitive p, int id) {
@@ -77,42 +94,20 @@ final class OccluderSet {
         balls[4 * id + 3] = radius;
     }
 
-    /** Whether a rectangle parallel to two axes has everything on one side or in its plane. */
-    private static boolean isWall(Primitive p, Bounds everything) {
-        if (!(p instanceof RectanglePrimitive)) {
-            return false;
-        }
-        Bounds box = p.bounds();
-        for (int axis = 0; axis < 3; axis++) {
-            double at = box.min().component(axis);
-            boolean flat = box.max().component(axis) == at;
-            boolean outermost =
-                    everything.min().component(axis) >= at || everything.max().component(axis) <= at;
-            if (flat && outermost) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** The number of primitives that are no walls. */
-    int size() {
-        return ids.length;
-    }
-
     /**
      * Collects the primitives that may stand between the cone's apex and the light.
      *
      * @param cone how the light is seen
-     * @param self a primitive that is known not to, or -1
+     * @param starts begins with the ids of primitives that are known not to
+     * @param startCount how many these are
      * @param query receives their ids
      * @return how many there are, or {@link #ALL_BLOCKED}
      */
-    int gather(LightCone cone, int self, BvhQuery query) {
+    int gather(LightCone cone, int[] starts, int startCount, BvhQuery query) {
         query.clear();
         if (bvh == null) {
-            for (int id : ids) {
-                if (id != self && add(cone, id, query)) {
+            for (int id = 0; id < count; id++) {
+                if (!isAmong(id, starts, startCount) && add(cone, id, query)) {
                     return ALL_BLOCKED;
                 }
             }
@@ -123,15 +118,27 @@ final class OccluderSet {
         query.clear();
         for (int k = 0; k < n; k++) {
             int id = query.get(k);
-            if (id != self && balls[4 * id + 3] >= 0 && add(cone, id, query)) {
+            if (!isAmong(id, starts, startCount) && add(cone, id, query)) {
                 return ALL_BLOCKED;
             }
         }
         return query.size();
     }
 
+    private static boolean isAmong(int id, int[] starts, int startCount) {
+        for (int k = 0; k < startCount; k++) {
+            if (starts[k] == id) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Adds a primitive if it may stand in the way; true if it hides the light wholly. */
     private boolean add(LightCone cone, int id, BvhQuery query) {
+        if (isFlat[id] && staysBeside(cone, id)) {
+            return false;
+        }
         double cx = balls[4 * id];
         double cy = balls[4 * id + 1];
         double cz = balls[4 * id + 2];
@@ -144,5 +151,21 @@ final class OccluderSet {
         }
         query.add(id);
         return false;
+    }
+
+    /**
+     * Whether no segment from the apex to the light crosses the plane of a flat primitive: both lie on the same side of it, or
+     * one of them in it. A segment that only starts or ends in a plane does not cross it.
+     */
+    private boolean staysBeside(LightCone cone, int id) {
+        CompiledLight light = cone.light();
+        int sides = light.sides == null ? sidesOf(light, 4 * id) : light.sides[id];
+        double offset = planes[4 * id + 3];
+        double height = planes[4 * id] * cone.x + planes[4 * id + 1] * cone.y + planes[4 * id + 2] * cone.z - offset;
+        double error = PLANE_ERROR * (Math.abs(cone.x) + Math.abs(cone.y) + Math.abs(cone.z) + Math.abs(offset));
+        if (height > error) {
+            return (sides & CompiledLight.ABOVE) != 0;
+        }
+        return height >= -error || (sides & CompiledLight.BELOW) != 0;
     }
 }

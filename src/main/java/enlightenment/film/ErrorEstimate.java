@@ -1,5 +1,6 @@
 package enlightenment.film;
 
+import enlightenment.film.Remainder.Curve;
 import java.util.Arrays;
 import java.util.List;
 
@@ -8,8 +9,12 @@ import java.util.List;
  *
  * <p>Pixels with the same number of samples, a power of two, are judged together: the sums A and B over their two figures
  * ({@link FilmTile#halves}, {@link FilmTile#quarters}) give the sum of their variances, A times a share that depends on B/A
- * ({@link Remainder}). Pixels with other numbers of samples are taken as if their samples were independent, which errs on the
- * side of caution.
+ * ({@link Remainder}).
+ *
+ * <p>The interval has three parts. What the shares may be, the least and the most that was found for such a ratio on scenes of
+ * many kinds; the ratio itself taken as uncertain as its pixels say. Chance: a sum of squares of which few are great errs by
+ * factors, once in the estimate and once in the picture, which is one of many. And, where all pixels have about as many samples,
+ * what none of them may have met: features of the picture's own contrast in three pixels.
  */
 public final class ErrorEstimate {
     /** Levels of 2^0 .. 2^30 samples, and one for other numbers. */
@@ -23,21 +28,30 @@ public final class ErrorEstimate {
     /** 97.5 % of a normal distribution lie below this many deviations. */
     private static final double TWO_SIDED_95 = 1.96;
 
-    /**
-     * The relative deviation of the mean square that comes from the shares: another scene's samples fall otherwise than those
-     * that they were fitted to.
-     */
-    private static final double OF_SHARES = 0.15;
+    /** So many pixels may hide something that none of their n samples has met, in one of 40 pictures ln 40/(3 n) of each. */
+    private static final int HIDING = 3;
+
+    private static final double HIDDEN = 1.23;
 
     private final float[] variances;
     private final double meanSquare;
-    private final double deviationOfMeanSquare;
+
+    /** Factors of the mean square. */
+    private final double least;
+
+    private final double most;
+
+    /** What is added to the greatest mean square. */
+    private final double unseen;
+
     private final long pixels;
 
-    private ErrorEstimate(float[] variances, double meanSquare, double deviation, long pixels) {
+    private ErrorEstimate(float[] variances, double meanSquare, double least, double most, double unseen, long pixels) {
         this.variances = variances;
         this.meanSquare = meanSquare;
-        deviationOfMeanSquare = deviation;
+        this.least = least;
+        this.most = most;
+        this.unseen = unseen;
         this.pixels = pixels;
     }
 
@@ -46,13 +60,14 @@ public final class ErrorEstimate {
      * @param second per pixel {@link FilmTile#quarters}
      * @param counts per pixel the number of samples, 0 for an unfinished pixel
      * @param differences whether the samples are differences from a known part
+     * @param contrast the difference between the greatest and the least component of all pixels
      */
-    static ErrorEstimate of(float[] first, float[] second, int[] counts, boolean differences) {
+    static ErrorEstimate of(float[] first, float[] second, int[] counts, boolean differences, double contrast) {
         Level[] levels = levels(first, second, counts, differences);
         float[] variances = new float[first.length];
-        double sum = 0;
         double squares = 0;
         long pixels = 0;
+        long samples = 0;
         for (int i = 0; i < first.length; i++) {
             if (counts[i] == 0) {
                 continue;
@@ -60,15 +75,40 @@ public final class ErrorEstimate {
             Level level = levels[level(counts[i])];
             double v = level.share * first[i];
             variances[i] = (float) v;
-            sum += v;
-            double influence = level.ofFirst * first[i] + level.ofSecond * second[i];
-            // Once for the estimate, once for the picture itself, which is one of many.
-            squares += v * v + influence * influence;
+            // Once for the picture itself, and once for the estimate, or twice where pixels share what they tell.
+            squares += (counts[i] > 2 ? 2 : 3) * v * v;
+            samples += counts[i];
             pixels++;
         }
+        double sum = 0;
+        double low = 0;
+        double high = 0;
+        for (Level level : levels) {
+            sum += level.share * level.first;
+            low += level.least * level.first;
+            high += level.most * level.first;
+        }
         double n = Math.max(pixels, 1);
-        double ofShares = OF_SHARES * sum;
-        return new ErrorEstimate(variances, sum / n, Math.sqrt(squares + ofShares * ofShares) / n, pixels);
+        double hidden = differences ? 0 : contrast * Math.min(HIDDEN * pixels / Math.max(samples, 1), 1);
+        double unseen = HIDING * hidden * hidden / n;
+        if (!(sum > 0)) {
+            return new ErrorEstimate(variances, 0, 1, 1, unseen, pixels);
+        }
+        double chance = StrictMath.exp(TWO_SIDED_95 * deviation(squares / (2 * sum * sum)));
+        return new ErrorEstimate(variances, sum / n, low / sum / chance, high / sum * chance, unseen, pixels);
+    }
+
+    /**
+     * The deviation of the logarithm of the ratio of two sums of squares, each of so many squares of normal numbers as one of
+     * 2 m − 1 degrees of freedom: √(2 ψ′(m − ½)).
+     *
+     * @param inverse 1/m, where m is the number of pixels that carry the sum
+     */
+    private static double deviation(double inverse) {
+        double x = Math.max(1 / inverse, 1) - 0.5;
+        // The trigamma function's asymptotic series, at ½ too great by 8 %.
+        double trigamma = (1 + (0.5 + 1 / (6 * x)) / x) / x;
+        return Math.sqrt(2 * trigamma);
     }
 
     /** The error of some tiles, as if they were all of the picture. */
@@ -82,17 +122,38 @@ public final class ErrorEstimate {
         float[] first = new float[n];
         float[] second = new float[n];
         int[] counts = new int[n];
+        Contrast contrast = new Contrast();
         int k = 0;
         for (FilmTile tile : tiles) {
             for (int y = tile.y; y < tile.y + tile.height; y++) {
                 for (int x = tile.x; x < tile.x + tile.width; x++) {
                     first[k] = tile.halves(x, y);
                     second[k] = tile.quarters(x, y);
-                    counts[k++] = tile.count(x, y);
+                    counts[k] = tile.count(x, y);
+                    if (counts[k++] > 0) {
+                        contrast.add(tile.mean(x, y, 0));
+                        contrast.add(tile.mean(x, y, 1));
+                        contrast.add(tile.mean(x, y, 2));
+                    }
                 }
             }
         }
-        return of(first, second, counts, differences);
+        return of(first, second, counts, differences, contrast.get());
+    }
+
+    /** The difference between the greatest and the least of some numbers. */
+    static final class Contrast {
+        private double least = Double.POSITIVE_INFINITY;
+        private double greatest = Double.NEGATIVE_INFINITY;
+
+        void add(double value) {
+            least = Math.min(least, value);
+            greatest = Math.max(greatest, value);
+        }
+
+        double get() {
+            return Math.max(greatest - least, 0);
+        }
     }
 
     private static int level(int count) {
@@ -113,9 +174,9 @@ public final class ErrorEstimate {
                 }
             }
         }
-        for (int k = 0; k < OTHERS; k++) {
-            Level of = k < 2 || levels[k].pixels >= ENOUGH && levels[k].first > 0 ? levels[k] : pooled;
-            levels[k].judge(k, k < 2 ? of.cautiousRatio() : of.ratio(), differences);
+        for (int k = 0; k < LEVELS; k++) {
+            boolean own = k < 2 || k == OTHERS || levels[k].pixels >= ENOUGH && levels[k].first > 0;
+            levels[k].judge(k == OTHERS ? -1 : k, own ? levels[k] : pooled, differences);
         }
         return levels;
     }
@@ -125,18 +186,22 @@ public final class ErrorEstimate {
         private double first;
         private double second;
         private double firstSquared;
+        private double product;
+        private double secondSquared;
         private long pixels;
 
-        /** What is left of the first figure, and the derivatives of the sum of variances by the two sums. */
+        /** What is left of the first figure, and at least and at most. */
         private double share = 1;
 
-        private double ofFirst = 1;
-        private double ofSecond;
+        private double least = 1;
+        private double most = 1;
 
         void add(double a, double b) {
             first += a;
             second += b;
             firstSquared += a * a;
+            product += a * b;
+            secondSquared += b * b;
             pixels++;
         }
 
@@ -144,19 +209,25 @@ public final class ErrorEstimate {
             return first > 0 ? second / first : 0;
         }
 
-        /** The ratio with what chance may have taken from it, if so many pixels carry the sum. */
-        double cautiousRatio() {
-            return first > 0 ? ratio() + Math.sqrt(firstSquared) / first : 1;
+        /** How far chance may have taken the ratio, in 95 of 100 cases. */
+        double uncertainty() {
+            if (!(first > 0)) {
+                return 0;
+            }
+            double r = ratio();
+            double squares = secondSquared - 2 * r * product + r * r * firstSquared;
+            return TWO_SIDED_95 * Math.sqrt(Math.max(squares, 0)) / first;
         }
 
-        void judge(int level, double ratio, boolean differences) {
-            double step = 1.0 / (1 << 10);
-            share = Remainder.share(level, ratio, differences);
-            double slope = (Remainder.share(level, ratio + step, differences)
-                            - Remainder.share(level, ratio - step, differences))
-                    / (2 * step);
-            ofFirst = share - ratio * slope;
-            ofSecond = slope;
+        /** @param of the level whose ratio is taken */
+        void judge(int level, Level of, boolean differences) {
+            double ratio = of.ratio();
+            double off = of.uncertainty();
+            share = Remainder.share(Curve.MIDDLE, level, ratio, differences);
+            // Of two samples the share grows with the ratio, of more it falls.
+            double up = level == 1 ? off : -off;
+            least = Math.min(Remainder.share(Curve.LEAST, level, ratio - up, differences), share);
+            most = Math.max(Remainder.share(Curve.MOST, level, ratio + up, differences), share);
         }
     }
 
@@ -167,18 +238,12 @@ public final class ErrorEstimate {
 
     /** The lower end of an interval that holds the true error in 95 of 100 pictures. */
     public double low() {
-        return rmse() / spread();
+        return Math.sqrt(meanSquare * least);
     }
 
     /** The upper end of that interval. */
     public double high() {
-        return rmse() * spread();
-    }
-
-    /** The interval is one of the logarithm: a sum of squares of which few are great errs by factors. */
-    private double spread() {
-        double deviation = meanSquare > 0 ? deviationOfMeanSquare / meanSquare : 0;
-        return StrictMath.exp(TWO_SIDED_95 * deviation / 2);
+        return Math.sqrt(meanSquare * most + unseen);
     }
 
     /** The estimated variance of each pixel, row by row; of a single pixel it is a rough guess. */

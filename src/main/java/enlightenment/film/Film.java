@@ -90,7 +90,13 @@ public final class Film {
 
     /** How far the samples say that the pixels are from the truth. */
     public ErrorEstimate error() {
-        return ErrorEstimate.of(halves, quarters, counts, differences);
+        ErrorEstimate.Contrast contrast = new ErrorEstimate.Contrast();
+        for (int k = 0; k < rgb.length; k++) {
+            if (counts[k / 3] > 0) {
+                contrast.add(rgb[k]);
+            }
+        }
+        return ErrorEstimate.of(halves, quarters, counts, differences, contrast.get());
     }
 
     /** Camera rays of all finished pixels: their samples, and those that only showed where samples are needed. */

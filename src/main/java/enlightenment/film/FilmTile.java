@@ -1,5 +1,7 @@
 package enlightenment.film;
 
+import java.util.Arrays;
+
 /**
  * Sums of the samples of a rectangle of pixels: compensated, so that a billion samples lose nothing (Neumaier, "Rounding
  * error analysis of some methods for summing finite sums", 1974); and what the samples tell about their own error.
@@ -7,6 +9,11 @@ package enlightenment.film;
 public final class FilmTile {
     private static final int PER_PIXEL = 6;
     private static final int PER_KNOWN = 4;
+
+    /** So many samples are kept one by one, so many numbers of each. */
+    private static final int FEW = 2;
+
+    static final int PER_SAMPLE = 5;
 
     public final int x;
     public final int y;
@@ -24,7 +31,10 @@ public final class FilmTile {
     /** Per pixel: {@link SampleSpread#halves} and {@link SampleSpread#quarters}. */
     private final float[] spreads;
 
-    /** What the means of the samples so far tell; null until they are asked for. */
+    /** Per pixel of one or two samples: place, red, green and blue of each ({@link SampleSpread#at}); null if there is none. */
+    private float[] few;
+
+    /** What those tell together; null until it is asked for. */
     private Neighbours neighbours;
 
     private long surveyRays;
@@ -58,7 +68,6 @@ public final class FilmTile {
         accumulate(k + 2, g);
         accumulate(k + 4, b);
         counts[pixel]++;
-        neighbours = null;
     }
 
     private void accumulate(int k, double v) {
@@ -94,6 +103,13 @@ public final class FilmTile {
         int k = 2 * pixel(column, row);
         spreads[k] = (float) spread.halves();
         spreads[k + 1] = (float) spread.quarters();
+        if (spread.samples() <= FEW) {
+            if (few == null) {
+                few = new float[FEW * PER_SAMPLE * width * height];
+            }
+            spread.samples(few, FEW * PER_SAMPLE * pixel(column, row));
+        }
+        neighbours = null;
     }
 
     /** Counts camera rays that are not samples of a pixel of their own. */
@@ -122,31 +138,45 @@ public final class FilmTile {
         return counts[pixel(column, row)];
     }
 
+    /** Writes place, red, green and blue of the first or second sample of a pixel, by its index. */
+    void few(int pixel, int sample, float[] out, int from) {
+        if (few == null) {
+            Arrays.fill(out, from, from + PER_SAMPLE, Float.NaN);
+        } else {
+            System.arraycopy(few, PER_SAMPLE * (FEW * pixel + sample), out, from, PER_SAMPLE);
+        }
+    }
+
+    /** The square of the mean without the known part, mean of the components, of a pixel by its index. */
+    double squaredMean(int pixel) {
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            double mean = meanDifference(pixel, c);
+            sum += mean * mean;
+        }
+        return sum / 3;
+    }
+
     /**
      * The first figure that the pixel tells of its error: {@link SampleSpread#halves}, or for a single sample
-     * {@link Neighbours#difference}; of differences as {@link Remainder#ofDifferences} weighs them.
+     * {@link Neighbours#single}; of differences as {@link Remainder#ofDifferences} weighs them.
      */
     public float halves(int column, int row) {
         int pixel = pixel(column, row);
-        double first = counts[pixel] == 1 ? neighbours().difference(column, row) : spreads[2 * pixel];
+        double first = counts[pixel] == 1 ? neighbours().single(column, row) : spreads[2 * pixel];
         return (float) (known == null ? first : first * Remainder.ofDifferences(counts[pixel], ofLight(pixel)));
     }
 
     /**
-     * The second figure: {@link SampleSpread#quarters}, or for one or two samples {@link Neighbours#steps}, which may be
-     * negative; of single differences as much of it as comes from light points.
+     * The second figure: {@link SampleSpread#quarters}; for a single sample the first again; for two {@link Neighbours#single} less
+     * the first, what is left of the variance of one, which may be negative.
      */
     public float quarters(int column, int row) {
         int pixel = pixel(column, row);
-        if (counts[pixel] > 2 || counts[pixel] == 0) {
+        if (counts[pixel] > FEW || counts[pixel] == 0) {
             return spreads[2 * pixel + 1];
         }
-        double steps = neighbours().steps(column, row);
-        if (known == null || counts[pixel] == 2) {
-            return (float) steps;
-        }
-        double rest = Remainder.ofDifferences(1, 0) * (1 - ofLight(pixel));
-        return (float) (ofLight(pixel) * steps + rest * neighbours().difference(column, row));
+        return counts[pixel] == 1 ? halves(column, row) : neighbours().single(column, row) - spreads[2 * pixel];
     }
 
     private Neighbours neighbours() {

@@ -3,76 +3,117 @@ package enlightenment.film;
 /**
  * How much variance is left in the means of pixels with 2^k samples, as a share of a first figure that their samples give (A),
  * told by the ratio of a second figure (B) to it; both are sums over all such pixels. The figures are the halves and quarters of
- * the samples ({@link SampleSpread}), and of one or two samples what the neighbours tell ({@link Neighbours}).
+ * the samples ({@link SampleSpread}), and of one or two samples what neighbours tell ({@link Neighbours}).
  *
- * <p>Two ends are known: of independent samples the share is 1, and B/A is 1 for one or two samples and 2 for more; straight
- * edges in random places and directions have V(1) : V(2) : V(4) : … = 1 : 0.294 : 0.0949 : 0.0321 : 0.0112. Between and beyond
- * them the curves were fitted to the true errors of shipped scenes. docs/cluster-sampler.md has the figures.
+ * <p>Of one or two samples the figures give the variance itself. Of more they only tell how fast it has fallen so far. How it
+ * goes on is told by three FITTED curves: what it was in the middle, at least and at most, on shipped scenes and on hard ones
+ * (sub-pixel slats, wires, textures of noise, checkerboards, lit spots, small lights). Two ends are known: of independent samples
+ * B/A is 2 and the share is 1, and never is it much more; straight edges in random places and directions have
+ * V(1) : V(2) : V(4) : … = 1 : 0.294 : 0.0949 : 0.0321 : 0.0112. docs/cluster-sampler.md has the figures.
  */
 final class Remainder {
-    /** Of a single sample: 0.44 + 0.2 x + 0.36 x², which is 1 for noise and 0.5 at x = 0.12, for edges. */
-    private static final double SINGLE_EDGE = 0.44;
+    /** Ratios B/A for which the curves are given; straight between them. */
+    private static final double[] RATIO = {2, 2.3, 2.6, 3, 3.5, 4.2, 5, 6, 8};
 
-    private static final double SINGLE_LINEAR = 0.2;
-    private static final double LEAST_SINGLE_RATIO = -0.25;
+    /** The share of A at least, in the middle, and at most; fitted. */
+    private static final double[] LEAST = {0.45, 0.43, 0.42, 0.41, 0.35, 0.3, 0.2, 0.17, 0.12};
 
-    /** Of two samples, where the means of neighbours differ by more than noise: between 1/2.4, straight edges, and 1/3. */
-    private static final double PAIR_EDGE = 0.38;
+    private static final double[] MIDDLE = {0.98, 0.71, 0.57, 0.51, 0.46, 0.37, 0.23, 0.19, 0.14};
+    private static final double[] MOST = {1.08, 0.95, 0.76, 0.64, 0.57, 0.49, 0.36, 0.28, 0.2};
 
-    private static final double PAIR_RATIO = 0.3;
+    /** The same of four samples where it differs. */
+    private static final double[] LEAST_OF_FOUR = {0.33, 0.35, 0.37, 0.38, 0.34, 0.3, 0.2, 0.17, 0.12};
 
-    /** How fast the fall of the variance grows with the ratio where there is noise, and where there are edges. */
-    private static final double STEEP = 1.25;
+    private static final double[] MIDDLE_OF_FOUR = {0.98, 0.71, 0.57, 0.48, 0.45, 0.35, 0.22, 0.18, 0.14};
 
-    private static final double FLAT = 0.25;
+    /** Of a single sample: what is told is the variance; this much less or more was found. */
+    private static final double SINGLE_LEAST = 0.85;
 
-    /** The fall at edges from 2 to 4, from 4 to 8 and from 8 to 16 samples or further, and the ratio to which it belongs. */
-    private static final double[] EDGE = {3.1, 3.05, 2.95};
+    private static final double SINGLE_MOST = 1.15;
 
-    private static final double EDGE_RATIO = 2.8;
+    /**
+     * Of two samples what is told is a difference of two greater numbers: below this share of A half of what is missing is taken
+     * for chance.
+     */
+    private static final double PAIR_USUAL = 0.4;
 
-    /** From this ratio on the picture is smooth, and the fall may be anything. */
-    private static final double SMOOTH_RATIO = 4.5;
+    private static final double PAIR_LEAST_SHARE = 0.3;
+    private static final double PAIR_LEAST = 0.7;
+    private static final double PAIR_MOST = 1.25;
 
-    /** Slower than independent samples, or faster than this, the variance falls only by chance. */
-    private static final double FASTEST = 8;
+    /** Means are never much worse than those of independent samples; fitted, as all that follows. */
+    private static final double WORST = 1.08;
 
     /** What is left of the figure of one, two and four differences if nothing of it, and if all of it comes from light points. */
-    private static final double[] OF_REST = {0.6, 0.6, 0.45};
+    private static final double[] OF_REST = {0.8, 0.6, 0.5};
 
-    private static final double[] OF_LIGHT = {1, 0.4, 0.6};
+    private static final double[] OF_LIGHT = {1, 0.85, 0.85};
 
-    /** Least share that is left of single differences. */
-    private static final double LEAST_OF_DIFFERENCES = 0.4;
+    /** By how much the error of one, two and four differences was found to differ from that. */
+    private static final double[] LEAST_OF_DIFFERENCES = {0.5, 0.65, 0.5};
+
+    private static final double[] MOST_OF_DIFFERENCES = {1.3, 1.6, 1.8};
+
+    /** Numbers that are no power of two are worse than those of the next lower one; between the curve and independence. */
+    private static final int OTHERS_LEVEL = 3;
 
     private Remainder() {}
+
+    /** Which of the three curves: what may be expected, or the least or the most that was found. */
+    enum Curve {
+        LEAST,
+        MIDDLE,
+        MOST
+    }
 
     /**
      * The share of the first figure that is left.
      *
-     * @param level binary logarithm of the number of samples
+     * @param level binary logarithm of the number of samples, or negative for numbers of which there is none
      * @param ratio of the second figure to the first
      * @param differences whether the samples are differences from a known part
      */
-    static double share(int level, double ratio, boolean differences) {
+    static double share(Curve curve, int level, double ratio, boolean differences) {
+        if (level < 0) {
+            double s = share(curve, OTHERS_LEVEL, ratio, false);
+            return curve == Curve.LEAST ? s : curve == Curve.MOST ? WORST : (s + 1) / 2;
+        }
         if (differences && level < OF_REST.length) {
-            return level == 0 ? Math.min(Math.max(ratio, LEAST_OF_DIFFERENCES), 1) : 1;
+            return of(curve, LEAST_OF_DIFFERENCES[level], MOST_OF_DIFFERENCES[level]);
         }
         if (level == 0) {
-            double x = Math.min(Math.max(ratio, LEAST_SINGLE_RATIO), 1);
-            return SINGLE_EDGE + x * (SINGLE_LINEAR + x * (1 - SINGLE_EDGE - SINGLE_LINEAR));
+            return of(curve, SINGLE_LEAST, SINGLE_MOST);
         }
         if (level == 1) {
-            double x = Math.min(Math.max(ratio, PAIR_RATIO), 1);
-            return PAIR_EDGE + (1 - PAIR_EDGE) * (x - PAIR_RATIO) / (1 - PAIR_RATIO);
+            double share = Math.min(ratio < PAIR_USUAL ? (ratio + PAIR_USUAL) / 2 : ratio, 1);
+            share = Math.max(share, PAIR_LEAST_SHARE) * of(curve, PAIR_LEAST, PAIR_MOST);
+            return Math.min(share, WORST);
         }
-        return 1 / (fall(level, Math.min(Math.max(ratio, 2), FASTEST)) - 1);
+        double[] values = curve == Curve.MOST ? MOST : curve == Curve.LEAST ? LEAST : MIDDLE;
+        if (level == 2 && curve != Curve.MOST) {
+            values = curve == Curve.LEAST ? LEAST_OF_FOUR : MIDDLE_OF_FOUR;
+        }
+        return between(ratio, values);
+    }
+
+    private static double of(Curve curve, double least, double most) {
+        return curve == Curve.LEAST ? least : curve == Curve.MOST ? most : 1;
+    }
+
+    private static double between(double ratio, double[] values) {
+        int last = RATIO.length - 1;
+        double x = Math.min(Math.max(ratio, RATIO[0]), RATIO[last]);
+        int k = 0;
+        while (k < last - 1 && x > RATIO[k + 1]) {
+            k++;
+        }
+        double t = (x - RATIO[k]) / (RATIO[k + 1] - RATIO[k]);
+        return values[k] + t * (values[k + 1] - values[k]);
     }
 
     /**
-     * Differences from a known part leave isolated remainders, of which neither neighbours nor the ratio of quarters to halves
-     * tell much: what is left of the first figure of a pixel with few of them, for each pixel by itself. Only of what comes from
-     * light points do neighbours tell the variance of a single one.
+     * Differences from a known part leave remainders that do not look alike in neighbouring pixels, and of which the ratio of
+     * quarters to halves tells little: what is left of the first figure of a pixel with few of them, for each pixel by itself.
      *
      * @param ofLight the share of the variance that comes from light points
      */
@@ -86,11 +127,5 @@ final class Remainder {
     /** From this level on the ratios of halves and quarters of all levels are comparable. */
     static int leastPooled(boolean differences) {
         return differences ? OF_REST.length : 2;
-    }
-
-    private static double fall(int level, double ratio) {
-        double edge = EDGE[Math.min(level, EDGE.length + 1) - 2];
-        double fall = Math.min(2 + STEEP * (ratio - 2), edge + FLAT * (ratio - EDGE_RATIO));
-        return fall + (1 - FLAT) * Math.max(ratio - SMOOTH_RATIO, 0);
     }
 }

@@ -16,6 +16,7 @@ public final class SampleSpread {
 
     private final double[] sums = new double[3 * QUARTERS];
     private final int[] sizes = new int[QUARTERS];
+    private final double[] places = new double[4];
     private int count;
     private int taken;
     private int quarter;
@@ -30,6 +31,15 @@ public final class SampleSpread {
         quarter = 0;
         Arrays.fill(sums, 0);
         Arrays.fill(sizes, 0);
+        Arrays.fill(places, Double.NaN);
+    }
+
+    /** Says where in the pixel the next sample lies, 0..1 from the left and from above: of the first two it is kept. */
+    public void at(double x, double y) {
+        if (taken < 2) {
+            places[2 * taken] = x;
+            places[2 * taken + 1] = y;
+        }
     }
 
     /** Adds the next sample. */
@@ -64,6 +74,24 @@ public final class SampleSpread {
     /** The same for the two quarters of each half, mean of both; 0 for less than four samples. */
     public double quarters() {
         return count < QUARTERS ? 0 : (difference(0) + difference(2)) / 24;
+    }
+
+    /** How many samples the pixel has. */
+    int samples() {
+        return count;
+    }
+
+    /** Writes place, red, green and blue of each of one or two samples. */
+    void samples(float[] out, int from) {
+        for (int s = 0; s < count; s++) {
+            int k = from + 5 * s;
+            out[k] = (float) places[2 * s];
+            out[k + 1] = (float) places[2 * s + 1];
+            // The second of two is the third quarter.
+            for (int c = 0; c < 3; c++) {
+                out[k + 2 + c] = (float) sums[6 * s + c];
+            }
+        }
     }
 
     private double difference(int quarter) {

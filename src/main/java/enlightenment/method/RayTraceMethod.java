@@ -77,11 +77,12 @@ public final class RayTraceMethod implements TileMethod {
         spread.begin(samples);
         for (int s = 0; s < samples; s++) {
             address.sample(s);
-            double filmX = (x + address.filmX()) / settings.width();
-            double filmY = (y + address.filmY()) / settings.height();
-            scene.camera.ray(filmX, filmY, ray);
+            double dx = address.filmX();
+            double dy = address.filmY();
+            scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
             shader.shade(ray, address, color);
             tile.add(x, y, color[0], color[1], color[2]);
+            spread.at(dx, dy);
             spread.add(color[0], color[1], color[2]);
         }
         tile.spread(x, y, spread);

@@ -61,6 +61,7 @@ class EdgesAndNoiseTest {
                         double v = nx * x + ny * y > offset ? 1 : 0;
                         v += cx < noisy ? deviation * random.nextGaussian() : 0;
                         tile.add(cx + k % CELL, cy + k / CELL, v, v, v);
+                        spread.at(x - left, y - top);
                         spread.add(v, v, v);
                     }
                     tile.spread(cx + k % CELL, cy + k / CELL, spread);
@@ -98,12 +99,12 @@ class EdgesAndNoiseTest {
 
     /** Noise in half of the cells that has as much variance, for one sample, as the edges of all of them. */
     @ParameterizedTest
-    @CsvSource({"1, 0.88", "2, 0.74", "4, 0.8", "8, 0.88", "16, 0.88"})
+    @CsvSource({"1, 0.9", "2, 0.9", "4, 0.8", "8, 0.88", "16, 0.88"})
     void ofEdgesAndNoiseTogetherTheEstimateIsNotFarOff(int samples, double least) {
         Picture edges = picture(320, 320, 1, 5, 0, 0);
         Picture p = picture(320, 320, samples, 5, 160, Math.sqrt(2) * edges.error());
         double ratio = p.film.error().rmse() / p.error();
-        // Two and four samples cannot tell such a mixture from small shapes, whose variance falls faster:
+        // Four samples cannot tell such a mixture from small shapes, whose variance falls faster:
         // docs/cluster-sampler.md.
         assertTrue(ratio > least && ratio < 1.2, samples + " samples: " + ratio);
     }
@@ -179,6 +180,7 @@ class EdgesAndNoiseTest {
                     for (int s = 0; s < samples; s++) {
                         double v = values[2 * (32 * y + x) + s];
                         f.add(x, y, v, v, v);
+                        spread.at(values[32 * y + x], values[32 * x + y]);
                         spread.add(v, v, v);
                     }
                     f.spread(x, y, spread);

@@ -3,6 +3,7 @@ package enlightenment.film;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.sampling.Sobol;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,9 +24,12 @@ class ErrorEstimateTest {
                 for (int y = ty; y < ty + tile.height; y++) {
                     for (int x = tx; x < tx + tile.width; x++) {
                         spread.begin(samples);
+                        long seed = random.nextLong();
                         for (int s = 0; s < samples; s++) {
-                            double v = MEAN + ramp * x + deviation * random.nextGaussian();
+                            double dx = Sobol.x(s, seed);
+                            double v = MEAN + ramp * (x + dx - 0.5) + deviation * random.nextGaussian();
                             tile.add(x, y, v, v, v);
+                            spread.at(dx, Sobol.y(s, seed));
                             spread.add(v, v, v);
                         }
                         tile.spread(x, y, spread);
@@ -112,6 +116,7 @@ class ErrorEstimateTest {
             spread.begin(2);
             for (int s = 0; s < 2; s++) {
                 tile.add(8 + k % 8, k / 8, s, s, s);
+                spread.at(Sobol.x(s, k), Sobol.y(s, k));
                 spread.add(s, s, s);
             }
             tile.spread(8 + k % 8, k / 8, spread);

@@ -205,6 +205,7 @@ public final class ClusterMethod implements TileMethod {
         address.sample(index);
         double dx = address.filmX();
         double dy = address.filmY();
+        spread.at(dx, dy);
         scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
         if (guided) {
             guide.at(i + dx, j + dy);

@@ -3,6 +3,7 @@ package enlightenment.accel;
 import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 import enlightenment.math.BallCone;
+import enlightenment.math.Bounds;
 import enlightenment.math.Scale;
 
 /**
@@ -156,6 +157,34 @@ public final class Bvh {
             }
             node = skip[node];
         }
+    }
+
+    /** Sets the list to the ids of all primitives in leaves whose boxes have a point in common with a box. */
+    public void overlapping(Bounds box, BvhQuery query) {
+        query.clear();
+        int node = 0;
+        while (node < count.length) {
+            boolean clear = !overlaps(node, box);
+            if (!clear && count[node] == 0) {
+                node++;
+                continue;
+            }
+            int end = clear ? 0 : link[node] + count[node];
+            for (int i = link[node]; i < end; i++) {
+                query.add(ids[i]);
+            }
+            node = skip[node];
+        }
+    }
+
+    private boolean overlaps(int node, Bounds box) {
+        int k = NUMBERS_PER_BOX * node;
+        return boxes[k] <= box.max().x()
+                && box.min().x() <= boxes[k + 3]
+                && boxes[k + 1] <= box.max().y()
+                && box.min().y() <= boxes[k + 4]
+                && boxes[k + 2] <= box.max().z()
+                && box.min().z() <= boxes[k + 5];
     }
 
     private boolean misses(int node, BallCone cone) {

@@ -1,7 +1,9 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.geometry.EndFaces;
 import enlightenment.geometry.Primitive;
+import enlightenment.geometry.SupportSurface;
 import enlightenment.light.Light;
 import enlightenment.math.Bounds;
 import enlightenment.math.SceneFrame;
@@ -45,6 +47,11 @@ public final class CompiledLight {
     /** What a viewer sees, or null where nothing can be seen. */
     public final Primitive surface;
 
+    /** Bounds the sum of the absolute coordinates of any of its points. */
+    final double bound;
+
+    private final EndFaces lyingOn = new EndFaces();
+
     CompiledLight(Light light, SceneFrame frame) {
         DisplayRgb c = light.color();
         r = c.r();
@@ -84,7 +91,36 @@ public final class CompiledLight {
         ballZ = middle.z();
         double half = 0.5
                 * Math.max(toRight.plus(toTop).length(), toRight.minus(toTop).length());
+        bound = 3 * bounds().maxAbs();
         ballRadius = radius + half * (1 + enlightenment.math.Scale.gamma(16));
+    }
+
+    /** The faces that the light lies on, so that they do not hide it. */
+    public EndFaces lyingOn() {
+        return lyingOn;
+    }
+
+    /** Finds the faces of these primitives that the light lies on: that coincide with it or, a point, go through it. */
+    void lieOn(Primitive[] primitives) {
+        Bounds own = bounds();
+        SupportSurface shape = surface == null ? null : surface.support(0);
+        for (int id = 0; id < primitives.length; id++) {
+            Primitive p = primitives[id];
+            Bounds box = p.bounds();
+            double tolerance = CoincidentSurfaces.tolerance(own, box);
+            if (!CoincidentSurfaces.widened(own, tolerance).overlaps(box)) {
+                continue;
+            }
+            for (int face = 0; face < p.faceCount(); face++) {
+                SupportSurface s = p.support(face);
+                boolean on = shape == null
+                        ? s.passes(new Vec3(x, y, z), tolerance)
+                        : s.coincides(shape, tolerance) && s.overlaps(shape, tolerance);
+                if (on) {
+                    lyingOn.add(p, id, face, tolerance);
+                }
+            }
+        }
     }
 
     /** A box around the light. */

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * The objects of a scene as primitives in canonical order, with their materials.
@@ -36,7 +37,8 @@ record CompiledPrimitives(
         int objects,
         int[] mediumRank) {
 
-    private record Entry(int index, SceneObject object, Primitive primitive, double[] parameters) {}
+    private record Entry(
+            int index, SceneObject object, Primitive primitive, double[] parameters, List<SurfaceMaterial> surfaces) {}
 
     /** Kind, then numbers, then material: nothing that depends on names or on the order in the file. */
     private static final class Canonical implements Comparator<Entry> {
@@ -52,19 +54,22 @@ record CompiledPrimitives(
             }
             // Of things in one and the same place, what is opaque hides what is glass.
             int byGlass = Boolean.compare(isGlass(a), isGlass(b));
-            return byGlass != 0 ? byGlass : looks(a).compareTo(looks(b));
+            return byGlass != 0 ? byGlass : appearance(a).compareTo(appearance(b));
         }
 
         private static boolean isGlass(Entry e) {
-            List<Material> faces = e.object.faces();
-            return faces.isEmpty()
-                    ? e.object.material() instanceof Material.Glass
-                    : faces.stream().anyMatch(Material.Glass.class::isInstance);
+            return e.surfaces.stream().anyMatch(s -> s.kind == SurfaceMaterial.Kind.GLASS);
         }
 
-        private static String looks(Entry e) {
-            return e.object.material().toString() + e.object.faces();
+        private static String appearance(Entry e) {
+            return e.surfaces.stream().map(SurfaceMaterial::appearance).collect(Collectors.joining(", "));
         }
+    }
+
+    /** The material of a face of a primitive. */
+    SurfaceMaterial material(int id, int face) {
+        int first = firstMaterial[id];
+        return materials[firstMaterial[id + 1] - first == 1 ? first : first + face];
     }
 
     static CompiledPrimitives of(List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces) {
@@ -72,7 +77,10 @@ record CompiledPrimitives(
         for (int i = 0; i < entries.length; i++) {
             SceneObject o = objects.get(i);
             Primitive p = place(o, i, frame);
-            entries[i] = new Entry(i, o, p, p.parameters());
+            List<SurfaceMaterial> of = o.faces().isEmpty()
+                    ? List.of(surfaces.get(o.material()))
+                    : o.faces().stream().map(surfaces::get).toList();
+            entries[i] = new Entry(i, o, p, p.parameters(), of);
         }
         Arrays.sort(entries, new Canonical());
         entries = withoutTwins(entries);
@@ -80,16 +88,9 @@ record CompiledPrimitives(
         int[] first = new int[entries.length + 1];
         List<SurfaceMaterial> materials = new ArrayList<>(entries.length);
         for (int i = 0; i < entries.length; i++) {
-            SceneObject o = entries[i].object;
             primitives[i] = entries[i].primitive;
             first[i] = materials.size();
-            if (o.faces().isEmpty()) {
-                materials.add(surfaces.get(o.material()));
-            } else {
-                for (Material m : o.faces()) {
-                    materials.add(surfaces.get(m));
-                }
-            }
+            materials.addAll(entries[i].surfaces);
         }
         first[entries.length] = materials.size();
         List<String> kindNames = new ArrayList<>();

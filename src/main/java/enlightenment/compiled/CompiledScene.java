@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import enlightenment.accel.Bvh;
 import enlightenment.geometry.Primitive;
 import enlightenment.math.Bounds;
+import enlightenment.math.Scale;
 import enlightenment.math.SceneFrame;
 import enlightenment.scene.ClassicShading;
 import java.util.Arrays;
@@ -15,6 +16,9 @@ import java.util.List;
  * picture.
  */
 public final class CompiledScene {
+    /** How far boxes are widened, in units of the largest coordinate: more than two surfaces' roundings together. */
+    private static final double WIDER = Scale.gamma(128);
+
     public final SceneFrame frame;
     public final CompiledCamera camera;
     public final ClassicShading shading;
@@ -54,8 +58,14 @@ public final class CompiledScene {
     /** Ids of those glass solids that a camera ray may start in. */
     public final int[] cameraSolids;
 
-    /** Which surfaces may coincide with one of glass; null where there is no glass. */
-    private final Neighbours neighbours;
+    /** Which faces lie in one another. */
+    public final CoincidentSurfaces coincident;
+
+    /** Whether a light that can be seen lies on a face of a primitive. */
+    final boolean lightsLieOnSurfaces;
+
+    /** By id: boxes around glass solids, a little wider than they are; null for others. */
+    private final Bounds[] glassBounds;
 
     /** By id: rank of a glass solid in overlaps, the smallest fills them; see {@link enlightenment.material.Material.Glass}. */
     public final int[] mediumRank;
@@ -108,42 +118,43 @@ public final class CompiledScene {
         for (int id = 0; id < bounds.length; id++) {
             bounds[id] = primitives[id].bounds();
         }
-        neighbours = Neighbours.of(this);
+        coincident = CoincidentSurfaces.of(compiled, bvh);
+        boolean anyLies = false;
+        for (CompiledLight light : lights) {
+            light.lieOn(primitives);
+            anyLies |= light.surface != null && !light.lyingOn().isEmpty();
+        }
+        lightsLieOnSurfaces = anyLies;
+        glassBounds = new Bounds[glassSolids.length == 0 ? 0 : primitives.length];
+        for (int id : glassSolids) {
+            glassBounds[id] = widened(primitives[id].bounds());
+        }
         Bounds start = camera.startBounds();
         int[] solids = new int[glassSolids.length];
         int n = 0;
         for (int id : glassSolids) {
-            if (neighbours.bounds(id).overlaps(start)) {
+            if (glassBounds[id].overlaps(start)) {
                 solids[n++] = id;
             }
         }
         cameraSolids = Arrays.copyOf(solids, n);
-        occluders = new OccluderSet(primitives, lights, bvh);
+        occluders = new OccluderSet(primitives, bvh);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }
 
-    /** A box around a primitive of glass, or one that touches glass. */
-    public Bounds boundsOf(int id) {
-        return neighbours.bounds(id);
+    private static Bounds widened(Bounds box) {
+        return CoincidentSurfaces.widened(box, WIDER * box.maxAbs());
     }
 
-    /**
-     * The primitives of which a part of the surface may be a part of this one's surface: for one of glass any other, for
-     * one that is not of glass those of glass.
-     */
-    public int[] neighboursOf(int id) {
-        return neighbours == null ? Neighbours.NONE : neighbours.of(id);
+    /** A box around a solid of glass, a little wider than it. */
+    public Bounds boundsOf(int glassSolid) {
+        return glassBounds[glassSolid];
     }
 
-    /** Whether any face of the primitive is glass. */
-    public boolean isGlass(int id) {
-        for (int k = firstMaterial[id]; k < firstMaterial[id + 1]; k++) {
-            if (materials[k].kind == SurfaceMaterial.Kind.GLASS) {
-                return true;
-            }
-        }
-        return false;
+    /** Whether a face of a primitive is of glass. */
+    public boolean isGlass(int id, int face) {
+        return material(id, face).kind == SurfaceMaterial.Kind.GLASS;
     }
 
     /** The material of a face of a primitive. */

@@ -20,6 +20,7 @@ public final class SurfaceMaterial {
     public final int priority;
     public final boolean receivesShadows;
 
+    private final Material description;
     private final double r;
     private final double g;
     private final double b;
@@ -30,6 +31,7 @@ public final class SurfaceMaterial {
 
     SurfaceMaterial(Material material, TexelImage image) {
         this.image = image;
+        description = material;
         receivesShadows = material.receivesShadows();
         if (material instanceof Material.Glass glass) {
             kind = Kind.GLASS;
@@ -106,5 +108,15 @@ public final class SurfaceMaterial {
         // The far edge belongs to the last square.
         double square = Math.min(Math.floor(coordinate * checks), Math.ceil(checks) - 1);
         return ((long) square & 1) != 0;
+    }
+
+    /** A text that is the same for materials that look the same, on every machine and wherever image files lie. */
+    String appearance() {
+        Texture texture = description.color();
+        String color = texture instanceof Texture.File file
+                ? "image " + image.fingerprint() + " " + file.filter() + " " + file.encoding()
+                : texture.toString();
+        return kind + " " + color + " " + receivesShadows + " " + indexOfRefraction + " " + transparency + " "
+                + priority;
     }
 }

@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
 import enlightenment.geometry.Hit;
+import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
 
 /**
@@ -43,6 +44,8 @@ public final class Tracer {
 
     private final int[] allLights;
 
+    private final Contacts contacts;
+
     /** The light that the last {@link #trace} met, or null. */
     public CompiledLight light;
 
@@ -52,6 +55,7 @@ public final class Tracer {
     public Tracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
+        contacts = new Contacts(scene);
         closest = new Closest(scene.kind, counters.tests);
         candidates = new BvhQuery(scene.kind, counters.tests);
         allIds = scene.bvh == null ? count(scene.primitives.length) : new int[0];
@@ -110,7 +114,7 @@ public final class Tracer {
         for (int k = 0; k < lightCount; k++) {
             CompiledLight l = scene.visibleLights[lights[k]];
             double s = l.surface.nearest(ray, t);
-            // At equal distance a thing hides the light.
+            // At equal distance a thing hides the light, unless the light lies on it.
             if (s < t) {
                 t = s;
                 light = l;
@@ -125,25 +129,49 @@ public final class Tracer {
         }
         counters.hits[scene.kind[id]]++;
         scene.primitives[id].complete(ray, t, hit);
+        if (scene.coincident.concerns(id)) {
+            id = contacts.choose(ray, id, hit);
+        }
+        if (scene.lightsLieOnSurfaces) {
+            lookForLightOn(ray, hit, lights, lightCount);
+        }
         return true;
+    }
+
+    /** Where a light lies on the surface that was hit, the light is what the ray meets. */
+    private void lookForLightOn(Ray ray, Hit hit, int[] lights, int lightCount) {
+        for (int k = 0; k < lightCount && light == null; k++) {
+            CompiledLight l = scene.visibleLights[lights[k]];
+            if (l.lyingOn().has(id, hit.face) && l.surface.nearest(ray, Double.MAX_VALUE) != Primitive.MISS) {
+                light = l;
+                id = NOTHING;
+            }
+        }
     }
 
     /**
      * Prepares {@link #occluded} for shadow rays from the cone's apex to its light.
      *
-     * @param self the primitive that the point lies on, if it cannot stand before the light; -1 otherwise
+     * @param starts begins with the ids of primitives that the point lies on and that cannot stand before the light
+     * @param count how many these are
      * @return what is known without a ray
      */
-    public Visibility prepareShadows(LightCone cone, int self) {
-        candidateCount = scene.occluders.gather(cone, self, candidates);
+    public Visibility prepareShadows(LightCone cone, int[] starts, int count) {
+        candidateCount = scene.occluders.gather(cone, starts, count, candidates);
         return candidateCount == 0
                 ? Visibility.ALL
                 : candidateCount == OccluderSet.ALL_BLOCKED ? Visibility.NONE : Visibility.UNKNOWN;
     }
 
-    /** Whether anything stands in the ray's way before tMax. */
-    public boolean occluded(Ray ray, double tMax) {
+    /**
+     * Whether anything stands in the ray's way to a point of a light.
+     *
+     * @param ray starts on the surfaces that its origin lies on
+     * @param tMax where the ray ends on the light
+     */
+    public boolean occluded(Ray ray, double tMax, CompiledLight target) {
         counters.shadowRays++;
+        ray.endsOn(target.lyingOn(), tMax);
         if (candidateCount > MOST_CANDIDATES && scene.bvh != null) {
             return scene.bvh.occluded(ray, tMax, candidates);
         }

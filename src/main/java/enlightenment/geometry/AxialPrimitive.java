@@ -360,6 +360,15 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     }
 
     @Override
+    public SupportSurface support(int face) {
+        return switch (face) {
+            case BASE -> SupportSurface.Plane.ofDisk(base, unitAxis, baseRadius);
+            case TOP -> SupportSurface.Plane.ofDisk(top, unitAxis, topRadius);
+            default -> new SupportSurface.Lateral(base, top, baseRadius, topRadius);
+        };
+    }
+
+    @Override
     public boolean isSolid() {
         return capped;
     }

@@ -135,6 +135,27 @@ public final class BoxPrimitive extends Primitive {
     }
 
     @Override
+    public SupportSurface support(int face) {
+        double at = face % 2 == 1 ? 1 : 0;
+        Vec3[] corners = new Vec3[4];
+        for (int k = 0; k < corners.length; k++) {
+            // Around the face: 00, 10, 11, 01.
+            int p = (k + 1) / 2 % 2;
+            int q = k / 2;
+            corners[k] = switch (face / 2) {
+                case 0 -> corner(at, p, q);
+                case 1 -> corner(p, at, q);
+                default -> corner(p, q, at);
+            };
+        }
+        return SupportSurface.Plane.of(face / 2 == 0 ? Vec3.X : face / 2 == 1 ? Vec3.Y : Vec3.Z, corners);
+    }
+
+    private Vec3 corner(double x, double y, double z) {
+        return new Vec3(x > 0 ? x1 : x0, y > 0 ? y1 : y0, z > 0 ? z1 : z0);
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new BoxPrimitive(new Vec3(x0, y0, z0).scaledBy(k), new Vec3(x1, y1, z1).scaledBy(k));
     }

@@ -211,6 +211,20 @@ public final class CubePrimitive extends Primitive {
     }
 
     @Override
+    public SupportSurface support(int face) {
+        Vec3 out = face / 2 == 0 ? axisX : face / 2 == 1 ? axisY : axisZ;
+        Vec3 p = (face / 2 == 0 ? axisY : axisX).times(half);
+        Vec3 q = (face / 2 == 2 ? axisY : axisZ).times(half);
+        Vec3 middle = center.plus(out.times(face % 2 == 1 ? half : -half));
+        return SupportSurface.Plane.of(
+                out,
+                middle.minus(p).minus(q),
+                middle.plus(p).minus(q),
+                middle.plus(p).plus(q),
+                middle.minus(p).plus(q));
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new CubePrimitive(center.scaledBy(k), Scale.scalb(half, k), rotation);
     }

@@ -130,6 +130,16 @@ public final class DiskPrimitive extends Primitive {
     }
 
     @Override
+    public boolean isFlat() {
+        return true;
+    }
+
+    @Override
+    public SupportSurface support(int face) {
+        return SupportSurface.Plane.ofDisk(center, unitNormal, radius);
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new DiskPrimitive(center.scaledBy(k), normal, Scale.scalb(radius, k));
     }

@@ -104,6 +104,14 @@ public abstract sealed class Primitive
         return false;
     }
 
+    /** Whether the primitive is a part of a plane: a ray that leaves it never meets it again, on either side. */
+    public boolean isFlat() {
+        return false;
+    }
+
+    /** The surface that a face is cut out of; face is in 0..{@link #faceCount}−1. */
+    public abstract SupportSurface support(int face);
+
     /** The number of faces that a hit can name: face is in 0..faceCount−1. */
     public int faceCount() {
         return 1;
@@ -132,8 +140,10 @@ public abstract sealed class Primitive
         int side = ray.startSide;
         startHere(ray);
         double t = extreme || ray.extreme ? nearestExtreme(ray, tMax) : nearestOrdinary(ray, tMax);
+        boolean ends = ray.endsOn(this, t);
         ray.from(start, side);
-        return t;
+        // What is nearest is the end: nothing of this primitive lies before it.
+        return ends ? MISS : t;
     }
 
     private boolean intersectSpecial(Ray ray, Hit hit) {

@@ -60,7 +60,15 @@ public final class Ray {
     private int[] alsoSides = new int[0];
     private int alsoCount;
 
-    /** Whether a test must look twice: the ray is {@link #extreme}, or it starts on several primitives. */
+    /** The faces that the ray is known to end on, or null; they do not block it at its end. */
+    EndFaces end;
+
+    /** The t at which the ray ends on {@link #end}. */
+    double tEnd;
+
+    private Hit endHit;
+
+    /** Whether a test must look twice: the ray is {@link #extreme}, it starts on several primitives, or it ends on some. */
     boolean special;
 
     /** Whether the direction or the origin is so large or small that squares could leave the range of doubles. */
@@ -108,6 +116,7 @@ public final class Ray {
         extreme = !(dd <= ORDINARY_MAX && dd >= ORDINARY_MIN && oo <= ORDINARY_MAX);
         special = extreme;
         alsoCount = 0;
+        end = null;
         return this;
     }
 
@@ -127,6 +136,27 @@ public final class Ray {
         alsoStarts[alsoCount] = primitive;
         alsoSides[alsoCount++] = side;
         special = true;
+    }
+
+    /** Says that the ray ends at this t, on these faces. */
+    public void endsOn(EndFaces faces, double t) {
+        if (!faces.isEmpty()) {
+            end = faces;
+            tEnd = t;
+            special = true;
+        }
+    }
+
+    /** Whether the crossing of the primitive at t is where the ray ends. */
+    boolean endsOn(Primitive p, double t) {
+        if (end == null || t == Primitive.MISS || !end.concerns(p)) {
+            return false;
+        }
+        if (endHit == null) {
+            endHit = new Hit();
+        }
+        p.complete(this, t, endHit);
+        return end.isEnd(this, endHit);
     }
 
     /** The side of the primitive that the ray starts on, or 0 if it does not start on it. */

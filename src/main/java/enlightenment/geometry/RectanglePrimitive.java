@@ -160,6 +160,16 @@ public final class RectanglePrimitive extends Primitive {
     }
 
     @Override
+    public boolean isFlat() {
+        return true;
+    }
+
+    @Override
+    public SupportSurface support(int face) {
+        return SupportSurface.Plane.of(plane.n, a, b, c, d);
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new RectanglePrimitive(a.scaledBy(k), b.scaledBy(k), c.scaledBy(k), d.scaledBy(k));
     }

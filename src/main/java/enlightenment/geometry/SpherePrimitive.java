@@ -146,6 +146,11 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
+    public SupportSurface support(int face) {
+        return new SupportSurface.Ball(center(), radius);
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new SpherePrimitive(center().scaledBy(k), Scale.scalb(radius, k), meridianX, meridianZ);
     }

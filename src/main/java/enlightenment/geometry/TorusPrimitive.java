@@ -234,6 +234,11 @@ public final class TorusPrimitive extends Primitive {
     }
 
     @Override
+    public SupportSurface support(int face) {
+        return new SupportSurface.Ring(center(), axis(), majorRadius, minorRadius);
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new TorusPrimitive(
                 center().scaledBy(k), axis(), Scale.scalb(majorRadius, k), Scale.scalb(minorRadius, k));

@@ -67,6 +67,16 @@ public final class TrianglePrimitive extends Primitive {
     }
 
     @Override
+    public boolean isFlat() {
+        return true;
+    }
+
+    @Override
+    public SupportSurface support(int face) {
+        return SupportSurface.Plane.of(plane.n, a, b, c);
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new TrianglePrimitive(a.scaledBy(k), b.scaledBy(k), c.scaledBy(k));
     }

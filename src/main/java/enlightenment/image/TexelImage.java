@@ -2,7 +2,9 @@ package enlightenment.image;
 
 import enlightenment.color.Srgb;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Path;
+import java.util.zip.CRC32C;
 
 /**
  * A picture to look colours up in, by texture coordinates: u to the right, v downwards, the whole picture in 0..1, repeated
@@ -37,6 +39,25 @@ public final class TexelImage {
                 deep[i] = (float) displayed(raster.deep()[i] / 65535.0, linear);
             }
         }
+    }
+
+    /** A number that depends on the size and all texels, and on nothing else. */
+    public long fingerprint() {
+        CRC32C crc = new CRC32C();
+        ByteBuffer row = ByteBuffer.allocate(3 * Float.BYTES * width);
+        for (int y = 0; y < height; y++) {
+            row.clear();
+            for (int x = 0; x < width; x++) {
+                for (int c = 0; packed == null && c < 3; c++) {
+                    row.putFloat(deep[3 * (y * width + x) + c]);
+                }
+                if (packed != null) {
+                    row.putInt(packed[y * width + x]);
+                }
+            }
+            crc.update(row.flip());
+        }
+        return ((long) width << 48 ^ (long) height << 32) + crc.getValue();
     }
 
     private static double displayed(double value, boolean linear) {

@@ -37,6 +37,10 @@ public final class ClassicShader {
     private final Hit hit = new Hit();
     private final Ray shadowRay = new Ray();
     private final double[] surface = new double[3];
+
+    /** Primitives that the shaded point lies on; more than these in one place are asked needlessly. */
+    private final int[] starts = new int[8];
+
     private final int maxBounces;
     private final double ambient;
     private final double shadow;
@@ -209,6 +213,7 @@ public final class ClassicShader {
             counters.mirrorRays++;
             Optics.reflect(ray, hit);
             glass.settle(ray, id, hit);
+            glass.reflectFromAll(ray);
         }
         return throughputR > 0 || throughputG > 0 || throughputB > 0;
     }
@@ -417,15 +422,32 @@ public final class ClassicShader {
     }
 
     private Tracer.Visibility visibility() {
-        Primitive p = hit.primitive;
-        boolean cannotShadowItself = !p.isSolid() || p.isConvex() && hit.side == Ray.OUTSIDE;
-        return tracer.prepareShadows(sampler.cone, cannotShadowItself ? id : -1);
+        int count = 0;
+        if (neverReturnsTo(hit)) {
+            starts[count++] = id;
+        }
+        // The surfaces in the same place neither.
+        for (int k = 0; k < glass.surfaces() && count < starts.length; k++) {
+            if (glass.surface(k) != id && neverReturnsTo(glass.hitOf(k))) {
+                starts[count++] = glass.surface(k);
+            }
+        }
+        return tracer.prepareShadows(sampler.cone, starts, count);
+    }
+
+    /** Whether a ray that leaves the surface on the side of the viewer cannot meet it again. */
+    private static boolean neverReturnsTo(Hit place) {
+        Primitive p = place.primitive;
+        return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
     }
 
     private boolean isBlocked() {
         sampler.ray(shadowRay, hit.px, hit.py, hit.pz);
         shadowRay.from(hit.primitive, hit.side);
-        boolean blocked = tracer.occluded(shadowRay, sampler.length);
+        if (glass.surfaces() > 1) {
+            glass.startOnAll(shadowRay);
+        }
+        boolean blocked = tracer.occluded(shadowRay, sampler.length, sampler.light());
         askedPoints++;
         blockedPoints += blocked ? 1 : 0;
         if (observer != null) {

@@ -1,8 +1,8 @@
 package enlightenment.shading;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.Contacts;
 import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.geometry.Hit;
 import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
@@ -78,20 +78,17 @@ final class GlassTracer {
     boolean arrive(Ray ray, int struck, Hit hit) {
         id = struck;
         boolean glass = isGlass(struck, hit);
-        if (!glass && inside.size() == 0) {
+        if (!glass && inside.size() == 0 && !scene.coincident.concerns(struck)) {
+            contacts.clear();
             return false;
         }
         contacts.find(ray, struck, hit);
-        int opaque = NONE;
+        int opaque = contacts.seen(true);
         boolean leaving = false;
         for (int k = 0; k < contacts.size(); k++) {
             int c = contacts.id(k);
             Hit h = contacts.hit(k);
-            if (isGlass(c, h)) {
-                leaving |= h.side == Ray.INSIDE && inside.contains(c);
-            } else if (k == 0 || h.side == Ray.OUTSIDE || !scene.primitives[c].isSolid()) {
-                opaque = opaque == NONE || c < contacts.id(opaque) ? k : opaque;
-            }
+            leaving |= isGlass(c, h) && h.side == Ray.INSIDE && inside.contains(c);
         }
         if (opaque == NONE || leaving) {
             next = opaque == NONE ? NONE : contacts.id(opaque);
@@ -101,12 +98,14 @@ final class GlassTracer {
             return true;
         }
         id = contacts.id(opaque);
-        hit.set(contacts.hit(opaque));
+        if (opaque > 0) {
+            hit.set(contacts.hit(opaque));
+        }
         return false;
     }
 
     private boolean isGlass(int candidate, Hit hit) {
-        return scene.material(candidate, hit.face).kind == SurfaceMaterial.Kind.GLASS;
+        return scene.isGlass(candidate, hit.face);
     }
 
     /**
@@ -172,6 +171,28 @@ final class GlassTracer {
         for (int k = 1; k < contacts.size(); k++) {
             if (sign > 0 || isGlass(contacts.id(k), contacts.hit(k))) {
                 ray.alsoFrom(scene.primitives[contacts.id(k)], sign * contacts.hit(k).side);
+            }
+        }
+    }
+
+    /**
+     * Says that a ray that leaves one of the surfaces that {@link #arrive} found, on the side where it came from, leaves all of
+     * them.
+     */
+    void startOnAll(Ray ray) {
+        startOnAll(ray, true);
+    }
+
+    /** The same for a ray that is reflected, but for borders of glass solids: these it must cross again. */
+    void reflectFromAll(Ray ray) {
+        startOnAll(ray, false);
+    }
+
+    private void startOnAll(Ray ray, boolean glassSolids) {
+        for (int k = 0; k < contacts.size(); k++) {
+            Primitive p = scene.primitives[contacts.id(k)];
+            if (p != ray.start && (glassSolids || !isGlassSolid(k))) {
+                ray.alsoFrom(p, contacts.hit(k).side);
             }
         }
     }

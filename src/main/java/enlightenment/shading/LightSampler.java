@@ -56,6 +56,11 @@ final class LightSampler {
         basis = false;
     }
 
+    /** The light that is looked at. */
+    CompiledLight light() {
+        return light;
+    }
+
     /** Whether the surface point lies inside the light: then the light is seen in every direction. */
     boolean surroundedBy() {
         return light.kind == CompiledLight.Kind.SPHERE && cone.inside;

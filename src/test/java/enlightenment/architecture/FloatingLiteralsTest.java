@@ -53,6 +53,8 @@ class FloatingLiteralsTest {
                     "validation limit, relative to the rectangle's own longer edge"),
             new Explained(
                     "compiled/CompiledCamera.java", "-16", "units of the frame, in which every coordinate is below 2"),
+            new Explained(
+                    "compiled/Contacts.java", "4", "tolerances: how far to look for a face that is known to coincide"),
             new Explained("sampling/Hash.java", "0x1p-53", "maps 53 random bits to [0, 1)"),
             new Explained("sampling/Sobol.java", "0x1p-32", "maps 32 bits of a sequence to [0, 1)"),
             new Explained("sampling/Warp.java", "6.0", "3!, sine series"),

@@ -63,7 +63,7 @@ class OccluderSetTest {
             for (int k = 0; k < 20; k++) {
                 double[] p = array(scene, point(random, 3));
                 cone.aim(light, p[0], p[1], p[2]);
-                int n = scene.occluders.gather(cone, -1, out);
+                int n = scene.occluders.gather(cone, new int[0], 0, out);
                 boolean all = n == OccluderSet.ALL_BLOCKED;
                 hidden += all ? 1 : 0;
                 int[] candidates = IntStream.range(0, all ? 0 : n).map(out::get).toArray();
@@ -121,15 +121,22 @@ class OccluderSetTest {
     }
 
     @Test
-    void theWallsOfARoomAreNoCandidates() {
+    void aFlatThingIsNoCandidateIfPointAndLightLieOnOneSideOfItWhateverElseThereIs() {
         Rectangle floor =
                 new Rectangle(Point.of(-5, -5, -10), Point.of(-5, -5, 5), Point.of(5, -5, 5), Point.of(5, -5, -10));
         Rectangle table =
                 new Rectangle(Point.of(-1, -3, -1), Point.of(-1, -3, 1), Point.of(1, -3, 1), Point.of(1, -3, -1));
         CompiledScene scene = compile(room().object(floor, WHITE)
                 .object(table, WHITE)
-                .object(Sphere.of(Point.of(0, -3.75, 0), 1), WHITE)
+                .object(Sphere.of(Point.of(0, -20, 0), 1), WHITE)
                 .light(new Light.Sphere(Point.of(0, 3, 0), 0.5, DisplayRgb.WHITE)));
-        assertEquals(2, scene.occluders.size());
+        BvhQuery out = new BvhQuery(scene.kind, new long[scene.kindNames.size()]);
+        LightCone cone = new LightCone();
+        double[] onFloor = array(scene, Point.of(0.25, -5, 0.25));
+        cone.aim(scene.lights[0], onFloor[0], onFloor[1], onFloor[2]);
+        assertEquals(1, scene.occluders.gather(cone, new int[0], 0, out), "the table, not the floor nor what is below");
+        double[] onTable = array(scene, Point.of(0.25, -3, 0.25));
+        cone.aim(scene.lights[0], onTable[0], onTable[1], onTable[2]);
+        assertEquals(0, scene.occluders.gather(cone, new int[0], 0, out));
     }
 }

@@ -27,9 +27,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ImageInvarianceTest {
     private static final int[] POWERS_OF_TWO = {-900, -300, -60, -1, 1, 60, 300, 900};
     private static final int[] POWERS_OF_TEN = {-150, -9, -6, -3, 1, 3, 6, 9, 150};
-    private static final List<String> CAMERAS = List.of(
-            ReferenceScene.GENERIC, ReferenceScene.ON_GRID, ReferenceScene.ORTHOGRAPHIC, ReferenceScene.ISOMETRIC);
-
     /** What the protocol calls a different pixel. */
     private static final double DIFFERENT = 1e-9;
 
@@ -49,12 +46,12 @@ class ImageInvarianceTest {
 
     @Test
     void aSceneTimesAPowerOfTwoGivesTheSameBits() {
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
             RawPicture expected = RawPicture.of(scene, quick(scene));
             for (int k : POWERS_OF_TWO) {
                 Scene scaled = MovedScene.scaledByPowerOfTwo(scene, k);
-                expected.assertSameBits(RawPicture.of(scaled, quick(scaled)), "2^" + k + " with { " + camera + " }");
+                expected.assertSameBits(RawPicture.of(scaled, quick(scaled)), "2^" + k + " of " + reference);
             }
         }
     }
@@ -75,12 +72,12 @@ class ImageInvarianceTest {
     @Test
     @Tag("full")
     void aLargePictureTimesAPowerOfTwoGivesTheSameBits() {
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
             RawPicture expected = RawPicture.of(scene, large(scene));
             for (int k : POWERS_OF_TWO) {
                 Scene scaled = MovedScene.scaledByPowerOfTwo(scene, k);
-                expected.assertSameBits(RawPicture.of(scaled, large(scaled)), "2^" + k + " with { " + camera + " }");
+                expected.assertSameBits(RawPicture.of(scaled, large(scaled)), "2^" + k + " of " + reference);
             }
         }
     }
@@ -93,9 +90,9 @@ class ImageInvarianceTest {
     @ParameterizedTest
     @ValueSource(ints = {5, 20, 40, 100, 200, 300, 400})
     void aSpeckFarBehindTheViewerChangesNoBit(int exponent) {
-        for (String camera : List.of(ReferenceScene.GENERIC, ReferenceScene.ON_GRID)) {
-            Scene scene = ReferenceScene.scene(camera);
-            assertSpeckChangesNoBit(scene, quick(scene), exponent, camera);
+        for (ReferenceScene reference : ReferenceScene.seenBy(ReferenceScene.GENERIC, ReferenceScene.ON_GRID)) {
+            Scene scene = reference.scene();
+            assertSpeckChangesNoBit(scene, quick(scene), exponent, reference.toString());
         }
     }
 
@@ -125,13 +122,13 @@ class ImageInvarianceTest {
 
     @Test
     void aSceneTimesAPowerOfTenDiffersByRoundingsOnly() {
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
             RawPicture expected = RawPicture.of(scene, quick(scene));
             for (int k : POWERS_OF_TEN) {
-                Scene scaled = ReferenceScene.read(ReferenceScene.scaledText(camera, k));
+                Scene scaled = reference.scaled(k);
                 RawPicture picture = RawPicture.of(scaled, quick(scaled));
-                assertEquals(0, expected.pixelsBeyond(picture, DIFFERENT), "10^" + k + " with { " + camera + " }");
+                assertEquals(0, expected.pixelsBeyond(picture, DIFFERENT), "10^" + k + " of " + reference);
             }
         }
     }
@@ -140,18 +137,18 @@ class ImageInvarianceTest {
     @Tag("full")
     void aLargePictureTimesAPowerOfTenDiffersByRoundingsOnly() throws IOException {
         StringBuilder figures = new StringBuilder("camera, exponent of ten, greatest difference, pixels beyond 1e-9\n");
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
             RawPicture expected = RawPicture.of(scene, large(scene));
             // Round numbers may put samples onto edges, which may fall to either side: one pixel in two thousand.
-            int allowed = camera.equals(ReferenceScene.GENERIC) ? 0 : expected.pixels() / 2000;
+            int allowed = reference.isOnGrid() ? expected.pixels() / 2000 : 0;
             for (int k : POWERS_OF_TEN) {
-                Scene scaled = ReferenceScene.read(ReferenceScene.scaledText(camera, k));
+                Scene scaled = reference.scaled(k);
                 RawPicture picture = RawPicture.of(scaled, large(scaled));
                 int beyond = expected.pixelsBeyond(picture, DIFFERENT);
                 double greatest = expected.greatestDifferenceUpTo(picture, DIFFERENT);
                 figures.append(scene.camera().type() + ", " + k + ", " + greatest + ", " + beyond + "\n");
-                assertTrue(beyond <= allowed, beyond + " pixels differ at 10^" + k + " with { " + camera + " }");
+                assertTrue(beyond <= allowed, beyond + " pixels differ at 10^" + k + " of " + reference);
             }
         }
         Path folder = Path.of(System.getProperty("project.directory"), "target", "numerics");
@@ -163,23 +160,23 @@ class ImageInvarianceTest {
     @ParameterizedTest
     @ValueSource(strings = {"1e3", "1e6", "1e9", "1e15", "-1234567.000000000000000000000000000000891"})
     void aSceneMovedByADecimalInItsTextGivesTheSameBits(String t) {
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
-            Scene moved = ReferenceScene.read(ReferenceScene.translatedText(camera, new BigDecimal(t)));
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
+            Scene moved = reference.translated(new BigDecimal(t));
             RawPicture.of(scene, quick(scene))
-                    .assertSameBits(RawPicture.of(moved, quick(moved)), t + " with { " + camera + " }");
+                    .assertSameBits(RawPicture.of(moved, quick(moved)), t + " of " + reference);
         }
     }
 
     @Test
     @Tag("full")
     void aLargePictureMovedByADecimalGivesTheSameBits() {
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
             RawPicture expected = RawPicture.of(scene, large(scene));
             for (String t : List.of("1e3", "1e6", "1e9", "1e15")) {
-                Scene moved = ReferenceScene.read(ReferenceScene.translatedText(camera, new BigDecimal(t)));
-                expected.assertSameBits(RawPicture.of(moved, large(moved)), t + " with { " + camera + " }");
+                Scene moved = reference.translated(new BigDecimal(t));
+                expected.assertSameBits(RawPicture.of(moved, large(moved)), t + " of " + reference);
             }
         }
     }
@@ -189,11 +186,11 @@ class ImageInvarianceTest {
     @ParameterizedTest
     @ValueSource(ints = {10, 20, 30})
     void dyadicCoordinatesMovedInDoublesGiveTheSameBits(int k) {
-        for (String camera : CAMERAS) {
-            Scene scene = MovedScene.rounded(ReferenceScene.scene(camera), 20);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = MovedScene.rounded(reference.scene(), 20);
             Scene moved = MovedScene.translatedInDoubles(scene, Math.scalb(1.0, k));
             RawPicture.of(scene, quick(scene))
-                    .assertSameBits(RawPicture.of(moved, quick(moved)), "2^" + k + " with { " + camera + " }");
+                    .assertSameBits(RawPicture.of(moved, quick(moved)), "2^" + k + " of " + reference);
         }
     }
 
@@ -203,12 +200,12 @@ class ImageInvarianceTest {
      */
     @Test
     void farBeyondTheDigitsOfDoublesOnlyTheInputIsRounded() {
-        for (String camera : CAMERAS) {
-            Scene scene = MovedScene.rounded(ReferenceScene.scene(camera), 20);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = MovedScene.rounded(reference.scene(), 20);
             Scene moved = MovedScene.translatedInDoubles(scene, 0x1p40);
             Scene rounded = MovedScene.roundedAsIfAt(scene, 0x1p40);
             RawPicture picture = RawPicture.of(moved, quick(moved));
-            RawPicture.of(rounded, quick(rounded)).assertSameBits(picture, camera);
+            RawPicture.of(rounded, quick(rounded)).assertSameBits(picture, reference.toString());
             assertTrue(picture.pixelsBeyond(RawPicture.of(scene, quick(scene)), 0) > 0, "nothing was rounded");
         }
     }
@@ -217,8 +214,8 @@ class ImageInvarianceTest {
 
     @Test
     void theOrderOfObjectsChangesNoBit() {
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
             RawPicture expected = RawPicture.of(scene, quick(scene));
             for (int seed = 0; seed < 3; seed++) {
                 List<SceneObject> objects = new ArrayList<>(scene.objects());
@@ -229,7 +226,7 @@ class ImageInvarianceTest {
         }
     }
 
-    private static Scene withObjects(Scene s, List<SceneObject> objects) {
+    static Scene withObjects(Scene s, List<SceneObject> objects) {
         return new Scene(
                 s.name(),
                 s.width(),
@@ -246,18 +243,20 @@ class ImageInvarianceTest {
 
     @Test
     void aHierarchyChangesNoBit() {
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
             RenderSettings settings = quick(scene);
             RawPicture.of(HierarchyChoice.compile(scene, settings, false), settings)
-                    .assertSameBits(RawPicture.of(HierarchyChoice.compile(scene, settings, true), settings), camera);
+                    .assertSameBits(
+                            RawPicture.of(HierarchyChoice.compile(scene, settings, true), settings),
+                            reference.toString());
         }
     }
 
     @Test
     void threadsAndTilesChangeNoBit() {
-        for (String camera : CAMERAS) {
-            Scene scene = ReferenceScene.scene(camera);
+        for (ReferenceScene reference : ReferenceScene.all()) {
+            Scene scene = reference.scene();
             RawPicture expected = RawPicture.of(scene, quick(scene));
             for (int threads : new int[] {1, 2, 7}) {
                 for (int tileSize : new int[] {1, 16, 64}) {

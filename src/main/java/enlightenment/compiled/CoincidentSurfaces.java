@@ -1,0 +1,255 @@
+package enlightenment.compiled;
+
+import enlightenment.accel.Bvh;
+import enlightenment.accel.BvhQuery;
+import enlightenment.geometry.Primitive;
+import enlightenment.geometry.SupportSurface;
+import enlightenment.math.Bounds;
+import enlightenment.math.Scale;
+import enlightenment.math.Vec3;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * Which faces of a scene lie in one another, and which of those that do is seen.
+ *
+ * <p>Whether two faces coincide is decided once, when the scene is compiled, by their support surfaces: never by the t of two
+ * crossings, whose last bits would make it noise. Coincident are faces whose surfaces are no farther apart than roundings can
+ * put one and the same surface; whatever is farther apart is a gap.
+ *
+ * <p>The rule of what is seen (docs/geometry.md): of opaque faces in the same place the one with the smaller
+ * {@linkplain SupportSurface#extent outline}, so that a carpet shows on the floor and a poster on the wall; if they are alike,
+ * the first in the alphabetical order of their materials. What is opaque hides what is glass.
+ */
+public final class CoincidentSurfaces {
+    /**
+     * Bounds the distance of two placed copies of one surface, in units of the largest coordinate: hit points are within 8 units
+     * in the last place (16 times the unit roundoff) of it, so are corners, and a radius may be written with an ulp more.
+     */
+    private static final double SAME_PLACE = Scale.gamma(64);
+
+    private static final int[] NONE = {};
+
+    /** How the faces of one pair are kept: this primitive's face, the other primitive, its face. */
+    private static final int ENTRY = 3;
+
+    private final CompiledPrimitives compiled;
+
+    /** By id: entries of the faces that lie in one of its own, by ascending id; null as a whole if there are none. */
+    private int[][] entries;
+
+    /** By id: the place of each face in the order of what is seen; null where nothing coincides. */
+    private int[][] order;
+
+    private CoincidentSurfaces(CompiledPrimitives compiled) {
+        this.compiled = compiled;
+    }
+
+    static CoincidentSurfaces of(CompiledPrimitives compiled, Bvh bvh) {
+        CoincidentSurfaces result = new CoincidentSurfaces(compiled);
+        result.new Finder(bvh).find();
+        return result;
+    }
+
+    /** The tolerance for surfaces of primitives that lie within these boxes. */
+    static double tolerance(Bounds a, Bounds b) {
+        return SAME_PLACE * Math.max(a.maxAbs(), b.maxAbs());
+    }
+
+    /** Whether any face of the primitive coincides with another primitive's. */
+    public boolean concerns(int id) {
+        return entries != null && entries[id] != null;
+    }
+
+    /** For each coincidence of the primitive three numbers: its face, the other primitive, and that one's face. */
+    int[] of(int id) {
+        return concerns(id) ? entries[id] : NONE;
+    }
+
+    /** Whether the first of two coincident opaque faces is seen rather than the second. */
+    public boolean precedes(int id, int face, int other, int otherFace) {
+        return place(id, face) < place(other, otherFace);
+    }
+
+    private int place(int id, int face) {
+        return order == null || order[id] == null ? 0 : order[id][face];
+    }
+
+    /** Looks for the pairs. */
+    private final class Finder {
+        private final Primitive[] primitives = compiled.primitives();
+        private final Bvh bvh;
+        private final Bounds[] bounds = new Bounds[primitives.length];
+        private final SupportSurface[][] supports = new SupportSurface[primitives.length][];
+
+        Finder(Bvh bvh) {
+            this.bvh = bvh;
+            for (int id = 0; id < bounds.length; id++) {
+                bounds[id] = primitives[id].bounds();
+            }
+        }
+
+        void find() {
+            List<Integer> whole = new ArrayList<>();
+            List<Integer> others = new ArrayList<>();
+            for (int id = 0; id < primitives.length; id++) {
+                (isWhole(primitives[id]) ? whole : others).add(id);
+            }
+            findWhole(whole);
+            if (bvh == null) {
+                findAmong(others);
+            } else {
+                findByBoxes(others);
+            }
+            if (entries != null) {
+                rank();
+            }
+        }
+
+        /** Spheres and tori coincide only as wholes, so their centres do. */
+        private static boolean isWhole(Primitive p) {
+            return p.faceCount() == 1 && !p.isFlat() && !(p instanceof enlightenment.geometry.AxialPrimitive);
+        }
+
+        private void findWhole(List<Integer> ids) {
+            ids.sort(Comparator.comparingDouble(
+                    (Integer id) -> bounds[id].center().x()));
+            for (int i = 0; i < ids.size(); i++) {
+                int a = ids.get(i);
+                double x = bounds[a].center().x();
+                for (int k = i + 1; k < ids.size(); k++) {
+                    int b = ids.get(k);
+                    // Twice: the boxes' centres are rounded once more.
+                    if (bounds[b].center().x() - x > 2 * tolerance(bounds[a], bounds[b])) {
+                        break;
+                    }
+                    compare(a, b);
+                }
+            }
+        }
+
+        private void findAmong(List<Integer> ids) {
+            for (int i = 0; i < ids.size(); i++) {
+                for (int k = i + 1; k < ids.size(); k++) {
+                    compare(ids.get(i), ids.get(k));
+                }
+            }
+        }
+
+        private void findByBoxes(List<Integer> ids) {
+            BvhQuery query =
+                    new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
+            for (int id : ids) {
+                double by = tolerance(bounds[id], bounds[id]);
+                bvh.overlapping(widened(bounds[id], by), query);
+                for (int k = 0; k < query.size(); k++) {
+                    int other = query.get(k);
+                    if (other > id && !isWhole(primitives[other])) {
+                        compare(id, other);
+                    }
+                }
+            }
+        }
+
+        private void compare(int a, int b) {
+            double tolerance = tolerance(bounds[a], bounds[b]);
+            if (!widened(bounds[a], tolerance).overlaps(bounds[b])) {
+                return;
+            }
+            SupportSurface[] p = supports(a);
+            SupportSurface[] q = supports(b);
+            for (int i = 0; i < p.length; i++) {
+                for (int k = 0; k < q.length; k++) {
+                    if (p[i].coincides(q[k], tolerance) && p[i].overlaps(q[k], tolerance)) {
+                        add(a, i, b, k);
+                        add(b, k, a, i);
+                    }
+                }
+            }
+        }
+
+        private SupportSurface[] supports(int id) {
+            if (supports[id] == null) {
+                SupportSurface[] all = new SupportSurface[primitives[id].faceCount()];
+                for (int face = 0; face < all.length; face++) {
+                    all[face] = primitives[id].support(face);
+                }
+                supports[id] = all;
+            }
+            return supports[id];
+        }
+
+        private void add(int id, int face, int other, int otherFace) {
+            if (entries == null) {
+                entries = new int[primitives.length][];
+            }
+            int[] old = of(id);
+            int[] now = Arrays.copyOf(old, old.length + ENTRY);
+            now[old.length] = face;
+            now[old.length + 1] = other;
+            now[old.length + 2] = otherFace;
+            entries[id] = now;
+        }
+
+        private void rank() {
+            List<Face> faces = new ArrayList<>();
+            for (int id = 0; id < entries.length; id++) {
+                for (int face = 0; concerns(id) && face < primitives[id].faceCount(); face++) {
+                    faces.add(new Face(id, face, supports(id)[face].extent(), compiled.material(id, face)));
+                }
+            }
+            faces.sort(Comparator.comparingDouble(f -> f.extent));
+            int size = 0;
+            double last = 0;
+            for (Face f : faces) {
+                // Extents that roundings alone may make differ are alike: a chain of them is one size.
+                double same = Face.ROUNDINGS * tolerance(bounds[f.id], bounds[f.id]);
+                size += f.extent - last > same ? 1 : 0;
+                last = f.extent;
+                f.size = size;
+            }
+            faces.sort(Face.SEEN_FIRST);
+            order = new int[primitives.length][];
+            for (int k = 0; k < faces.size(); k++) {
+                Face f = faces.get(k);
+                if (order[f.id] == null) {
+                    order[f.id] = new int[primitives[f.id].faceCount()];
+                }
+                order[f.id][f.face] = k;
+            }
+        }
+    }
+
+    static Bounds widened(Bounds box, double by) {
+        Vec3 d = new Vec3(by, by, by);
+        return new Bounds(box.min().minus(d), box.max().plus(d));
+    }
+
+    private static final class Face {
+        /** How many roundings of a coordinate an extent may sum up, in tolerances. */
+        static final int ROUNDINGS = 16;
+
+        static final Comparator<Face> SEEN_FIRST = Comparator.<Face, Boolean>comparing(f -> f.isGlass)
+                .thenComparingInt(f -> f.size)
+                .thenComparing(f -> f.appearance)
+                .thenComparingInt(f -> f.id)
+                .thenComparingInt(f -> f.face);
+
+        final int id;
+        final int face;
+        final double extent;
+        final boolean isGlass;
+        final String appearance;
+        int size;
+
+        Face(int id, int face, double extent, SurfaceMaterial material) {
+            this.id = id;
+            this.face = face;
+            this.extent = extent;
+            isGlass = material.kind == SurfaceMaterial.Kind.GLASS;
+            appearance = material.appearance();
+        }
+    }
+}

@@ -1,0 +1,155 @@
+package enlightenment.compiled;
+
+import enlightenment.geometry.Hit;
+import enlightenment.geometry.Primitive;
+import enlightenment.geometry.Ray;
+import enlightenment.math.Bounds;
+import java.util.Arrays;
+
+/**
+ * The surfaces that lie in one another where a ray hits one of them. Surfaces that are the same in a scene's description
+ * (the wall of a glass and that of the water in it, a table's top and the cloth on it) differ by a few units in the last place
+ * when they are hit; which of them is hit first means nothing, so they are treated as one. A mutable work object, one per
+ * thread.
+ */
+public final class Contacts {
+    /** Cosine of the angle beyond which two surfaces merely meet in an edge. */
+    private static final double SAME_DIRECTION = 0.5;
+
+    /** How far to look for a face that is known to coincide, in tolerances: enough for it never to be missed. */
+    private static final double REACH = 4;
+
+    private final CompiledScene scene;
+    private final Ray probe = new Ray();
+    private final Hit own = new Hit();
+    private int[] ids = new int[4];
+    private Hit[] hits = {new Hit(), new Hit(), new Hit(), new Hit()};
+    private int size;
+
+    /** No surfaces yet. */
+    public Contacts(CompiledScene scene) {
+        this.scene = scene;
+    }
+
+    /** Forgets all surfaces. */
+    public void clear() {
+        size = 0;
+    }
+
+    /** Finds what coincides with a hit: that primitive comes first. */
+    public void find(Ray ray, int id, Hit hit) {
+        size = 0;
+        add(id, hit);
+        int[] entries = scene.coincident.of(id);
+        for (int k = 0; k < entries.length; k += 3) {
+            int other = entries[k + 1];
+            if (entries[k] == hit.face && !leaves(ray, scene.primitives[other])) {
+                probe(other, entries[k + 2], id, hit);
+            }
+        }
+    }
+
+    /**
+     * Of the opaque surfaces among those that coincide with a hit, makes the one that is seen the hit's.
+     *
+     * @return its id
+     */
+    int choose(Ray ray, int id, Hit hit) {
+        if (scene.isGlass(id, hit.face)) {
+            return id;
+        }
+        find(ray, id, hit);
+        int best = seen(false);
+        Hit chosen = hits[best];
+        // As if nothing else were there: the ray's own crossing, to the last bit.
+        if (best > 0) {
+            boolean same = scene.primitives[ids[best]].intersect(ray, own) && own.face == chosen.face;
+            hit.set(same ? own : chosen);
+        }
+        return ids[best];
+    }
+
+    /**
+     * Which of the opaque surfaces is seen: one that is met from outside or is open, before the inside of a solid.
+     *
+     * @param metFromOutside whether the inside of solids does not count, but for the first surface's
+     * @return its index, or -1 if none is opaque
+     */
+    public int seen(boolean metFromOutside) {
+        int best = -1;
+        boolean bestInside = true;
+        for (int k = 0; k < size; k++) {
+            Hit h = hits[k];
+            boolean inside = h.side == Ray.INSIDE && scene.primitives[ids[k]].isSolid();
+            if (scene.isGlass(ids[k], h.face) || metFromOutside && inside && k > 0) {
+                continue;
+            }
+            boolean first = best < 0
+                    || (inside == bestInside
+                            ? scene.coincident.precedes(ids[k], h.face, ids[best], hits[best].face)
+                            : bestInside);
+            if (first) {
+                best = k;
+                bestInside = inside;
+            }
+        }
+        return best;
+    }
+
+    /** Whether the ray has just left the primitive for good. */
+    private static boolean leaves(Ray ray, Primitive p) {
+        int side = ray.sideOf(p);
+        return side == Ray.OUTSIDE && p.isConvex() || side != 0 && p.isFlat();
+    }
+
+    private void probe(int id, int face, int struck, Hit hit) {
+        Primitive p = scene.primitives[id];
+        Bounds box = p.bounds();
+        double reach = REACH * CoincidentSurfaces.tolerance(box, scene.primitives[struck].bounds());
+        probe.set(hit.px, hit.py, hit.pz, hit.nx, hit.ny, hit.nz, -reach);
+        double t = p.nearest(probe, reach);
+        if (t == Primitive.MISS) {
+            return;
+        }
+        int k = makeRoom();
+        Hit other = hits[k];
+        p.complete(probe, t, other);
+        double cosine = other.nx * hit.nx + other.ny * hit.ny + other.nz * hit.nz;
+        if (other.face == face && Math.abs(cosine) > SAME_DIRECTION) {
+            other.side = cosine > 0 ? hit.side : -hit.side;
+            ids[k] = id;
+            size++;
+        }
+    }
+
+    private void add(int id, Hit hit) {
+        int k = makeRoom();
+        ids[k] = id;
+        hits[k].set(hit);
+        size++;
+    }
+
+    private int makeRoom() {
+        if (size == ids.length) {
+            ids = Arrays.copyOf(ids, 2 * size);
+            hits = Arrays.copyOf(hits, 2 * size);
+            for (int k = size; k < hits.length; k++) {
+                hits[k] = new Hit();
+            }
+        }
+        return size;
+    }
+
+    public int size() {
+        return size;
+    }
+
+    public int id(int k) {
+        return ids[k];
+    }
+
+    /** Where the ray meets that surface: its side is the one that the ray arrives on. */
+    public Hit hit(int k) {
+        return hits[k];
+    }
+}

@@ -1,0 +1,130 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Torus;
+import enlightenment.geometry.Triangle;
+import enlightenment.material.Material;
+import enlightenment.math.Point;
+import enlightenment.math.Vec3;
+import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * What nobody can see and what throws no shadow on anything that is seen changes no bit: a speck beyond a wall, behind the viewer
+ * or in an opaque solid, of every kind of primitive, in every shipped scene, with both methods.
+ */
+class HiddenObjectsTest {
+    private static final Material RED = TestScenes.matte(1, 0, 0);
+
+    /** Small enough that no ray of these small pictures meets a speck that is not hidden. */
+    private static final double SIZE = 1e-7;
+
+    static List<String> shipped() throws IOException {
+        try (Stream<Path> files = Files.list(folder())) {
+            return files.map(f -> f.getFileName().toString())
+                    .filter(f -> f.endsWith(".json"))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    private static Path folder() {
+        return Path.of(System.getProperty("project.directory"), "scenes");
+    }
+
+    private static List<Shape> specks(Point c) {
+        double s = SIZE;
+        Point x = c.plus(new Vec3(s, 0, 0));
+        Point y = c.plus(new Vec3(0.2 * s, s, 0.3 * s));
+        return List.of(
+                Sphere.of(c, s),
+                new Box(c, c.plus(new Vec3(s, s, s))),
+                new Cube(c, s, new Vec3(10, 35, 20)),
+                new Cylinder(c, y, s, true),
+                new Cylinder(c, y, s, false),
+                new Cone(c, y, s, 0, true),
+                new Torus(c, new Vec3(0.3, 1, -0.8), s, 0.4 * s),
+                new Rectangle(c, y, y.plus(x.minus(c)), x),
+                new Disk(c, new Vec3(0.2, 0.4, -1), s),
+                new Triangle(c, y, x));
+    }
+
+    /** Behind the viewer, beyond the middle of every rectangle on both sides, and inside of every ball and cube. */
+    private static Map<String, Point> places(Scene scene) {
+        Map<String, Point> places = new LinkedHashMap<>();
+        Point eye = scene.camera().origin();
+        places.put("behind the viewer", eye.plus(new Vec3(0.013, 0.017, -31.7)));
+        for (int i = 0; i < scene.objects().size(); i++) {
+            SceneObject o = scene.objects().get(i);
+            boolean opaque = !(o.material() instanceof Material.Glass);
+            if (o.shape() instanceof Rectangle r) {
+                Vec3 middle = r.upperRight().minus(r.lowerLeft()).times(0.5);
+                Vec3 n = r.upperLeft()
+                        .minus(r.lowerLeft())
+                        .cross(r.lowerRight().minus(r.lowerLeft()))
+                        .normalized();
+                boolean towardsEye = n.dot(eye.minus(r.lowerLeft())) > 0;
+                places.put(
+                        "beyond rectangle " + i, r.lowerLeft().plus(middle).plus(n.times(towardsEye ? -0.31 : 0.31)));
+            } else if (o.shape() instanceof Sphere s && opaque) {
+                places.put("in ball " + i, s.center().plus(new Vec3(0.1, 0.3, -0.2).times(s.radius())));
+            } else if (o.shape() instanceof Cube c && opaque) {
+                places.put("in cube " + i, c.center());
+            }
+        }
+        return places;
+    }
+
+    private static Scene with(Scene scene, List<Shape> more) {
+        List<SceneObject> objects = new ArrayList<>(scene.objects());
+        more.forEach(s -> objects.add(SceneObject.of(s, RED)));
+        return ImageInvarianceTest.withObjects(scene, objects);
+    }
+
+    @ParameterizedTest
+    @MethodSource("shipped")
+    void aSpeckThatNobodySeesChangesNoBit(String name) {
+        Scene scene = SceneReader.read(folder().resolve(name));
+        RenderSettings settings = RenderSettings.of(scene)
+                .withSize(48, 32)
+                .withThreads(1)
+                .withAntialias(2)
+                .withShadowSamples(3)
+                .withBudget(Budget.NONE);
+        RenderSettings cluster = settings.withMethod("cluster").withBudget(Budget.NONE.withSamples(8));
+        RawPicture evenly = RawPicture.of(scene, settings);
+        RawPicture clustered = RawPicture.of(scene, cluster);
+        Map<String, Point> places = places(scene);
+        assertTrue(places.size() > 0);
+        places.forEach((where, point) -> {
+            for (Shape s : specks(point)) {
+                evenly.assertSameBits(
+                        RawPicture.of(with(scene, List.of(s)), settings), where + ", " + s.type() + ", " + name);
+            }
+            clustered.assertSameBits(
+                    RawPicture.of(with(scene, specks(point).subList(0, 4)), cluster), where + ", cluster, " + name);
+        });
+    }
+}

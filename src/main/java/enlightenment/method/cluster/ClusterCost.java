@@ -88,14 +88,17 @@ public final class ClusterCost {
         Needed learned = new Needed(known.needed);
         ClusterMethod method = method(effort, samples);
         for (int k : known.learners) {
-            look(method, known.blocks.get(k));
-            learned.set(k, known.blocks.get(k), method);
+            Block block = known.blocks.get(k);
+            method.prepare(block);
+            if (method.hasLookedMore()) {
+                look(method, block);
+                learned.set(k, block, method);
+            }
         }
         return learned.effort(samples);
     }
 
     private void look(ClusterMethod method, Block block) {
-        method.prepare(block);
         // Not the picture's own samples: nothing that is decided may depend on those that it is decided about.
         method.look(block, Hash.of(settings.seed(), PURPOSE));
     }
@@ -113,11 +116,13 @@ public final class ClusterCost {
             needed = new Needed(blocks.size());
             ClusterMethod method = method(LEAST_EFFORT, samples);
             for (int k = 0; k < blocks.size(); k++) {
-                look(method, blocks.get(k));
+                Block block = blocks.get(k);
+                method.prepare(block);
+                look(method, block);
                 if (method.mayLearn()) {
                     learners.add(k);
                 }
-                needed.set(k, blocks.get(k), method);
+                needed.set(k, block, method);
             }
         }
     }

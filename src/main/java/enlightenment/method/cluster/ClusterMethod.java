@@ -66,6 +66,7 @@ public final class ClusterMethod implements TileMethod {
 
     private boolean guided;
     private boolean looked;
+    private boolean lookedMore;
 
     /**
      * @param effort how much is spent: the inverse of the variance that is worth one more sample
@@ -158,7 +159,8 @@ public final class ClusterMethod implements TileMethod {
         survey.take(block);
         needs.of(survey, block);
         guided = false;
-        if (isWorthLearning(block)) {
+        lookedMore = isWorthLearning(block);
+        if (lookedMore) {
             guide.reset();
             for (int round = 1; round <= MOST_LOOKS && guide.rarePoints() < ENOUGH_TO_LEARN; round++) {
                 survey.takeMore(guide, round);
@@ -180,6 +182,11 @@ public final class ClusterMethod implements TileMethod {
     boolean mayLearn() {
         double rare = survey.rareShare();
         return rare > 0 && rare <= RARE;
+    }
+
+    /** Whether it has looked at more light points with what is to be spent on it. */
+    boolean hasLookedMore() {
+        return lookedMore;
     }
 
     int surveyRays() {

@@ -43,7 +43,8 @@ public record RenderPlan(String method, double level, double samples, String dec
             RayCounters counters,
             Consumer<List<ClusterRecord>> clusters) {
         if (method.equals(CLUSTER)) {
-            return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), level, clusters);
+            return new ClusterMethod(
+                    scene, settings, counters, Distribution.of(settings.proposal()), level, samples, clusters);
         }
         return level == 0
                 ? new RayTraceMethod(scene, settings, counters)

@@ -107,6 +107,11 @@ class FloatingLiteralsTest {
             new Explained("method/cluster/Allocation.java", "2.85", "exponent: how fast variances fall with samples"),
             new Explained("method/cluster/Allocation.java", "2.5", "exponent: how fast variances fall with samples"),
             new Explained("method/cluster/Allocation.java", "3", "light points that are worth a ray"),
+            new Explained("method/cluster/Allocation.java", "0.25", "share of the samples"),
+            new Explained("method/cluster/Allocation.java", "0.125", "share of a step of binary logarithms"),
+            new Explained("method/cluster/Evidence.java", "8", "ratio of weights, measured"),
+            new Explained("method/cluster/Evidence.java", "6", "ratio of variances, measured"),
+            new Explained("method/cluster/Evidence.java", "0.3", "share of a variance, measured"),
             new Explained("method/cluster/ClusterMethod.java", "0.2", "share of light points"),
             new Explained("method/cluster/Lobe.java", "1.25", "factor on a variance"),
             new Explained(

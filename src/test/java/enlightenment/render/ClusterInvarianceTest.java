@@ -105,22 +105,22 @@ class ClusterInvarianceTest {
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         for (double samples : new double[] {2.6, 10.6}) {
             double effort = ClusterCost.of(compiled, settings, 32).effort(samples);
-            ClusterMethod used = method(compiled, settings, effort);
+            ClusterMethod used = method(compiled, settings, effort, samples);
             for (int y = 0; y < HEIGHT; y += 8) {
                 for (int x = 0; x < WIDTH; x += 8) {
                     FilmTile again = new FilmTile(x, y, Math.min(8, WIDTH - x), Math.min(8, HEIGHT - y));
                     FilmTile first = new FilmTile(x, y, again.width, again.height);
                     used.render(again);
-                    method(compiled, settings, effort).render(first);
+                    method(compiled, settings, effort, samples).render(first);
                     assertSame(first, again);
                 }
             }
         }
     }
 
-    private static ClusterMethod method(CompiledScene scene, RenderSettings settings, double effort) {
+    private static ClusterMethod method(CompiledScene scene, RenderSettings settings, double effort, double samples) {
         RayCounters counters = new RayCounters(scene.kindNames.size());
-        return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort);
+        return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort, samples);
     }
 
     private static void assertSame(FilmTile first, FilmTile again) {

@@ -19,28 +19,60 @@ final class Allocation {
 
     private static final int MOST_SAMPLES = 24;
 
-    private final double effort;
+    /**
+     * The share of the samples that goes everywhere, whatever the corners saw: what they missed then costs no more than evenly
+     * spaced rays with this share. A power of two below it, as all numbers of samples.
+     */
+    private static final double EVERYWHERE = 0.25;
 
-    /** @param effort inverse of the variance that is worth one more sample */
-    Allocation(double effort) {
+    /**
+     * How much of the step from a number of samples to twice as many is smoothed over the pixels that need the same: where all do,
+     * any number in between can be spent. More than this would cost evenness.
+     */
+    private static final double SMOOTHED = 0.125;
+
+    private final double effort;
+    private final int least;
+
+    /**
+     * @param effort inverse of the variance that is worth one more sample
+     * @param samples how many are to be spent per pixel in the mean: a share of them goes everywhere
+     */
+    Allocation(double effort, double samples) {
         this.effort = effort;
+        least = leastSamples(samples);
     }
 
-    /** Binary logarithm of the number of samples for a pixel that needs so much ({@link Needs}). */
-    int samples(double film, double edge, double light) {
-        int samples = Math.max(level(film, SMOOTH), level(edge, ROUGH));
+    /** Binary logarithm of the least number of samples of every pixel. */
+    static int leastSamples(double samples) {
+        return Math.min(Math.max(Math.getExponent(EVERYWHERE * samples), 0), MOST_SAMPLES);
+    }
+
+    /**
+     * Binary logarithm of the number of samples for a pixel that needs so much ({@link Needs}); one sample where nothing is
+     * needed at all, which is known of empty blocks only.
+     *
+     * @param dither the pixel's threshold, 0..1
+     */
+    int samples(double film, double edge, double light, double dither) {
+        if (film + edge + light == 0) {
+            return 0;
+        }
+        double rounding = 0.5 + SMOOTHED * (dither - 0.5);
+        int samples = Math.max(level(film, SMOOTH, rounding), level(edge, ROUGH, rounding));
         // With very many light points per ray, rays become the cheaper way to spread them.
-        return Math.min(Math.max(samples, lightPoints(light) - MOST_POINTS), MOST_SAMPLES);
+        samples = Math.max(samples, lightPoints(light) - MOST_POINTS);
+        return Math.min(Math.max(samples, least), MOST_SAMPLES);
     }
 
     /** Binary logarithm of the number of light points that a pixel should take in all. */
     int lightPoints(double light) {
-        return Math.min(level(LIGHT_POINTS_PER_RAY * light, ROUGH), MOST_SAMPLES + MOST_POINTS);
+        return Math.min(level(LIGHT_POINTS_PER_RAY * light, ROUGH, 0.5), MOST_SAMPLES + MOST_POINTS);
     }
 
-    private int level(double variance, double onePlusGamma) {
+    private int level(double variance, double onePlusGamma, double rounding) {
         double x = variance * effort;
-        return x <= 1 ? 0 : (int) (log2(x) / onePlusGamma + 0.5);
+        return x <= 1 ? 0 : (int) (log2(x) / onePlusGamma + rounding);
     }
 
     /** The binary logarithm, straight between powers of two: exact there, at most 0.09 too low between. */

@@ -2,8 +2,10 @@ package enlightenment.method.cluster;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.method.Dither;
 import enlightenment.method.SpreadPlaces;
 import enlightenment.sampling.Distribution;
+import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,34 +14,42 @@ import java.util.function.BooleanSupplier;
 
 /** How many camera rays an effort costs, judged by the survey of some blocks spread over the picture. */
 public final class ClusterCost {
+    /** Keeps the random numbers of what is tried apart from the picture's. */
+    private static final long PURPOSE = 0x636f7374L;
+
     private static final double LEAST_EFFORT = 1;
 
     /** Binary logarithm of the greatest effort: variances below the rounding of pixels are worth nothing. */
     private static final int MOST_EFFORT = 64;
 
-    /** Halvings of the interval of logarithms: the number of samples is then met within about 0.1 %, which no sampler spends more exactly. */
-    private static final int HALVINGS = 14;
+    /** Halvings of the interval of logarithms: where all pixels need the same, a step of samples is crossed within 1/64 of it. */
+    private static final int HALVINGS = 18;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final RayCounters counters;
-    private final List<Block> blocks = new ArrayList<>();
+    /**
+     * From these numbers of samples on blocks are judged anew: more first samples tell about the others, or there are enough to
+     * judge by more blocks.
+     */
+    private static final double[] FROM = {1, 8, 16, 64};
 
-    /** Which of the blocks may learn, and so need less than their first survey shows, for more rays. */
-    private final List<Integer> learners = new ArrayList<>();
+    /** How many times as many blocks then. */
+    private static final int[] TIMES = {1, 1, 1, 4};
 
-    private final Needed surveyed;
+    private final int blockCount;
+    private final Surveyed[] surveyed = new Surveyed[FROM.length];
     private final BooleanSupplier cancelled;
 
     private ClusterCost(CompiledScene scene, RenderSettings settings, int blockCount, BooleanSupplier cancelled) {
         this.cancelled = cancelled;
         this.scene = scene;
         this.settings = settings;
+        this.blockCount = blockCount;
         counters = new RayCounters(scene.kindNames.size());
-        surveyed = new Needed(blockCount);
     }
 
-    /** Surveys so many blocks, or all if there are not more. */
+    /** Judges by so many blocks or a few times as many, or by all if there are not more. */
     public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks) {
         return of(scene, settings, blocks, () -> false);
     }
@@ -50,37 +60,35 @@ public final class ClusterCost {
      * @param cancelled once true, what is surveyed has to do: whoever asks for the effort then gets some number
      */
     public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks, BooleanSupplier cancelled) {
-        int across = (settings.width() + Block.SIDE - 1) / Block.SIDE;
-        int down = (settings.height() + Block.SIDE - 1) / Block.SIDE;
-        List<int[]> places = SpreadPlaces.of(across, down, blocks);
-        ClusterCost cost = new ClusterCost(scene, settings, places.size(), cancelled);
-        ClusterMethod method = cost.method(LEAST_EFFORT);
-        try {
-            for (int[] place : places) {
-                cost.survey(
-                        Block.around(place[0] * Block.SIDE, place[1] * Block.SIDE, settings.width(), settings.height()),
-                        method);
-            }
-        } catch (CancellationException e) {
-            cost.learners.clear();
-        }
-        return cost;
+        return new ClusterCost(scene, settings, blocks, cancelled);
     }
 
-    private void survey(Block block, ClusterMethod method) {
-        method.prepare(block);
-        if (method.mayLearn()) {
-            learners.add(blocks.size());
-        }
-        surveyed.set(blocks.size(), block, method);
-        blocks.add(block);
-    }
-
-    private ClusterMethod method(double effort) {
+    private ClusterMethod method(double effort, double samples) {
         ClusterMethod method =
-                new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort);
+                new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort, samples);
         method.stopWhen(cancelled);
         return method;
+    }
+
+    private Surveyed surveyed(double samples) {
+        int k = FROM.length - 1;
+        while (k > 0 && samples < FROM[k]) {
+            k--;
+        }
+        if (surveyed[k] == null) {
+            surveyed[k] = new Surveyed(blocks(TIMES[k]), FROM[k]);
+        }
+        return surveyed[k];
+    }
+
+    private List<Block> blocks(int times) {
+        int across = (settings.width() + Block.SIDE - 1) / Block.SIDE;
+        int down = (settings.height() + Block.SIDE - 1) / Block.SIDE;
+        List<Block> blocks = new ArrayList<>();
+        for (int[] place : SpreadPlaces.of(across, down, times * blockCount)) {
+            blocks.add(Block.around(place[0] * Block.SIDE, place[1] * Block.SIDE, settings.width(), settings.height()));
+        }
+        return blocks;
     }
 
     /**
@@ -88,21 +96,59 @@ public final class ClusterCost {
      * whatever it costs. Blocks that learn are taken as they are with the effort that would be right if they did not.
      */
     public double effort(double samples) {
-        double effort = surveyed.effort(samples);
-        if (learners.isEmpty()) {
+        try {
+            return effortFor(samples);
+        } catch (CancellationException e) {
+            return LEAST_EFFORT;
+        }
+    }
+
+    private double effortFor(double samples) {
+        Surveyed known = surveyed(samples);
+        double effort = known.needed.effort(samples);
+        if (known.learners.isEmpty()) {
             return effort;
         }
-        Needed learned = new Needed(surveyed);
-        ClusterMethod method = method(effort);
-        try {
-            for (int k : learners) {
-                method.prepare(blocks.get(k));
-                learned.set(k, blocks.get(k), method);
+        Needed learned = new Needed(known.needed);
+        ClusterMethod method = method(effort, samples);
+        for (int k : known.learners) {
+            Block block = known.blocks.get(k);
+            method.prepare(block);
+            if (method.hasLookedMore()) {
+                look(method, block);
+                learned.set(k, block, method);
             }
-        } catch (CancellationException e) {
-            return effort;
         }
         return learned.effort(samples);
+    }
+
+    private void look(ClusterMethod method, Block block) {
+        // Not the picture's own samples: nothing that is decided may depend on those that it is decided about.
+        method.look(block, Hash.of(settings.seed(), PURPOSE));
+    }
+
+    /** What all blocks need before any of them has learned. */
+    private final class Surveyed {
+        private final List<Block> blocks;
+        private final Needed needed;
+
+        /** Which of the blocks may learn, and so need less than their first survey shows, for more rays. */
+        private final List<Integer> learners = new ArrayList<>();
+
+        Surveyed(List<Block> blocks, double samples) {
+            this.blocks = blocks;
+            needed = new Needed(blocks.size());
+            ClusterMethod method = method(LEAST_EFFORT, samples);
+            for (int k = 0; k < blocks.size(); k++) {
+                Block block = blocks.get(k);
+                method.prepare(block);
+                look(method, block);
+                if (method.mayLearn()) {
+                    learners.add(k);
+                }
+                needed.set(k, block, method);
+            }
+        }
     }
 
     /** What the pixels of some blocks need, as {@link Needs} says it. */
@@ -112,6 +158,7 @@ public final class ClusterCost {
         private final double[] film;
         private final double[] edge;
         private final double[] light;
+        private final double[] dither;
         private final int[] pixels;
         private final int[] rays;
 
@@ -119,6 +166,7 @@ public final class ClusterCost {
             film = new double[blocks * PIXELS];
             edge = new double[film.length];
             light = new double[film.length];
+            dither = new double[film.length];
             pixels = new int[blocks];
             rays = new int[blocks];
         }
@@ -127,6 +175,7 @@ public final class ClusterCost {
             film = other.film.clone();
             edge = other.edge.clone();
             light = other.light.clone();
+            dither = other.dither;
             pixels = other.pixels.clone();
             rays = other.rays.clone();
         }
@@ -139,6 +188,7 @@ public final class ClusterCost {
                 for (int i = 0; i < block.width(); i++) {
                     film[n] = needs.film[Block.SIDE * j + i];
                     edge[n] = needs.edge[Block.SIDE * j + i];
+                    dither[n] = Dither.at(block.x() + i, block.y() + j);
                     light[n++] = needs.light[Block.SIDE * j + i];
                 }
             }
@@ -147,8 +197,8 @@ public final class ClusterCost {
         }
 
         /** Mean number of camera rays per pixel, the survey's included. */
-        double samples(double effort) {
-            Allocation allocation = new Allocation(effort);
+        double samples(double effort, double asked) {
+            Allocation allocation = new Allocation(effort, asked);
             long sum = 0;
             long all = 0;
             for (int b = 0; b < pixels.length; b++) {
@@ -156,7 +206,7 @@ public final class ClusterCost {
                 all += pixels[b];
                 int first = PIXELS * b;
                 for (int k = first; k < first + pixels[b]; k++) {
-                    sum += 1L << allocation.samples(film[k], edge[k], light[k]);
+                    sum += 1L << allocation.samples(film[k], edge[k], light[k], dither[k]);
                 }
             }
             return (double) sum / all;
@@ -167,7 +217,7 @@ public final class ClusterCost {
             double high = MOST_EFFORT;
             for (int k = 0; k < HALVINGS; k++) {
                 double middle = (low + high) / 2;
-                if (samples(power(middle)) <= samples) {
+                if (samples(power(middle), samples) <= samples) {
                     low = middle;
                 } else {
                     high = middle;

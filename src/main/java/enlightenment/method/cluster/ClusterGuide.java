@@ -65,19 +65,18 @@ final class ClusterGuide implements LightGuide {
     boolean fit() {
         proposing = true;
         boolean any = false;
-        gain = 0;
-        int most = 0;
+        double before = 0;
+        double after = 0;
         for (int k = 0; k < size; k++) {
             RayCluster c = pool.get(k);
             if (c.fit()) {
                 any = true;
                 counters.clusters++;
             }
-            if (c.watched() > most) {
-                most = c.watched();
-                gain = c.judgedGain();
-            }
+            before += c.doubt();
+            after += c.doubt() / c.judgedGain();
         }
+        gain = after > 0 ? before / after : 1;
         return any;
     }
 
@@ -96,7 +95,10 @@ final class ClusterGuide implements LightGuide {
         return most;
     }
 
-    /** How many times smaller the variance of a light point has become in the largest cluster; 1 if not at all. */
+    /**
+     * How many times smaller the variance of the light points of all clusters together is expected to become: one light that is
+     * well proposed does not make the others' noise smaller.
+     */
     double gain() {
         return gain;
     }

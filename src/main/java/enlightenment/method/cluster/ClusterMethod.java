@@ -5,6 +5,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.geometry.Ray;
+import enlightenment.method.Dither;
 import enlightenment.method.TileMethod;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.RenderSettings;
@@ -33,6 +34,11 @@ public final class ClusterMethod implements TileMethod {
     /** A share of points above this leaves little to gain by seeking them. */
     private static final double RARE = 0.2;
 
+    /** More first samples than this, as a binary logarithm, tell the others no more that is worth keeping. */
+    static final int MOST_FIRST = 2;
+
+    private static final int PIXELS = Block.SIDE * Block.SIDE;
+
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final Allocation allocation;
@@ -49,12 +55,32 @@ public final class ClusterMethod implements TileMethod {
     /** Interpolation of the corners' colours: constant, by x, by y and by xy, for red, green and blue. */
     private final double[] corners = new double[12];
 
-    private boolean guided;
+    private final Evidence evidence = new Evidence();
 
-    /** @param effort how much is spent: the inverse of the variance that is worth one more sample */
+    /** Binary logarithm of how many samples of each pixel tell about the others, and their colours, one after another. */
+    private final int firstSamples;
+
+    private final double[] first = new double[3 * PIXELS << MOST_FIRST];
+
+    /** Binary logarithm of the light points per sample of each pixel. */
+    private final int[] points = new int[PIXELS];
+
+    private boolean guided;
+    private boolean looked;
+    private boolean lookedMore;
+
+    /**
+     * @param effort how much is spent: the inverse of the variance that is worth one more sample
+     * @param samples the camera rays per pixel that this is expected to take: a share of them goes everywhere
+     */
     public ClusterMethod(
-            CompiledScene scene, RenderSettings settings, RayCounters counters, Distribution proposal, double effort) {
-        this(scene, settings, counters, proposal, effort, null);
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            Distribution proposal,
+            double effort,
+            double samples) {
+        this(scene, settings, counters, proposal, effort, samples, null);
     }
 
     /**
@@ -68,15 +94,22 @@ public final class ClusterMethod implements TileMethod {
             RayCounters counters,
             Distribution proposal,
             double effort,
+            double samples,
             Consumer<List<ClusterRecord>> clusters) {
         this.scene = scene;
         this.settings = settings;
-        allocation = new Allocation(effort);
+        allocation = new Allocation(effort, samples);
+        firstSamples = firstSamples(samples);
         shader = new ClassicShader(scene, 1, counters);
         recorder = clusters == null ? null : new ClusterRecorder(clusters);
         shader.observer(recorder);
         survey = new Survey(scene, settings, shader, recorder);
         guide = new ClusterGuide(proposal, counters);
+    }
+
+    /** Binary logarithm of how many samples of each pixel tell about the others, if so many are spent in the mean. */
+    static int firstSamples(double samples) {
+        return Math.min(Allocation.leastSamples(samples), MOST_FIRST);
     }
 
     @Override
@@ -101,6 +134,7 @@ public final class ClusterMethod implements TileMethod {
         }
         prepare(block);
         tile.addSurveyRays(survey.rays());
+        look(block, settings.seed());
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 boolean wanted = tile.contains(block.x() + i, block.y() + j);
@@ -131,7 +165,8 @@ public final class ClusterMethod implements TileMethod {
         survey.take(block);
         needs.of(survey, block);
         guided = false;
-        if (isWorthLearning(block)) {
+        lookedMore = isWorthLearning(block);
+        if (lookedMore) {
             guide.reset();
             for (int round = 1; round <= MOST_LOOKS && guide.rarePoints() < ENOUGH_TO_LEARN; round++) {
                 survey.takeMore(guide, round);
@@ -155,6 +190,11 @@ public final class ClusterMethod implements TileMethod {
         return rare > 0 && rare <= RARE;
     }
 
+    /** Whether it has looked at more light points with what is to be spent on it. */
+    boolean hasLookedMore() {
+        return lookedMore;
+    }
+
     int surveyRays() {
         return survey.rays();
     }
@@ -173,29 +213,79 @@ public final class ClusterMethod implements TileMethod {
         return points >= PATIENCE * survey.pointsOfMore();
     }
 
-    private void renderPixel(Block block, int i, int j, FilmTile tile) {
+    /**
+     * Takes the first samples of each pixel, and lets each learn from those of the others. Not where proposals learn: they would
+     * pass on to a pixel what others have learned from its own samples.
+     */
+    void look(Block block, long seed) {
+        looked = !guided && !survey.isEmpty();
+        evidence.begin();
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                int k = Block.SIDE * j + i;
+                int wanted = needs.lightIsSettled ? 0 : allocation.lightPoints(needs.light[k]);
+                points[k] = Math.max(wanted - samples(block, i, j), 0);
+                if (looked) {
+                    turn(block, i, j, seed);
+                    look(block, i, j);
+                }
+            }
+        }
+        if (looked) {
+            evidence.raise(needs, block);
+        }
+    }
+
+    private void look(Block block, int i, int j) {
         int k = Block.SIDE * j + i;
-        int level = allocation.samples(needs.film[k], needs.edge[k], needs.light[k]);
-        int points = needs.lightIsSettled ? 0 : Math.max(allocation.lightPoints(needs.light[k]) - level, 0);
-        shader.lightPoints(1 << points);
-        int x = block.x() + i;
-        int y = block.y() + j;
-        address.pixel(settings.seed(), x, y);
+        int count = 1 << firstSamples;
+        long key = survey.commonKey(i, j);
+        double sum = 0;
+        for (int s = 0; s < count; s++) {
+            sample(block.x() + i, block.y() + j, i, j, s);
+            System.arraycopy(color, 0, first, 3 * (count * k + s), 3);
+            sum += Evidence.of(color, shader.pathKey() == key, needs, k, 1 << points[k]);
+        }
+        evidence.tell(k, key != Survey.DIFFERENT, sum / count);
+    }
+
+    private int samples(Block block, int i, int j) {
+        int k = Block.SIDE * j + i;
+        return allocation.samples(
+                needs.film[k], needs.edge[k], needs.light[k], Dither.at(block.x() + i, block.y() + j));
+    }
+
+    /** Turns to a pixel. */
+    private void turn(Block block, int i, int j, long seed) {
+        shader.lightPoints(1 << points[Block.SIDE * j + i]);
+        address.pixel(seed, block.x() + i, block.y() + j);
         interpolate(i, j);
         if (guided) {
             guide.pixel(i, j);
         }
-        int samples = 1 << level;
+    }
+
+    private void renderPixel(Block block, int i, int j, FilmTile tile) {
+        int k = Block.SIDE * j + i;
+        int x = block.x() + i;
+        int y = block.y() + j;
+        turn(block, i, j, settings.seed());
+        int samples = 1 << samples(block, i, j);
+        int done = looked ? 1 << firstSamples : 0;
         spread.begin(samples);
         for (int s = 0; s < samples; s++) {
-            sample(x, y, i, j, s);
+            if (s < done) {
+                System.arraycopy(first, 3 * (done * k + s), color, 0, 3);
+            } else {
+                sample(x, y, i, j, s);
+            }
             if (tile != null) {
                 tile.add(x, y, color[0], color[1], color[2]);
                 spread.add(color[0], color[1], color[2]);
             }
         }
         if (tile != null) {
-            tile.known(x, y, mean(0), mean(1), mean(2), needs.ofLight(k, 1 << points));
+            tile.known(x, y, mean(0), mean(1), mean(2), needs.ofLight(k, 1 << points[k]));
             tile.spread(x, y, spread);
         }
     }

@@ -23,7 +23,7 @@ final class Needs {
      */
     private static final double LEAST_AT_EDGE = 0x1p-13;
 
-    /** What a pixel may hide between its corners, unless nothing is there: with more and more samples all of it is found. */
+    /** What a pixel may hide between its corners, unless nothing is there; what its neighbours hide tells more ({@link Evidence}). */
     private static final double UNSEEN = 0x1p-27;
 
     /** A second difference of three corners of variance v each has the variance (1 + 4 + 1) v. */
@@ -74,8 +74,7 @@ final class Needs {
     private void addCorners(Survey survey, int i, int j, int pixel) {
         int k = Survey.node(i, j);
         int below = k + Survey.SIDE;
-        long key = survey.keys[k];
-        if (key != survey.keys[k + 1] || key != survey.keys[below] || key != survey.keys[below + 1]) {
+        if (survey.commonKey(i, j) == Survey.DIFFERENT) {
             edge[pixel] = OF_EDGE * Math.max(cornerVariance(survey.rgb, 3 * k, 3 * below), LEAST_AT_EDGE);
         } else {
             double curvature = (second[k] + second[k + 1] + second[below] + second[below + 1]) / 4;

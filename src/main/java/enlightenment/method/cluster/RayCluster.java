@@ -91,6 +91,11 @@ final class RayCluster {
         return watched[0].size + watched[1].size;
     }
 
+    /** The variance that its watched points show, times their number. */
+    double doubt() {
+        return (double) watched[0].size * watched[1].size / Math.max(watched(), 1);
+    }
+
     void watch(double x, double y, double pp, double qq, boolean blocked) {
         watched[blocked ? 1 : 0].add(x, y, pp, qq);
     }

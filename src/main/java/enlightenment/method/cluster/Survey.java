@@ -29,6 +29,9 @@ final class Survey {
     /** Keeps the survey's random numbers apart from those of pixels, which have the same places. */
     private static final long PURPOSE = 0x737572766579L;
 
+    /** No path's key, but for one in 2⁶⁴. */
+    static final long DIFFERENT = Long.MIN_VALUE;
+
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final ClassicShader shader;
@@ -144,6 +147,14 @@ final class Survey {
         for (int c = 0; c < 3; c++) {
             rgb[3 * node + c] += share * (color[c] - rgb[3 * node + c]);
         }
+    }
+
+    /** What all corners of a pixel met, or {@link #DIFFERENT} if they did not meet the same. */
+    long commonKey(int i, int j) {
+        int k = node(i, j);
+        int below = k + SIDE;
+        long key = keys[k];
+        return key == keys[k + 1] && key == keys[below] && key == keys[below + 1] ? key : DIFFERENT;
     }
 
     static int node(int i, int j) {

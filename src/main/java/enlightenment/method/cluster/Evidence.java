@@ -1,0 +1,102 @@
+package enlightenment.method.cluster;
+
+/**
+ * What the first samples of a block's pixels met that its corners had not shown: a sign that other pixels hide as much. What a
+ * pixel's need learns comes from the samples of the others only, so that its own may still be used.
+ *
+ * <p>Pixels whose corners met the same and pixels whose corners did not are judged apart: beside the outline of a large thing the
+ * former hide nothing, between wires thinner than a pixel they hide as much as the latter. The shares were chosen for the least
+ * error at equal cost (docs/cluster-sampler.md).
+ */
+final class Evidence {
+    /** How much more a touching pixel tells than one that is further away. */
+    private static final double NEAR = 8;
+
+    /** Of what others hide, how much a pixel needs: {@link Needs} counts an edge about six times what it leaves of variance. */
+    private static final double OF_QUIET = 6;
+
+    /** The same of pixels whose corners differ; their own corners tell more about most of them. */
+    private static final double OF_EDGE = 1;
+
+    /** How much a sample counts whose path met just what the corners' did: colours that bend are no edges. */
+    private static final double OF_SAME_PATH = 0.3;
+
+    private final double[] surprise = new double[Block.SIDE * Block.SIDE];
+    private final boolean[] quiet = new boolean[Block.SIDE * Block.SIDE];
+
+    /** Sums and numbers of the pixels whose corners differ, and of the others. */
+    private final double[] sums = new double[2];
+
+    private final int[] pixels = new int[2];
+
+    /** Forgets what was told. */
+    void begin() {
+        for (int kind = 0; kind < 2; kind++) {
+            sums[kind] = 0;
+            pixels[kind] = 0;
+        }
+    }
+
+    /**
+     * How much of a surprise a sample is.
+     *
+     * @param color the sample minus what the corners let expect
+     * @param samePath whether it met what all the corners of its pixel met
+     * @param lightPoints how many points of each light it took
+     */
+    static double of(double[] color, boolean samePath, Needs needs, int pixel, int lightPoints) {
+        double squared = (color[0] * color[0] + color[1] * color[1] + color[2] * color[2]) / 3;
+        // Where lights are partly hidden their noise is no news.
+        if (!samePath) {
+            return squared - needs.light[pixel] / lightPoints;
+        }
+        return needs.light[pixel] > 0 ? 0 : OF_SAME_PATH * (squared - needs.film[pixel]);
+    }
+
+    /** Tells the mean surprise of the first samples of a pixel, and whether its corners met the same. */
+    void tell(int pixel, boolean isQuiet, double mean) {
+        quiet[pixel] = isQuiet;
+        surprise[pixel] = mean;
+        sums[kind(pixel)] += mean;
+        pixels[kind(pixel)]++;
+    }
+
+    private int kind(int pixel) {
+        return quiet[pixel] ? 1 : 0;
+    }
+
+    /** Lets what the other pixels hide raise the needs of each. */
+    void raise(Needs needs, Block block) {
+        if (sums[0] <= 0 && sums[1] <= 0) {
+            return;
+        }
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                int k = Block.SIDE * j + i;
+                double others = others(block, i, j);
+                needs.edge[k] =
+                        quiet[k] ? needs.edge[k] + OF_QUIET * others : Math.max(needs.edge[k], OF_EDGE * others);
+            }
+        }
+    }
+
+    /** The mean surprise of the other pixels of the same kind, those that touch this one counted more. */
+    private double others(Block block, int i, int j) {
+        int k = Block.SIDE * j + i;
+        int kind = kind(k);
+        double near = 0;
+        int count = 0;
+        for (int y = Math.max(j - 1, 0); y <= Math.min(j + 1, block.height() - 1); y++) {
+            for (int x = Math.max(i - 1, 0); x <= Math.min(i + 1, block.width() - 1); x++) {
+                int n = Block.SIDE * y + x;
+                if (n != k && kind(n) == kind) {
+                    near += surprise[n];
+                    count++;
+                }
+            }
+        }
+        double far = sums[kind] - surprise[k] - near;
+        double weight = NEAR * count + (pixels[kind] - 1 - count);
+        return weight == 0 ? 0 : Math.max((NEAR * near + far) / weight, 0);
+    }
+}

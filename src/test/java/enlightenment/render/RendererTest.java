@@ -216,9 +216,12 @@ class RendererTest {
                 () -> false);
         assertEquals(50, calls.get());
         assertTrue(all.complete());
-        AtomicInteger asked = new AtomicInteger();
-        RenderResult some =
-                Renderer.render(SMALL, QUICK.withTileSize(8), RenderProgress.NONE, () -> asked.incrementAndGet() > 10);
+        AtomicInteger tiles = new AtomicInteger();
+        RenderResult some = Renderer.render(
+                SMALL,
+                QUICK.withTileSize(8),
+                (done, total, image) -> tiles.incrementAndGet(),
+                () -> tiles.get() >= 10);
         assertFalse(some.complete());
         assertEquals(all.image().component(2, 2, 0), some.image().component(2, 2, 0));
         assertEquals(640, some.report().pixels());

@@ -52,6 +52,7 @@ public final class EngineJob implements Closeable {
             throw new IllegalArgumentException("a render with a checkpoint must not depend on the time that it takes");
         }
         TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        render.notes().forEach(log);
         ServerJob job = new ServerJob(render, JobContent.of(scene, render.outline(), Build.number()), log);
         if (checkpoint != null) {
             job.open(checkpoint);

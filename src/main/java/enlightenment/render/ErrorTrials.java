@@ -89,12 +89,14 @@ final class ErrorTrials {
      * The number of samples for which the error is as asked, if it lies between these two; if not the greater one.
      *
      * @param first the number to begin with
+     * @param planning what it costs to plan for another number, beside the trial, in samples per pixel of the whole render
      * @return infinite where even the greatest number seems not to be enough, or it was stopped before it could be known
      */
-    double search(double least, double first, double most) {
+    double search(double least, double first, double most, double planning) {
         ErrorSearch search = new ErrorSearch(asked, least, most);
         double n = Math.min(Math.max(first, least), most);
         for (int k = 0; k < MOST_TRIALS; k++) {
+            work += planning;
             List<FilmTile> tiles = trial(n, 0);
             double e = stop.getAsBoolean() ? 0 : figure(tiles);
             if (stop.getAsBoolean() || isHopeless()) {
@@ -106,8 +108,8 @@ final class ErrorTrials {
                 break;
             }
             n = Math.min(Math.max(Tidy.of(search.next()), least), most);
-            if (work + share * n > MOST_COST * n) {
-                break;
+            if (work + planning + share * n > MOST_COST * n) {
+                return search.isFound() ? search.answer() : n < most ? n : Double.POSITIVE_INFINITY;
             }
         }
         if (!search.isFound()) {

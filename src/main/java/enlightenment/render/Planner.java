@@ -10,8 +10,10 @@ import enlightenment.sampling.Hash;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 
@@ -37,6 +39,11 @@ final class Planner {
     /** Blocks that are surveyed to learn what an effort costs. */
     private static final int COST_BLOCKS = 512;
 
+    private static final double PIXELS_OF_BLOCK = 64;
+
+    /** Rays of a survey, per pixel. */
+    private static final double SURVEY_RAYS = 81 / PIXELS_OF_BLOCK;
+
     /** What a search for an error begins with: evenly spaced rays, and surveyed ones. */
     private static final double FIRST_SAMPLES = 2;
 
@@ -61,6 +68,7 @@ final class Planner {
     private double passes = 1;
 
     private ClusterCost cost;
+    private final Map<Double, Double> efforts = new HashMap<>();
 
     Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         this.scene = scene;
@@ -114,12 +122,17 @@ final class Planner {
     /** The plan for so many samples per pixel. */
     RenderPlan withSamples(double samples, String by) {
         return isClustered(samples)
-                ? new RenderPlan(RenderPlan.CLUSTER, cost().effort(samples), samples, by)
+                ? new RenderPlan(RenderPlan.CLUSTER, effort(samples), samples, by)
                 : new RenderPlan(RenderPlan.RAYTRACE, Math.max(samples, 1), samples, by);
     }
 
     private boolean isClustered(double samples) {
         return cluster && samples >= FEWEST_OF_CLUSTER;
+    }
+
+    /** What was worked out for a trial need not be worked out again for the render. */
+    private double effort(double samples) {
+        return efforts.computeIfAbsent(samples, n -> cost().effort(n));
     }
 
     private ClusterCost cost() {
@@ -158,14 +171,21 @@ final class Planner {
 
     private double search(ErrorTrials trials, double most) {
         if (!isClustered(most)) {
-            return trials.search(1, FIRST_SAMPLES, most);
+            return trials.search(1, FIRST_SAMPLES, most, 0);
         }
         // The error jumps where surveys begin: look on each side of it apart. Where evenly spaced rays are enough, they
         // are fewer.
-        double plain = trials.search(1, 1, MOST_OF_OTHERS);
+        double plain = trials.search(1, 1, MOST_OF_OTHERS, 0);
         return plain <= MOST_OF_OTHERS || trials.isHopeless()
                 ? plain
-                : trials.search(FEWEST_OF_CLUSTER, FIRST_OF_CLUSTER, most);
+                : trials.search(FEWEST_OF_CLUSTER, FIRST_OF_CLUSTER, most, planningRays());
+    }
+
+    /** What it costs to know the effort of another number of samples, at most, per pixel of what is rendered. */
+    private double planningRays() {
+        RenderSettings.Crop region = settings.region();
+        double surveyed = Math.min((double) settings.width() * settings.height(), COST_BLOCKS * PIXELS_OF_BLOCK);
+        return SURVEY_RAYS * surveyed / ((double) region.width() * region.height());
     }
 
     /** Refuses what only another file could keep. */

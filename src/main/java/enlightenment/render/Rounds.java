@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 /**
  * Decides whether a finished picture is as exact as its budget asks, and with how many samples to render it again if not. A round
  * starts from nothing: so its picture is that of {@code --samples} with its number, whatever rounds there were before
- * (docs/decisions/0007). Each takes at least a quarter more than the one before, so all of them together take at most five times
+ * (docs/decisions/0008). Each takes at least a quarter more than the one before, so all of them together take at most five times
  * as much as the last; as a rule there are one or two.
  */
 final class Rounds {

@@ -157,7 +157,8 @@ class JournalTest {
                 // Where the same bytes follow, the others seem to be the ones that are missing.
                 List<String> found = open(JOB);
                 assertTrue(
-                        found.containsAll(texts(without(recordAt(at), Math.min(recordAt(end - 1) + 2, RECORDS.size())))),
+                        found.containsAll(
+                                texts(without(recordAt(at), Math.min(recordAt(end - 1) + 2, RECORDS.size())))),
                         "cut at " + at);
             }
         }

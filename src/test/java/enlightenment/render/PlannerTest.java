@@ -140,7 +140,8 @@ class PlannerTest {
                 // nothing
                 // between them is to be had, and less would not be quicker.
                 boolean fewest = method.equals("cluster") && samples / seeds < 2.5;
-                if (kept < 0.95 * seeds || median < 0.6 && !fewest) {
+                // An interval whose upper end is as asked has its middle a seventh or more below.
+                if (kept < 0.95 * seeds || median < 0.5 && !fewest) {
                     failures.add(line);
                 }
             }

@@ -56,8 +56,8 @@ final class MergeCommand extends Subcommand {
         parts.forEach(part -> files.reads("a part", part));
         files.writes("-o", output).writes("--report", report).check();
         RenderParts.Merged merged = RenderParts.merge(parts);
-        RenderResult result =
-                merged.result().withRounding(Rounding.of(merged.result().image(), PictureOptions.depth(output, format, depth)));
+        RenderResult result = merged.result()
+                .withRounding(Rounding.of(merged.result().image(), PictureOptions.depth(output, format, depth)));
         if (!merged.missing().isEmpty() && !partial) {
             say(merged.missing());
             terminal.say(Standard.output(output) + " was not written; --partial writes what there is");

@@ -72,7 +72,9 @@ final class PictureOptions {
 
     /** Bits per component of the file, or 0 for floats. */
     static int depth(Path output, String format, String depth) {
-        boolean holdsFloats = Standard.is(output) ? "pfm".equals(format) : Target.extension(output).equals(".pfm");
+        boolean holdsFloats = Standard.is(output)
+                ? "pfm".equals(format)
+                : Target.extension(output).equals(".pfm");
         return holdsFloats ? 0 : "16".equals(depth) ? 16 : 8;
     }
 

@@ -101,8 +101,7 @@ final class RenderCommand extends Subcommand {
         checkOptions();
         input = new SceneInput(sceneFile, terminal);
         Scene scene = input.read(options.frame());
-        RenderSettings settings =
-                PictureOptions.forFile(options.settings(scene, input.name()), output, format, depth);
+        RenderSettings settings = PictureOptions.forFile(options.settings(scene, input.name()), output, format, depth);
         options.tellOfStretch(scene, settings, terminal);
         if (clusters != null) {
             checkClusters(settings);

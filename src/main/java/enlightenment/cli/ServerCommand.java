@@ -138,8 +138,7 @@ final class ServerCommand extends Subcommand {
         ServerOptions server = serverOptions();
         input = new SceneInput(sceneFile, terminal);
         Scene scene = input.read(options.frame());
-        RenderSettings settings =
-                PictureOptions.forFile(options.settings(scene, input.name()), output, format, depth);
+        RenderSettings settings = PictureOptions.forFile(options.settings(scene, input.name()), output, format, depth);
         options.tellOfStretch(scene, settings, terminal);
         outputFiles(scene).check();
         return finish(serve(scene, settings, server), scene, settings);

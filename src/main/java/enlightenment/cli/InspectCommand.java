@@ -9,6 +9,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
+import enlightenment.text.Plain;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -25,6 +26,7 @@ import picocli.CommandLine.Parameters;
         description = "Tells what a scene holds and what a render of it would do.",
         sortOptions = false)
 final class InspectCommand extends Subcommand {
+    private static final int LONGEST_LINE = 10_000;
     private static final double MEBI = 1 << 20;
 
     @Parameters(paramLabel = "SCENE", description = "the scene file; - for standard input")
@@ -138,6 +140,6 @@ final class InspectCommand extends Subcommand {
 
     private void line(String label, String value) {
         String name = label.isEmpty() ? "" : label + ":";
-        terminal.show(String.format(Locale.ROOT, "%-18s%s", name, value));
+        terminal.show(Plain.line(String.format(Locale.ROOT, "%-18s%s", name, value), LONGEST_LINE));
     }
 }

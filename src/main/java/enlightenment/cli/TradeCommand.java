@@ -134,7 +134,7 @@ final class TradeCommand extends Subcommand {
         try {
             output.write(Trade.evaluate(settings, folder));
         } catch (InvalidValueException e) {
-            throw CliException.wrongUsage("--evaluate: " + e.getMessage());
+            throw CliException.wrongUsage("--evaluate: " + e.problem());
         }
         return CliException.DONE;
     }

@@ -61,8 +61,7 @@ public final class Flip {
         if (!(pixelsPerDegree >= MIN_PIXELS_PER_DEGREE && pixelsPerDegree <= MAX_PIXELS_PER_DEGREE)) {
             throw new InvalidValueException(
                     "pixelsPerDegree",
-                    "must lie in " + MIN_PIXELS_PER_DEGREE + ".." + MAX_PIXELS_PER_DEGREE + ", not "
-                            + pixelsPerDegree);
+                    "must lie in " + MIN_PIXELS_PER_DEGREE + ".." + MAX_PIXELS_PER_DEGREE + ", not " + pixelsPerDegree);
         }
         ImagePair.check(test, reference);
         FlipKernels kernels = new FlipKernels(pixelsPerDegree);

@@ -6,7 +6,9 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 
 /**
  * One run of the command line within this process.
@@ -27,8 +29,20 @@ record CliRun(int code, String out, String err) {
         for (int i = 0; i < args.length; i++) {
             texts[i] = args[i].toString();
         }
-        int code = Main.run(texts, new Terminal(print(out), print(err), stop));
+        int code = Main.run(quiet(texts), new Terminal(print(out), print(err), stop));
         return new CliRun(code, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    /** On a busy machine a render takes long enough to tell of its progress: no test wants that unless it says so. */
+    static String[] quiet(String... args) {
+        boolean tells = args.length > 1 && Set.of("render", "server", "trade").contains(args[0]);
+        if (!tells || List.of(args).contains("--progress")) {
+            return args;
+        }
+        String[] more = Arrays.copyOf(args, args.length + 2);
+        more[args.length] = "--progress";
+        more[args.length + 1] = "none";
+        return more;
     }
 
     private static PrintStream print(ByteArrayOutputStream bytes) {

@@ -156,7 +156,16 @@ class RenderExtrasTest {
             return minutes.get() * 60_000_000_000L;
         });
         Commands.line(command)
-                .parseArgs(scene.toString(), "-o", picture.toString(), "--preview", "1", "--threads", "1");
+                .parseArgs(
+                        scene.toString(),
+                        "-o",
+                        picture.toString(),
+                        "--preview",
+                        "1",
+                        "--threads",
+                        "1",
+                        "--progress",
+                        "none");
         assertEquals(0, command.execute());
         assertEquals("", err.toString(StandardCharsets.UTF_8));
         Image end = ImageFiles.read(picture);

@@ -36,7 +36,8 @@ class StandardStreamsTest {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Terminal terminal = new Terminal(
                 new ByteArrayInputStream(in), new PrintStream(out, true), new PrintStream(err, true), new Stop());
-        int code = Main.run(Stream.of(args).map(Object::toString).toArray(String[]::new), terminal);
+        String[] texts = CliRun.quiet(Stream.of(args).map(Object::toString).toArray(String[]::new));
+        int code = Main.run(texts, terminal);
         return new Run(code, out.toByteArray(), err.toString(StandardCharsets.UTF_8));
     }
 

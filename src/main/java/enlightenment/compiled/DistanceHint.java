@@ -28,7 +28,8 @@ final class DistanceHint {
         Vec3 shift = new Vec3(next.ox, next.oy, next.oz).minus(new Vec3(middle.ox, middle.oy, middle.oz));
         // Rays that meet in the eye part in proportion to the distance, as rounding does; parallel ones do not.
         double step = turn.maxAbs() > 0 ? turn.length() / direction.length() : shift.length() / farthest(compiled);
-        if (!(askew(direction) > PART_OF_A_PIXEL * step)) {
+        // No direction at all is left of a window that is nothing beside the scene.
+        if (direction.maxAbs() > 0 && !(askew(direction) > PART_OF_A_PIXEL * step)) {
             return List.of();
         }
         return List.of("/camera: beside the distance of what is seen, the view is so narrow that numbers cannot tell"

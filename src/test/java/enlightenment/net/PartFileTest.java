@@ -45,7 +45,8 @@ class PartFileTest {
                 "part");
         file = folder.resolve("part.film");
         RenderSettings settings = RenderSettings.of(scene).withAntialias(1).withThreads(1);
-        RenderParts.render(scene, settings, 1, 1, samples -> Map.of("Title", "part"), file, RenderProgress.NONE, () -> false);
+        RenderParts.render(
+                scene, settings, 1, 1, samples -> Map.of("Title", "part"), file, RenderProgress.NONE, () -> false);
         good = Files.readAllBytes(file);
         assertEquals(List.of(), RenderParts.merge(List.of(file)).missing());
     }

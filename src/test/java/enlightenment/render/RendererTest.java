@@ -113,20 +113,11 @@ class RendererTest {
                     .build();
             double expected = 0;
             double weight = 1;
-            boolean atPane = true;
-            int toMirror = 0;
-            for (int bounce = 0; bounce <= limit; bounce++) {
-                if (atPane) {
-                    expected += weight * opaque;
-                    weight *= 1 - opaque;
-                } else {
-                    weight *= r;
-                }
-                // The path runs pane, front mirror, pane, back mirror, pane, ...
-                atPane = !atPane;
-                toMirror++;
+            // The path runs pane, front mirror, pane, back mirror, pane, ...; panes are no bounces.
+            for (int mirrors = 0; mirrors <= limit; mirrors++) {
+                expected += weight * opaque;
+                weight *= (1 - opaque) * r;
             }
-            assertTrue(toMirror > limit);
             Image image = Renderer.render(scene, RenderSettings.of(scene).withAntialias(1));
             assertEquals((float) expected, image.component(0, 0, 1), 1e-7, "limit " + limit);
         }

@@ -218,10 +218,7 @@ class RendererTest {
         assertTrue(all.complete());
         AtomicInteger tiles = new AtomicInteger();
         RenderResult some = Renderer.render(
-                SMALL,
-                QUICK.withTileSize(8),
-                (done, total, image) -> tiles.incrementAndGet(),
-                () -> tiles.get() >= 10);
+                SMALL, QUICK.withTileSize(8), (done, total, image) -> tiles.incrementAndGet(), () -> tiles.get() >= 10);
         assertFalse(some.complete());
         assertEquals(all.image().component(2, 2, 0), some.image().component(2, 2, 0));
         assertEquals(640, some.report().pixels());

@@ -20,10 +20,17 @@ final class TimeLeft {
     private boolean started;
     private long start;
     private long doneAtStart;
+    private long doneBefore;
     private double seconds = Double.NaN;
 
     /** Some more is done. */
     synchronized void at(long nanos, long done, long total) {
+        if (done < doneBefore) {
+            // The picture is rendered once more.
+            started = false;
+            seconds = Double.NaN;
+        }
+        doneBefore = done;
         if (!started) {
             // The first tile is the mark, not part of what is measured.
             started = done > 0;

@@ -51,6 +51,17 @@ class PlainProgressTest {
         assertEquals("", said());
     }
 
+    /** As it is where the first picture was not as exact as asked. */
+    @Test
+    void aPictureThatIsRenderedOnceMoreIsForetoldByItself() {
+        at(1_000, 10);
+        at(5_000, 200);
+        at(6_000, 20);
+        // 60 in the 2.5 s since the new first tile: 120 more take 5 s.
+        at(8_500, 80);
+        assertEquals("10 % done\n40 % done, 5 s left\n", said());
+    }
+
     private String said() {
         return err.toString(StandardCharsets.UTF_8);
     }

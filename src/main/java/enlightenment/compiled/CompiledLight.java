@@ -11,6 +11,12 @@ import enlightenment.math.Vec3;
 
 /** A light in the scene's frame. */
 public final class CompiledLight {
+    /** The side of a plane that its normal points to. */
+    static final int ABOVE = 1;
+
+    /** The other side. */
+    static final int BELOW = 2;
+
     /** The light's form. */
     public enum Kind {
         SPHERE,
@@ -48,7 +54,10 @@ public final class CompiledLight {
     public final Primitive surface;
 
     /** Bounds the sum of the absolute coordinates of any of its points. */
-    final double bound;
+    private final double bound;
+
+    /** By id: on which sides of flat primitives' planes the light lies ({@link #sidesOf}); null where that is asked rarely. */
+    byte[] sides;
 
     private final EndFaces lyingOn = new EndFaces();
 
@@ -121,6 +130,23 @@ public final class CompiledLight {
                 }
             }
         }
+    }
+
+    /**
+     * On which side of a plane the light lies: {@link #ABOVE} if no point of it is below, {@link #BELOW} if none is above, both if
+     * all are in it.
+     *
+     * @param offset n·q for the plane's points q, where n = (nx, ny, nz) is its unit normal
+     * @param error bounds the rounding of a distance from the plane, in units of the coordinates that are summed up
+     */
+    byte sidesOf(double nx, double ny, double nz, double offset, double error) {
+        double there = nx * x + ny * y + nz * z - offset;
+        double toRight = nx * right.x() + ny * right.y() + nz * right.z();
+        double toTop = nx * up.x() + ny * up.y() + nz * up.z();
+        double least = there - radius + Math.min(toRight, 0) + Math.min(toTop, 0);
+        double greatest = there + radius + Math.max(toRight, 0) + Math.max(toTop, 0);
+        double slack = error * (bound + Math.abs(offset));
+        return (byte) ((least >= -slack ? ABOVE : 0) | (greatest <= slack ? BELOW : 0));
     }
 
     /** A box around the light. */

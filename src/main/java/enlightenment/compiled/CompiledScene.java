@@ -138,7 +138,7 @@ public final class CompiledScene {
             }
         }
         cameraSolids = Arrays.copyOf(solids, n);
-        occluders = new OccluderSet(primitives, bvh);
+        occluders = new OccluderSet(primitives, lights, bvh);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }

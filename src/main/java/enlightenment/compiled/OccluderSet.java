@@ -6,6 +6,7 @@ import enlightenment.geometry.Primitive;
 import enlightenment.geometry.SpherePrimitive;
 import enlightenment.geometry.SupportSurface;
 import enlightenment.math.Bounds;
+import enlightenment.math.Scale;
 import enlightenment.math.Vec3;
 
 /**
@@ -22,6 +23,11 @@ final class OccluderSet {
     /** What {@link #gather} returns where one ball hides the whole light, so that no ray is needed to know it. */
     static final int ALL_BLOCKED = -1;
 
+    /** Bounds the rounding of a distance from a plane, in units of the coordinates that are summed up. */
+    private static final double PLANE_ERROR = Scale.gamma(16);
+
+    private final int count;
+
     /** By id: centre and radius of a ball around the primitive. */
     private final double[] balls;
 
@@ -30,21 +36,47 @@ final class OccluderSet {
 
     private final Bvh bvh;
 
-    /** By id: the unit normal and the offset of a flat primitive's plane, or null. */
-    private final double[][] planes;
+    /** By id: whether the primitive is flat, and its plane's unit normal and offset. */
+    private final boolean[] isFlat;
 
-    OccluderSet(Primitive[] primitives, Bvh bvh) {
+    private final double[] planes;
+
+    OccluderSet(Primitive[] primitives, CompiledLight[] lights, Bvh bvh) {
         this.bvh = bvh;
-        balls = new double[4 * primitives.length];
-        isBall = new boolean[primitives.length];
-        planes = new double[primitives.length][];
-        for (int id = 0; id < primitives.length; id++) {
+        count = primitives.length;
+        balls = new double[4 * count];
+        isBall = new boolean[count];
+        isFlat = new boolean[count];
+        planes = new double[4 * count];
+        for (int id = 0; id < count; id++) {
             setBall(primitives[id], id);
-            if (primitives[id].support(0) instanceof SupportSurface.Plane p && primitives[id].isFlat()) {
-                Vec3 n = p.unitNormal();
-                planes[id] = new double[] {n.x(), n.y(), n.z(), n.dot(p.corners()[0])};
+            isFlat[id] = primitives[id].isFlat();
+            if (isFlat[id] && primitives[id].support(0) instanceof SupportSurface.Plane p) {
+                setPlane(p.unitNormal(), p.corners()[0], id);
             }
         }
+        for (CompiledLight light : lights) {
+            light.sides = bvh == null ? sides(light) : null;
+        }
+    }
+
+    private void setPlane(Vec3 n, Vec3 point, int id) {
+        planes[4 * id] = n.x();
+        planes[4 * id + 1] = n.y();
+        planes[4 * id + 2] = n.z();
+        planes[4 * id + 3] = n.dot(point);
+    }
+
+    private byte[] sides(CompiledLight light) {
+        byte[] sides = new byte[count];
+        for (int id = 0; id < count; id++) {
+            sides[id] = isFlat[id] ? sidesOf(light, 4 * id) : 0;
+        }
+        return sides;
+    }
+
+    private byte sidesOf(CompiledLight light, int k) {
+        return light.sidesOf(planes[k], planes[k + 1], planes[k + 2], planes[k + 3], PLANE_ERROR);
     }
 
     private void setBall(Primitive p, int id) {
@@ -67,15 +99,15 @@ final class OccluderSet {
      *
      * @param cone how the light is seen
      * @param starts begins with the ids of primitives that are known not to
-     * @param count how many these are
+     * @param startCount how many these are
      * @param query receives their ids
      * @return how many there are, or {@link #ALL_BLOCKED}
      */
-    int gather(LightCone cone, int[] starts, int count, BvhQuery query) {
+    int gather(LightCone cone, int[] starts, int startCount, BvhQuery query) {
         query.clear();
         if (bvh == null) {
-            for (int id = 0; id < planes.length; id++) {
-                if (!isAmong(id, starts, count) && add(cone, id, query)) {
+            for (int id = 0; id < count; id++) {
+                if (!isAmong(id, starts, startCount) && add(cone, id, query)) {
                     return ALL_BLOCKED;
                 }
             }
@@ -86,15 +118,15 @@ final class OccluderSet {
         query.clear();
         for (int k = 0; k < n; k++) {
             int id = query.get(k);
-            if (!isAmong(id, starts, count) && add(cone, id, query)) {
+            if (!isAmong(id, starts, startCount) && add(cone, id, query)) {
                 return ALL_BLOCKED;
             }
         }
         return query.size();
     }
 
-    private static boolean isAmong(int id, int[] starts, int count) {
-        for (int k = 0; k < count; k++) {
+    private static boolean isAmong(int id, int[] starts, int startCount) {
+        for (int k = 0; k < startCount; k++) {
             if (starts[k] == id) {
                 return true;
             }
@@ -104,8 +136,7 @@ final class OccluderSet {
 
     /** Adds a primitive if it may stand in the way; true if it hides the light wholly. */
     private boolean add(LightCone cone, int id, BvhQuery query) {
-        double[] plane = planes[id];
-        if (plane != null && cone.staysBeside(plane[0], plane[1], plane[2], plane[3])) {
+        if (isFlat[id] && staysBeside(cone, id)) {
             return false;
         }
         double cx = balls[4 * id];
@@ -120,5 +151,21 @@ final class OccluderSet {
         }
         query.add(id);
         return false;
+    }
+
+    /**
+     * Whether no segment from the apex to the light crosses the plane of a flat primitive: both lie on the same side of it, or
+     * one of them in it. A segment that only starts or ends in a plane does not cross it.
+     */
+    private boolean staysBeside(LightCone cone, int id) {
+        CompiledLight light = cone.light();
+        int sides = light.sides == null ? sidesOf(light, 4 * id) : light.sides[id];
+        double offset = planes[4 * id + 3];
+        double height = planes[4 * id] * cone.x + planes[4 * id + 1] * cone.y + planes[4 * id + 2] * cone.z - offset;
+        double error = PLANE_ERROR * (Math.abs(cone.x) + Math.abs(cone.y) + Math.abs(cone.z) + Math.abs(offset));
+        if (height > error) {
+            return (sides & CompiledLight.ABOVE) != 0;
+        }
+        return height >= -error || (sides & CompiledLight.BELOW) != 0;
     }
 }

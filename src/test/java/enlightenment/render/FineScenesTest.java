@@ -60,7 +60,7 @@ class FineScenesTest {
     @ParameterizedTest
     @CsvSource({"wires, 1.15", "slats, 1.1", "grid, 1.1"})
     void clusterIsNotFarBehindWhereEverythingIsFinerThanAPixel(String name, double most) {
-        double ratio = ratio(name, 16, 64, 48, 2, 256);
+        double ratio = ratio(name, 16, 64, 48, 2, 128);
         assertTrue(ratio < most, name + ": " + ratio);
     }
 
@@ -110,7 +110,7 @@ class FineScenesTest {
     @ParameterizedTest
     @CsvSource({"wires, 5", "wires, 16", "slats, 12"})
     void clusterAndRaytraceMeanTheSamePicture(String name, double samples) {
-        assertSame(name, samples, 64);
+        assertSame(name, samples, 48);
     }
 
     @ParameterizedTest

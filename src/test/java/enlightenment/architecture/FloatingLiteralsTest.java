@@ -87,14 +87,10 @@ class FloatingLiteralsTest {
             new Explained("sampling/NormalIntegral.java", "0.180625", "0.425², a probability squared"),
             new Explained("sampling/NormalIntegral.java", "1.6", "Wichura: centre of the second approximation"),
             new Explained("film/ErrorEstimate.java", "1.96", "deviations that hold 95 % of a normal distribution"),
-<<<<<<< HEAD
             new Explained(
                     "film/ErrorEstimate.java",
                     "1.23",
                     "ln 40/3: three pixels of which no sample meets so much in one of 40 pictures"),
-=======
-            new Explained("film/ErrorEstimate.java", "1.23", "ln 40 over three pixels: missed in one of 40"),
->>>>>>> wt-interval
             new Explained("film/Neighbours.java", "16.0", "4²: the density of two points of one pixel"),
             new Explained("film/Remainder.java", "2.3", "share or ratio of variances, fitted"),
             new Explained("film/Remainder.java", "2.6", "share or ratio of variances, fitted"),

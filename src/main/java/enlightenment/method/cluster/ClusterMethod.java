@@ -275,6 +275,8 @@ public final class ClusterMethod implements TileMethod {
         spread.begin(samples);
         for (int s = 0; s < samples; s++) {
             if (s < done) {
+                address.sample(s);
+                spread.at(address.filmX(), address.filmY());
                 System.arraycopy(first, 3 * (done * k + s), color, 0, 3);
             } else {
                 sample(x, y, i, j, s);

@@ -246,7 +246,7 @@ final class RenderOptions {
                     : Failures.inFile(sceneFile, new InvalidValueException("image", e.problem()));
         }
         if (e.key().equals("error")) {
-            return CliException.wrongUsage("--error " + e.getMessage() + "; more bits (--depth 16) or a .pfm file can");
+            return CliException.wrongUsage("--error " + e.problem() + "; more bits (--depth 16) or a .pfm file can");
         }
         return Failures.inFile(sceneFile, e);
     }

@@ -160,8 +160,17 @@ class RenderServerTest {
             assertFalse(server.await(RenderProgress.NONE, () -> false).complete());
             assertTrue(Thread.interrupted(), "the interrupt stays set");
         }
-        // The place is free again.
-        new java.net.ServerSocket(port, 1, java.net.InetAddress.getLoopbackAddress()).close();
+        // The thread that listened there may need a moment to let go of the place.
+        Farm.until(() -> isFree(port), "the place is free again");
+    }
+
+    private static boolean isFree(int port) {
+        try {
+            new java.net.ServerSocket(port, 1, java.net.InetAddress.getLoopbackAddress()).close();
+            return true;
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     @Test

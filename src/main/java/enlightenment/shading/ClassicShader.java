@@ -33,6 +33,7 @@ import java.util.function.BooleanSupplier;
 public final class ClassicShader {
     /** A line meets no primitive more often: the torus, of the fourth degree, is the worst. */
     private static final int MOST_CROSSINGS = 4;
+
     /** After so many paths, surfaces and light points together it is asked whether anybody still wants them. */
     static final int ASK_EVERY = 1024;
 

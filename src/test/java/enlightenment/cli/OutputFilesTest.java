@@ -39,6 +39,7 @@ class OutputFilesTest {
             "render --part",
             "merge --partial",
             "trade --resume",
+            "trade --evaluate",
             "completion");
 
     /** What is read only, by commands that write nothing, or in a place where nothing is written. */

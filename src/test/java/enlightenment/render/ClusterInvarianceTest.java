@@ -52,7 +52,9 @@ class ClusterInvarianceTest {
         RenderSettings settings = settings(scene, budget);
         Picture one = ManySeeds.render(scene, settings);
         // With an error to keep, the first round of so small a picture is the trial: one sample per pixel, no clusters.
-        if (name.equals("keyhole") && budget.samples().isPresent() && budget.error().isEmpty()) {
+        if (name.equals("keyhole")
+                && budget.samples().isPresent()
+                && budget.error().isEmpty()) {
             assertTrue(one.sampling().clusters() > 0, "no light points were proposed");
         }
         int[][] ways = {{2, 8}, {7, 8}, {2, 64}, {7, 5}};

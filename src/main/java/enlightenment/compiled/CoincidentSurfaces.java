@@ -33,12 +33,15 @@ public final class CoincidentSurfaces {
     private static final int[] NONE = {};
 
     /** How the faces of one pair are kept: this primitive's face, the other primitive, its face. */
-    private static final int ENTRY = 3;
+    static final int ENTRY = 3;
 
     private final CompiledPrimitives compiled;
 
     /** By id: entries of the faces that lie in one of its own, by ascending id; null as a whole if there are none. */
     private int[][] entries;
+
+    /** By id: for each entry how far the two surfaces may be apart. */
+    private double[][] tolerances;
 
     /** By id: the place of each face in the order of what is seen; null where nothing coincides. */
     private int[][] order;
@@ -66,6 +69,11 @@ public final class CoincidentSurfaces {
     /** For each coincidence of the primitive three numbers: its face, the other primitive, and that one's face. */
     int[] of(int id) {
         return concerns(id) ? entries[id] : NONE;
+    }
+
+    /** For each coincidence of the primitive how far the two surfaces may be apart, a length in the frame. */
+    double[] tolerancesOf(int id) {
+        return tolerances[id];
     }
 
     /** Whether the first of two coincident opaque faces is seen rather than the second. */
@@ -163,8 +171,8 @@ public final class CoincidentSurfaces {
             for (int i = 0; i < p.length; i++) {
                 for (int k = 0; k < q.length; k++) {
                     if (p[i].coincides(q[k], tolerance) && p[i].overlaps(q[k], tolerance)) {
-                        add(a, i, b, k);
-                        add(b, k, a, i);
+                        add(a, i, b, k, tolerance);
+                        add(b, k, a, i, tolerance);
                     }
                 }
             }
@@ -181,10 +189,14 @@ public final class CoincidentSurfaces {
             return supports[id];
         }
 
-        private void add(int id, int face, int other, int otherFace) {
+        private void add(int id, int face, int other, int otherFace, double tolerance) {
             if (entries == null) {
                 entries = new int[primitives.length][];
+                tolerances = new double[primitives.length][];
             }
+            double[] known = tolerances[id] == null ? new double[0] : tolerances[id];
+            tolerances[id] = Arrays.copyOf(known, known.length + 1);
+            tolerances[id][known.length] = tolerance;
             int[] old = of(id);
             int[] now = Arrays.copyOf(old, old.length + ENTRY);
             now[old.length] = face;

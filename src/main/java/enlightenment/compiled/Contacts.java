@@ -3,7 +3,6 @@ package enlightenment.compiled;
 import enlightenment.geometry.Hit;
 import enlightenment.geometry.Primitive;
 import enlightenment.geometry.Ray;
-import enlightenment.math.Bounds;
 import java.util.Arrays;
 
 /**
@@ -41,10 +40,14 @@ public final class Contacts {
         size = 0;
         add(id, hit);
         int[] entries = scene.coincident.of(id);
-        for (int k = 0; k < entries.length; k += 3) {
+        for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
             int other = entries[k + 1];
             if (entries[k] == hit.face && !leaves(ray, scene.primitives[other])) {
-                probe(other, entries[k + 2], id, hit);
+                probe(
+                        other,
+                        entries[k + 2],
+                        REACH * scene.coincident.tolerancesOf(id)[k / CoincidentSurfaces.ENTRY],
+                        hit);
             }
         }
     }
@@ -102,10 +105,8 @@ public final class Contacts {
         return side == Ray.OUTSIDE && p.isConvex() || side != 0 && p.isFlat();
     }
 
-    private void probe(int id, int face, int struck, Hit hit) {
+    private void probe(int id, int face, double reach, Hit hit) {
         Primitive p = scene.primitives[id];
-        Bounds box = p.bounds();
-        double reach = REACH * CoincidentSurfaces.tolerance(box, scene.primitives[struck].bounds());
         probe.set(hit.px, hit.py, hit.pz, hit.nx, hit.ny, hit.nz, -reach);
         double t = p.nearest(probe, reach);
         if (t == Primitive.MISS) {

@@ -1,7 +1,6 @@
 package enlightenment.geometry;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
 
 /**
  * The faces that a light lies on: a lamp in a ceiling's plane, a bulb on a wall. A shadow ray that ends on the light ends on
@@ -9,10 +8,11 @@ import java.util.List;
  * their crossing before the light or behind it means nothing. A crossing of them anywhere else blocks. Immutable once made.
  */
 public final class EndFaces {
-    private final List<Primitive> primitives = new ArrayList<>();
-    private final List<Integer> ids = new ArrayList<>();
-    private final List<Integer> faces = new ArrayList<>();
-    private final List<Double> tolerances = new ArrayList<>();
+    private Primitive[] primitives = {};
+    private int[] ids = {};
+    private int[] faces = {};
+    private boolean[] isFlat = {};
+    private double[] tolerances = {};
 
     /** No faces yet. */
     public EndFaces() {}
@@ -26,20 +26,27 @@ public final class EndFaces {
      * @param tolerance how far the face and the light are apart at most, by rounding: a length in the frame
      */
     public void add(Primitive primitive, int id, int face, double tolerance) {
-        primitives.add(primitive);
-        ids.add(id);
-        faces.add(face);
-        tolerances.add(tolerance);
+        int n = ids.length;
+        primitives = Arrays.copyOf(primitives, n + 1);
+        ids = Arrays.copyOf(ids, n + 1);
+        faces = Arrays.copyOf(faces, n + 1);
+        isFlat = Arrays.copyOf(isFlat, n + 1);
+        tolerances = Arrays.copyOf(tolerances, n + 1);
+        primitives[n] = primitive;
+        ids[n] = id;
+        faces[n] = face;
+        isFlat[n] = primitive.support(face).isFlat();
+        tolerances[n] = tolerance;
     }
 
     public boolean isEmpty() {
-        return ids.isEmpty();
+        return ids.length == 0;
     }
 
     /** Whether a face of a primitive is one of these. */
     public boolean has(int id, int face) {
-        for (int k = 0; k < ids.size(); k++) {
-            if (ids.get(k) == id && faces.get(k) == face) {
+        for (int k = 0; k < ids.length; k++) {
+            if (ids[k] == id && faces[k] == face) {
                 return true;
             }
         }
@@ -48,7 +55,12 @@ public final class EndFaces {
 
     /** Whether any face of the primitive is one of these. */
     boolean concerns(Primitive p) {
-        return primitives.contains(p);
+        for (Primitive q : primitives) {
+            if (q == p) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
@@ -58,13 +70,12 @@ public final class EndFaces {
      * @param hit the crossing, completed
      */
     boolean isEnd(Ray ray, Hit hit) {
-        for (int k = 0; k < faces.size(); k++) {
-            if (primitives.get(k) == hit.primitive && faces.get(k) == hit.face) {
+        for (int k = 0; k < faces.length; k++) {
+            if (primitives[k] == hit.primitive && faces[k] == hit.face) {
                 // A line meets a plane once, and it meets this one in the light. A round face it may meet before as
                 // well.
                 double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
-                boolean flat = hit.primitive.support(hit.face).isFlat();
-                return flat || (ray.tEnd - hit.t) * across <= tolerances.get(k);
+                return isFlat[k] || (ray.tEnd - hit.t) * across <= tolerances[k];
             }
         }
         return false;

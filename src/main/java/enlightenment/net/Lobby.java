@@ -17,11 +17,12 @@ final class Lobby {
         this.log = log;
     }
 
-    void startThread(Runnable work, String name) {
+    Thread startThread(Runnable work, String name) {
         Thread thread = threads.newThread(work);
         thread.setName("server " + name);
         thread.setDaemon(true);
         thread.start();
+        return thread;
     }
 
     /** Takes care of a new connection. */

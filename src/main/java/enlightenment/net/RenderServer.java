@@ -18,6 +18,7 @@ import java.util.function.BooleanSupplier;
  */
 public final class RenderServer implements Closeable {
     private static final long TICK_MILLIS = 200;
+    private static final long LET_GO_MILLIS = 2_000;
 
     /** What workers are told where another render of the picture follows. */
     private static final String MORE = "the picture is rendered again with more samples";
@@ -32,6 +33,9 @@ public final class RenderServer implements Closeable {
     private final Connections connections = new Connections();
     private final ServerLog log;
     private LocalWorker local;
+
+    /** The thread that listens. */
+    private Thread accepting;
 
     /** The servers that must follow this one, if there are any. */
     private final FollowingServers following = new FollowingServers(this);
@@ -120,7 +124,7 @@ public final class RenderServer implements Closeable {
         }
         RenderServer server = new RenderServer(options, log, secrets, job);
         Lobby lobby = new Lobby(server, server.connections, options.threads, log);
-        lobby.startThread(() -> server.reception.accept(lobby::welcome, lobby::makeRoom), "accept");
+        server.accepting = lobby.startThread(() -> server.reception.accept(lobby::welcome, lobby::makeRoom), "accept");
         lobby.startThread(server::tickAll, "tick");
         return server;
     }
@@ -404,10 +408,22 @@ public final class RenderServer implements Closeable {
         }
         connections.waitForFarewells();
         closeQuietly(reception);
+        waitUntilNobodyListens();
         if (status != null) {
             closeQuietly(status::close);
         }
         closeQuietly(job);
+    }
+
+    /** Its thread holds the port until it has noticed: whoever closes a server may open another one there. */
+    private void waitUntilNobodyListens() {
+        if (accepting != null && accepting != Thread.currentThread()) {
+            try {
+                accepting.join(LET_GO_MILLIS);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
     }
 
     private void closeQuietly(Closeable what) {

@@ -110,7 +110,7 @@ public final class SparkCommand extends Subcommand {
     }
 
     private void check() {
-        PictureOptions.check(output, depth);
+        PictureOptions.check(output, depth, null);
         if (progress != null) {
             OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
         }

@@ -158,4 +158,14 @@ final class Farm implements AutoCloseable {
         stopWorkers.set(true);
         server.close();
     }
+
+    /** Whether a server could listen at the port of this machine. */
+    static boolean isFree(int port) {
+        try {
+            new java.net.ServerSocket(port, 1, java.net.InetAddress.getLoopbackAddress()).close();
+            return true;
+        } catch (IOException e) {
+            return false;
+        }
+    }
 }

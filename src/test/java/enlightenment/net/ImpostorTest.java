@@ -113,6 +113,8 @@ class ImpostorTest {
             Farm.until(() -> impostor.visits.get() >= 2 || worker.isDone(), "it came back");
             assertFalse(worker.isDone(), "the impostor ended it");
         }
+        // The thread that listened there may need a moment to let go of the place.
+        Farm.until(() -> Farm.isFree(port), "the place is free again");
         ServerOptions real = Farm.options()
                 .withAddress("127.0.0.1", port)
                 .withTokenFile(token)

@@ -161,16 +161,7 @@ class RenderServerTest {
             assertTrue(Thread.interrupted(), "the interrupt stays set");
         }
         // The thread that listened there may need a moment to let go of the place.
-        Farm.until(() -> isFree(port), "the place is free again");
-    }
-
-    private static boolean isFree(int port) {
-        try {
-            new java.net.ServerSocket(port, 1, java.net.InetAddress.getLoopbackAddress()).close();
-            return true;
-        } catch (IOException e) {
-            return false;
-        }
+        Farm.until(() -> Farm.isFree(port), "the place is free again");
     }
 
     @Test

@@ -146,16 +146,7 @@ public final class Bvh {
     public void gather(BallCone cone, BvhQuery query) {
         int node = 0;
         while (node < count.length) {
-            boolean clear = misses(node, cone);
-            if (!clear && count[node] == 0) {
-                node++;
-                continue;
-            }
-            int end = clear ? 0 : link[node] + count[node];
-            for (int i = link[node]; i < end; i++) {
-                query.add(ids[i]);
-            }
-            node = skip[node];
+            node = gather(node, misses(node, cone), query);
         }
     }
 
@@ -164,17 +155,20 @@ public final class Bvh {
         query.clear();
         int node = 0;
         while (node < count.length) {
-            boolean clear = !overlaps(node, box);
-            if (!clear && count[node] == 0) {
-                node++;
-                continue;
-            }
-            int end = clear ? 0 : link[node] + count[node];
-            for (int i = link[node]; i < end; i++) {
-                query.add(ids[i]);
-            }
-            node = skip[node];
+            node = gather(node, !overlaps(node, box), query);
         }
+    }
+
+    /** Adds the ids of a leaf, unless it is clear of what is looked for; returns the node to go on with. */
+    private int gather(int node, boolean clear, BvhQuery query) {
+        if (!clear && count[node] == 0) {
+            return node + 1;
+        }
+        int end = clear ? 0 : link[node] + count[node];
+        for (int i = link[node]; i < end; i++) {
+            query.add(ids[i]);
+        }
+        return skip[node];
     }
 
     private boolean overlaps(int node, Bounds box) {

@@ -77,7 +77,7 @@ public final class CoincidentSurfaces {
     }
 
     /** Whether the first of two coincident opaque faces is seen rather than the second. */
-    public boolean precedes(int id, int face, int other, int otherFace) {
+    boolean precedes(int id, int face, int other, int otherFace) {
         return place(id, face) < place(other, otherFace);
     }
 

@@ -22,7 +22,6 @@ module enlightenment {
     exports enlightenment.math;
     exports enlightenment.color;
     exports enlightenment.geometry;
-    exports enlightenment.sampling;
     exports enlightenment.material;
     exports enlightenment.light;
     exports enlightenment.camera;

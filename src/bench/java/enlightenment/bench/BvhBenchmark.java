@@ -1,13 +1,15 @@
 package enlightenment.bench;
 
+import enlightenment.primitive.Primitives;
+
 import enlightenment.accel.Bvh;
 import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import enlightenment.geometry.Sphere;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.math.ExactPoint;
+import enlightenment.frame.SceneFrame;
 import enlightenment.math.Vec3;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
@@ -49,7 +51,7 @@ public class BvhBenchmark {
         primitives = new Primitive[spheres];
         for (int i = 0; i < spheres; i++) {
             primitives[i] =
-                    Sphere.of(Point.of(r.nextDouble(), r.nextDouble(), r.nextDouble()), radius).place(SceneFrame.WORLD);
+                    Primitives.place(Sphere.of(ExactPoint.of(r.nextDouble(), r.nextDouble(), r.nextDouble()), radius), SceneFrame.WORLD);
         }
         bvh = Bvh.build(primitives);
         closest = new Closest(new int[spheres], new long[1]);

@@ -1,19 +1,21 @@
 package enlightenment.bench;
 
+import enlightenment.primitive.Primitives;
+
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.math.ExactPoint;
+import enlightenment.frame.SceneFrame;
 import enlightenment.math.Vec3;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
@@ -48,7 +50,7 @@ public class PrimitiveBenchmark {
 
     @Setup
     public void setUp() {
-        primitive = shape().place(SceneFrame.WORLD);
+        primitive = Primitives.place(shape(), SceneFrame.WORLD);
         Random r = new Random(1);
         for (int i = 0; i < RAYS; i++) {
             Vec3 o = new Vec3(r.nextGaussian(), r.nextGaussian(), r.nextGaussian()).normalized().times(8);
@@ -58,20 +60,20 @@ public class PrimitiveBenchmark {
     }
 
     private Shape shape() {
-        Point o = Point.ORIGIN;
+        ExactPoint o = ExactPoint.ORIGIN;
         return switch (shape) {
             case "sphere" -> Sphere.of(o, 1);
-            case "rectangle" -> new Rectangle(Point.of(-1, -1, 0), Point.of(-1, 1, 0), Point.of(1, 1, 0), Point.of(1, -1, 0));
+            case "rectangle" -> new Rectangle(ExactPoint.of(-1, -1, 0), ExactPoint.of(-1, 1, 0), ExactPoint.of(1, 1, 0), ExactPoint.of(1, -1, 0));
             case "tilted rectangle" ->
-                new Rectangle(Point.of(-1, -1, 0), Point.of(-1, 1, 1), Point.of(1, 1, 1), Point.of(1, -1, 0));
+                new Rectangle(ExactPoint.of(-1, -1, 0), ExactPoint.of(-1, 1, 1), ExactPoint.of(1, 1, 1), ExactPoint.of(1, -1, 0));
             case "disk" -> new Disk(o, new Vec3(1, 2, 3), 1);
-            case "cylinder" -> new Cylinder(Point.of(-0.5, -1, 0), Point.of(0.5, 1, 0.25), 0.7, true);
-            case "cone" -> new Cone(Point.of(-0.5, -1, 0), Point.of(0.5, 1, 0.25), 1, 0, true);
-            case "frustum" -> new Cone(Point.of(-0.5, -1, 0), Point.of(0.5, 1, 0.25), 1, 0.5, true);
+            case "cylinder" -> new Cylinder(ExactPoint.of(-0.5, -1, 0), ExactPoint.of(0.5, 1, 0.25), 0.7, true);
+            case "cone" -> new Cone(ExactPoint.of(-0.5, -1, 0), ExactPoint.of(0.5, 1, 0.25), 1, 0, true);
+            case "frustum" -> new Cone(ExactPoint.of(-0.5, -1, 0), ExactPoint.of(0.5, 1, 0.25), 1, 0.5, true);
             case "cube" -> new Cube(o, 1.2, new Vec3(20, 30, 40));
-            case "box" -> new Box(Point.of(-0.8, -0.7, -0.6), Point.of(0.6, 0.7, 0.8));
+            case "box" -> new Box(ExactPoint.of(-0.8, -0.7, -0.6), ExactPoint.of(0.6, 0.7, 0.8));
             case "torus" -> new Torus(o, new Vec3(1, 2, 3), 0.8, 0.3);
-            default -> new Triangle(Point.of(-1, -1, 0), Point.of(-1, 1, 1), Point.of(1, -1, 0.5));
+            default -> new Triangle(ExactPoint.of(-1, -1, 0), ExactPoint.of(-1, 1, 1), ExactPoint.of(1, -1, 0.5));
         };
     }
 

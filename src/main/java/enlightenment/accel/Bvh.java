@@ -1,10 +1,10 @@
 package enlightenment.accel;
 
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
-import enlightenment.math.BallCone;
-import enlightenment.math.Bounds;
-import enlightenment.math.Scale;
+import enlightenment.frame.BallCone;
+import enlightenment.frame.Bounds;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 
 /**
  * A bounding volume hierarchy: finds what a ray meets without asking every primitive. Immutable, safe for any number of

@@ -1,6 +1,6 @@
 package enlightenment.accel;
 
-import enlightenment.geometry.Primitive;
+import enlightenment.primitive.Primitive;
 import java.util.Arrays;
 
 /**

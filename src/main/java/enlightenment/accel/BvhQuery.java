@@ -1,7 +1,7 @@
 package enlightenment.accel;
 
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
 /** A growing list of primitive ids, and the scratch memory of a search. A mutable work object, one per thread. */

@@ -1,8 +1,8 @@
 package enlightenment.accel;
 
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 
 /**
  * The closest crossing so far, and the one rule for ties: at equal t a crossing that leaves a solid comes before one that

@@ -1,8 +1,8 @@
 package enlightenment.accel;
 
-import enlightenment.geometry.Primitive;
-import enlightenment.math.Bounds;
-import enlightenment.math.Scale;
+import enlightenment.frame.Bounds;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
 
 /** The boxes of primitives in one flat array that is rearranged while a hierarchy is built: neighbours stay neighbours. */
 final class PrimitiveBoxes {

@@ -1,7 +1,7 @@
 package enlightenment.accel;
 
-import enlightenment.geometry.Ray;
-import enlightenment.math.Scale;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Ray;
 
 /**
  * The test of a ray against boxes parallel to the axes. It never refuses a box that holds something the ray meets: boxes

@@ -1,8 +1,9 @@
 package enlightenment.camera;
 
-import enlightenment.geometry.Parallelograms;
-import enlightenment.math.Check;
-import enlightenment.math.Point;
+import enlightenment.check.Check;
+import enlightenment.frame.Parallelograms;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.util.List;
 
@@ -13,10 +14,10 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
     String type();
 
     /** The point that becomes the origin of the frame that the scene is rendered in. */
-    Point origin();
+    ExactPoint origin();
 
     /** Points that belong to the camera. */
-    List<Point> anchors();
+    List<ExactPoint> anchors();
 
     /** The height of a view of parallel rays; 0 where rays meet in one point. */
     default double reach() {
@@ -34,12 +35,18 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param lowerRight last corner
      * @param pupilRadius the eye's size; only light tracing looks at it
      */
-    record Window(Point eye, Point lowerLeft, Point upperLeft, Point upperRight, Point lowerRight, double pupilRadius)
+    record Window(
+            ExactPoint eye,
+            ExactPoint lowerLeft,
+            ExactPoint upperLeft,
+            ExactPoint upperRight,
+            ExactPoint lowerRight,
+            double pupilRadius)
             implements Camera {
         public Window {
             checkCorners(lowerLeft, upperLeft, upperRight, lowerRight);
             Check.notNegative("pupilRadius", pupilRadius);
-            Vec3 normal = Point.normal(lowerLeft, upperLeft, lowerRight).normalized();
+            Vec3 normal = ExactPoint.normal(lowerLeft, upperLeft, lowerRight).normalized();
             Vec3 toEye = lowerLeft.directionTo(eye);
             double height = Math.abs(normal.dot(toEye));
             Check.that(height > toEye.length() * 4 * Math.ulp(1.0), "eye", "must not lie in the window's plane");
@@ -51,12 +58,12 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
 
         @Override
-        public Point origin() {
+        public ExactPoint origin() {
             return eye;
         }
 
         @Override
-        public List<Point> anchors() {
+        public List<ExactPoint> anchors() {
             return List.of(eye, lowerLeft, upperLeft, upperRight, lowerRight);
         }
     }
@@ -69,7 +76,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param up what points upwards in the picture; not along the line of sight
      * @param fieldOfView the vertical angle of view in degrees, greater than 0 and less than 180
      */
-    record Perspective(Point eye, Point lookAt, Vec3 up, double fieldOfView) implements Camera {
+    record Perspective(ExactPoint eye, ExactPoint lookAt, Vec3 up, double fieldOfView) implements Camera {
         public Perspective {
             checkView(eye, lookAt, up);
             Check.that(
@@ -84,12 +91,12 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
 
         @Override
-        public Point origin() {
+        public ExactPoint origin() {
             return eye;
         }
 
         @Override
-        public List<Point> anchors() {
+        public List<ExactPoint> anchors() {
             return List.of(eye);
         }
     }
@@ -102,7 +109,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param up what points upwards in the picture; not along the line of sight
      * @param height the height of the picture in scene units, greater than 0
      */
-    record Orthographic(Point eye, Point lookAt, Vec3 up, double height) implements Camera {
+    record Orthographic(ExactPoint eye, ExactPoint lookAt, Vec3 up, double height) implements Camera {
         public Orthographic {
             checkView(eye, lookAt, up);
             Check.positive("height", height);
@@ -114,7 +121,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
 
         @Override
-        public Point origin() {
+        public ExactPoint origin() {
             return eye;
         }
 
@@ -124,7 +131,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
 
         @Override
-        public List<Point> anchors() {
+        public List<ExactPoint> anchors() {
             return List.of(eye);
         }
     }
@@ -136,7 +143,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param lookAt what is seen in the middle of the picture
      * @param height the height of the picture in scene units, greater than 0
      */
-    record Isometric(Point lookAt, double height) implements Camera {
+    record Isometric(ExactPoint lookAt, double height) implements Camera {
         public Isometric {
             Check.positive("height", height);
         }
@@ -147,7 +154,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
 
         @Override
-        public Point origin() {
+        public ExactPoint origin() {
             return lookAt;
         }
 
@@ -157,24 +164,24 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
 
         @Override
-        public List<Point> anchors() {
+        public List<ExactPoint> anchors() {
             return List.of(lookAt);
         }
     }
 
     /** The check of four corners counts them; here they have names. */
-    private static void checkCorners(Point lowerLeft, Point upperLeft, Point upperRight, Point lowerRight) {
+    private static void checkCorners(
+            ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight) {
         try {
             Parallelograms.check("", lowerLeft, upperLeft, upperRight, lowerRight);
-        } catch (Check.InvalidValueException e) {
+        } catch (InvalidValueException e) {
             List<String> corners = List.of("lowerLeft", "upperLeft", "upperRight", "lowerRight");
             boolean counted = e.key().matches("/[0-3]");
-            throw new Check.InvalidValueException(
-                    counted ? corners.get(e.key().charAt(1) - '0') : e.key(), e.problem());
+            throw new InvalidValueException(counted ? corners.get(e.key().charAt(1) - '0') : e.key(), e.problem());
         }
     }
 
-    private static void checkView(Point eye, Point lookAt, Vec3 up) {
+    private static void checkView(ExactPoint eye, ExactPoint lookAt, Vec3 up) {
         Check.direction("up", up);
         Check.that(!eye.equals(lookAt), "lookAt", "must differ from \"eye\"");
         Vec3 forward = eye.directionTo(lookAt).normalized();

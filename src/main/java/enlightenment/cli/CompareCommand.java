@@ -6,7 +6,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;

@@ -1,6 +1,6 @@
 package enlightenment.cli;
 
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;

@@ -3,7 +3,7 @@ package enlightenment.cli;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;

@@ -1,6 +1,6 @@
 package enlightenment.cli;
 
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import enlightenment.render.Renderer;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.Budget;

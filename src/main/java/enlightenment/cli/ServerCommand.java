@@ -1,7 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.image.PngOptions;
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.RenderProgress;

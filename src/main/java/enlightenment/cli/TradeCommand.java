@@ -2,7 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import enlightenment.measure.Sweep;
 import enlightenment.measure.Trade;
 import enlightenment.measure.TradeResult;

@@ -1,6 +1,6 @@
 package enlightenment.cli;
 
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import enlightenment.net.RenderWorker;
 import enlightenment.net.WorkerOptions;
 import java.io.BufferedReader;

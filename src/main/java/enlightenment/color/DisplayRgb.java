@@ -1,6 +1,6 @@
 package enlightenment.color;
 
-import enlightenment.math.Check;
+import enlightenment.check.Check;
 
 /**
  * A display-referred colour: sRGB-encoded components, 0 (none) to 1 (as bright as the screen gets).

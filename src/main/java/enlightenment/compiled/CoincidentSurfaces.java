@@ -2,11 +2,11 @@ package enlightenment.compiled;
 
 import enlightenment.accel.Bvh;
 import enlightenment.accel.BvhQuery;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.SupportSurface;
-import enlightenment.math.Bounds;
-import enlightenment.math.Scale;
+import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.SupportSurface;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -118,7 +118,7 @@ public final class CoincidentSurfaces {
 
         /** Spheres and tori coincide only as wholes, so their centres do. */
         private static boolean isWhole(Primitive p) {
-            return p.faceCount() == 1 && !p.isFlat() && !(p instanceof enlightenment.geometry.AxialPrimitive);
+            return p.faceCount() == 1 && !p.isFlat() && !(p instanceof enlightenment.primitive.AxialPrimitive);
         }
 
         private void findWhole(List<Integer> ids) {

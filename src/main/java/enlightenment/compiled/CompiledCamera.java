@@ -1,11 +1,11 @@
 package enlightenment.compiled;
 
 import enlightenment.camera.Camera;
-import enlightenment.geometry.Ray;
-import enlightenment.math.Bounds;
-import enlightenment.math.Rotation;
-import enlightenment.math.SceneFrame;
+import enlightenment.frame.Bounds;
+import enlightenment.frame.Rotation;
+import enlightenment.frame.SceneFrame;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Ray;
 
 /**
  * A camera in the scene's frame: for a position in the picture, the ray that is seen there.

@@ -1,14 +1,15 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.geometry.EndFaces;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Sizes;
-import enlightenment.geometry.SupportSurface;
+import enlightenment.frame.Bounds;
+import enlightenment.frame.SceneFrame;
 import enlightenment.light.Light;
-import enlightenment.math.Bounds;
-import enlightenment.math.SceneFrame;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.EndFaces;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Sizes;
+import enlightenment.primitive.SupportSurface;
 
 /** A light in the scene's frame. */
 public final class CompiledLight {
@@ -74,7 +75,7 @@ public final class CompiledLight {
             kind = Kind.SPHERE;
             at = frame.toFrame(s.center());
             radius = Sizes.inFrame(s.radius(), frame);
-            surface = new enlightenment.geometry.Sphere(s.center(), s.radius(), 0).place(frame);
+            surface = Primitives.place(new enlightenment.geometry.Sphere(s.center(), s.radius(), 0), frame);
         } else if (light instanceof Light.Rectangle q) {
             kind = Kind.RECTANGLE;
             at = frame.toFrame(q.lowerLeft());
@@ -82,8 +83,9 @@ public final class CompiledLight {
             toRight = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.lowerRight());
             toTop = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.upperLeft());
             radius = 0;
-            surface = new enlightenment.geometry.Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight())
-                    .place(frame);
+            surface = Primitives.place(
+                    new enlightenment.geometry.Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight()),
+                    frame);
         } else {
             kind = Kind.POINT;
             at = frame.toFrame(((Light.Point) light).position());
@@ -102,7 +104,7 @@ public final class CompiledLight {
         double half = 0.5
                 * Math.max(toRight.plus(toTop).length(), toRight.minus(toTop).length());
         bound = 3 * bounds().maxAbs();
-        ballRadius = radius + half * (1 + enlightenment.math.Scale.gamma(16));
+        ballRadius = radius + half * (1 + enlightenment.numeric.Scale.gamma(16));
     }
 
     /** The faces that the light lies on, so that they do not hide it. */

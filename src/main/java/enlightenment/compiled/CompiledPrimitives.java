@@ -1,10 +1,11 @@
 package enlightenment.compiled;
 
-import enlightenment.geometry.Primitive;
+import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
-import enlightenment.math.Check.InvalidValueException;
-import enlightenment.math.SceneFrame;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
 import enlightenment.scene.SceneObject;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -128,7 +129,7 @@ record CompiledPrimitives(
     /** The primitive of the object at an index; what it refuses is told with the object's place in the scene. */
     private static Primitive place(SceneObject object, int index, SceneFrame frame) {
         try {
-            return object.shape().place(frame);
+            return Primitives.place(object.shape(), frame);
         } catch (InvalidValueException e) {
             throw new InvalidValueException("objects/" + index + "/" + e.key(), e.problem());
         }

@@ -1,10 +1,10 @@
 package enlightenment.compiled;
 
 import enlightenment.accel.Bvh;
-import enlightenment.geometry.Primitive;
-import enlightenment.math.Bounds;
-import enlightenment.math.Scale;
-import enlightenment.math.SceneFrame;
+import enlightenment.frame.Bounds;
+import enlightenment.frame.SceneFrame;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
 import java.util.Arrays;
 import java.util.List;

@@ -1,8 +1,8 @@
 package enlightenment.compiled;
 
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
 /**

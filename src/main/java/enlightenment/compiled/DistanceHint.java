@@ -1,9 +1,9 @@
 package enlightenment.compiled;
 
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
-import enlightenment.math.Scale;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import enlightenment.scene.Scene;
 import java.util.List;
 

@@ -1,6 +1,6 @@
 package enlightenment.compiled;
 
-import enlightenment.math.BallCone;
+import enlightenment.frame.BallCone;
 
 /** How a light is seen from a point: the cone around the ball that encloses it. */
 public final class LightCone extends BallCone {

@@ -2,12 +2,12 @@ package enlightenment.compiled;
 
 import enlightenment.accel.Bvh;
 import enlightenment.accel.BvhQuery;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.SpherePrimitive;
-import enlightenment.geometry.SupportSurface;
-import enlightenment.math.Bounds;
-import enlightenment.math.Scale;
+import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.SpherePrimitive;
+import enlightenment.primitive.SupportSurface;
 
 /**
  * Which primitives can stand between a point and a light.

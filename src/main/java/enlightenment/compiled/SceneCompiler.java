@@ -1,15 +1,15 @@
 package enlightenment.compiled;
 
 import enlightenment.accel.Bvh;
-import enlightenment.geometry.Primitive;
+import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
-import enlightenment.image.TexelImage;
+import enlightenment.image.ImageTexture;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
-import enlightenment.math.Scale;
-import enlightenment.math.SceneFrame;
+import enlightenment.math.ExactPoint;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -111,9 +111,9 @@ public final class SceneCompiler {
         return largest;
     }
 
-    private static double extent(List<Point> anchors, double reach, SceneFrame frame) {
+    private static double extent(List<ExactPoint> anchors, double reach, SceneFrame frame) {
         double largest = 0;
-        for (Point p : anchors) {
+        for (ExactPoint p : anchors) {
             largest = Math.max(largest, frame.toFrame(p).maxAbs());
         }
         return largest + frame.toFrame(reach);
@@ -121,7 +121,7 @@ public final class SceneCompiler {
 
     /** By identity: materials that are used many times are one object, and comparing records by value starts slowly. */
     private static Map<Material, SurfaceMaterial> surfaces(Scene scene, Function<Path, byte[]> files) {
-        Map<Texture, TexelImage> images = new IdentityHashMap<>();
+        Map<Texture, ImageTexture> images = new IdentityHashMap<>();
         Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
@@ -137,12 +137,12 @@ public final class SceneCompiler {
     private static void addSurface(
             Material m,
             Map<Material, SurfaceMaterial> surfaces,
-            Map<Texture, TexelImage> images,
+            Map<Texture, ImageTexture> images,
             Function<Path, byte[]> files) {
         if (surfaces.containsKey(m)) {
             return;
         }
-        TexelImage image = null;
+        ImageTexture image = null;
         if (m.color() instanceof Texture.File file) {
             image = images.get(file);
             if (image == null) {
@@ -153,14 +153,14 @@ public final class SceneCompiler {
         surfaces.put(m, new SurfaceMaterial(m, image));
     }
 
-    private static TexelImage load(Texture.File texture, byte[] content) {
+    private static ImageTexture load(Texture.File texture, byte[] content) {
         try {
             if (content != null) {
-                return TexelImage.of(content, texture.encoding() == Texture.Encoding.LINEAR);
+                return ImageTexture.of(content, texture.encoding() == Texture.Encoding.LINEAR);
             }
             return texture.encoding() == Texture.Encoding.LINEAR
-                    ? TexelImage.readLinear(texture.file())
-                    : TexelImage.read(texture.file());
+                    ? ImageTexture.readLinear(texture.file())
+                    : ImageTexture.read(texture.file());
         } catch (IOException e) {
             throw new SceneException(List.of(new SceneException.Problem(
                     texture.file().toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));

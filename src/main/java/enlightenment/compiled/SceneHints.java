@@ -1,13 +1,13 @@
 package enlightenment.compiled;
 
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.frame.Bounds;
+import enlightenment.frame.Rotation;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
-import enlightenment.math.Bounds;
-import enlightenment.math.Rotation;
-import enlightenment.math.Scale;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.util.ArrayList;

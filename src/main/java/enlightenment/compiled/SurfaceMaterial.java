@@ -1,7 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.image.TexelImage;
+import enlightenment.image.ImageTexture;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 
@@ -26,10 +26,10 @@ public final class SurfaceMaterial {
     private final double b;
     private final DisplayRgb other;
     private final double checks;
-    private final TexelImage image;
+    private final ImageTexture image;
     private final boolean bilinear;
 
-    SurfaceMaterial(Material material, TexelImage image) {
+    SurfaceMaterial(Material material, ImageTexture image) {
         this.image = image;
         description = material;
         receivesShadows = material.receivesShadows();

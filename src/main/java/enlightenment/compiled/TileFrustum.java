@@ -1,8 +1,8 @@
 package enlightenment.compiled;
 
-import enlightenment.geometry.Ray;
-import enlightenment.math.Bounds;
-import enlightenment.math.Scale;
+import enlightenment.frame.Bounds;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Ray;
 
 /**
  * The part of space that the camera rays of one tile can reach, as four planes through the rays at its corners.

@@ -2,9 +2,9 @@ package enlightenment.compiled;
 
 import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 
 /**
  * Asks a compiled scene what a ray meets. One per thread: it holds the scratch memory of the searches and their counts.

@@ -1,8 +1,7 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.check.Check;
+import enlightenment.math.ExactPoint;
 import java.util.List;
 import java.util.Objects;
 
@@ -12,7 +11,7 @@ import java.util.Objects;
  * @param min lower corner
  * @param max upper corner, greater than {@code min} in every coordinate
  */
-public record Box(Point min, Point max) implements Shape {
+public record Box(ExactPoint min, ExactPoint max) implements Shape {
     public Box {
         Objects.requireNonNull(min, "min");
         Objects.requireNonNull(max, "max");
@@ -30,12 +29,7 @@ public record Box(Point min, Point max) implements Shape {
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        return new BoxPrimitive(frame.toFrame(min), frame.toFrame(max));
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(min, max);
     }
 

@@ -1,8 +1,7 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.check.Check;
+import enlightenment.math.ExactPoint;
 import java.util.List;
 import java.util.Objects;
 
@@ -15,7 +14,7 @@ import java.util.Objects;
  * @param topRadius radius at the apex, at least 0
  * @param capped whether the ends are closed by disks
  */
-public record Cone(Point base, Point apex, double radius, double topRadius, boolean capped) implements Shape {
+public record Cone(ExactPoint base, ExactPoint apex, double radius, double topRadius, boolean capped) implements Shape {
     public Cone {
         Objects.requireNonNull(base, "base");
         Objects.requireNonNull(apex, "apex");
@@ -30,18 +29,7 @@ public record Cone(Point base, Point apex, double radius, double topRadius, bool
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        return new ConePrimitive(
-                frame.toFrame(base),
-                frame.toFrame(apex),
-                Axes.between(base, apex, frame),
-                Sizes.inFrame(radius, frame),
-                frame.toFrame(topRadius),
-                capped);
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(base, apex);
     }
 

@@ -1,9 +1,7 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
-import enlightenment.math.Point;
-import enlightenment.math.Rotation;
-import enlightenment.math.SceneFrame;
+import enlightenment.check.Check;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.util.List;
 import java.util.Objects;
@@ -15,7 +13,7 @@ import java.util.Objects;
  * @param radius distance from the centre to each vertex, greater than 0
  * @param rotation degrees about x, then y, then z
  */
-public record Cube(Point center, double radius, Vec3 rotation) implements Shape {
+public record Cube(ExactPoint center, double radius, Vec3 rotation) implements Shape {
     public Cube {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(rotation, "rotation");
@@ -29,16 +27,7 @@ public record Cube(Point center, double radius, Vec3 rotation) implements Shape 
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        Vec3 middle = frame.toFrame(center);
-        // The diagonal of a cube is sqrt(3) times its edge.
-        double half = Sizes.inFrame(radius, frame) / Math.sqrt(3);
-        Rotation turn = Rotation.ofDegrees(rotation);
-        return CubePrimitive.isUpright(turn) ? CubePrimitive.box(middle, half) : new CubePrimitive(middle, half, turn);
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(center);
     }
 

@@ -1,8 +1,7 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.check.Check;
+import enlightenment.math.ExactPoint;
 import java.util.List;
 import java.util.Objects;
 
@@ -14,7 +13,7 @@ import java.util.Objects;
  * @param radius greater than 0
  * @param capped whether the ends are closed by disks
  */
-public record Cylinder(Point base, Point top, double radius, boolean capped) implements Shape {
+public record Cylinder(ExactPoint base, ExactPoint top, double radius, boolean capped) implements Shape {
     public Cylinder {
         Objects.requireNonNull(base, "base");
         Objects.requireNonNull(top, "top");
@@ -28,17 +27,7 @@ public record Cylinder(Point base, Point top, double radius, boolean capped) imp
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        return new CylinderPrimitive(
-                frame.toFrame(base),
-                frame.toFrame(top),
-                Axes.between(base, top, frame),
-                Sizes.inFrame(radius, frame),
-                capped);
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(base, top);
     }
 

@@ -1,8 +1,7 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.check.Check;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.util.List;
 import java.util.Objects;
@@ -14,7 +13,7 @@ import java.util.Objects;
  * @param normal direction perpendicular to it, of any length
  * @param radius greater than 0
  */
-public record Disk(Point center, Vec3 normal, double radius) implements Shape {
+public record Disk(ExactPoint center, Vec3 normal, double radius) implements Shape {
     public Disk {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(normal, "normal");
@@ -28,12 +27,7 @@ public record Disk(Point center, Vec3 normal, double radius) implements Shape {
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        return new DiskPrimitive(frame.toFrame(center), normal, Sizes.inFrame(radius, frame));
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(center);
     }
 

@@ -1,7 +1,7 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.frame.Parallelograms;
+import enlightenment.math.ExactPoint;
 import java.util.List;
 
 /**
@@ -12,7 +12,8 @@ import java.util.List;
  * @param upperRight next corner
  * @param lowerRight last corner; closes the parallelogram
  */
-public record Rectangle(Point lowerLeft, Point upperLeft, Point upperRight, Point lowerRight) implements Shape {
+public record Rectangle(ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight)
+        implements Shape {
     public Rectangle {
         Parallelograms.check("corners", lowerLeft, upperLeft, upperRight, lowerRight);
     }
@@ -23,17 +24,7 @@ public record Rectangle(Point lowerLeft, Point upperLeft, Point upperRight, Poin
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        return new RectanglePrimitive(
-                Parallelograms.lostNormal(lowerLeft, upperLeft, lowerRight, frame),
-                frame.toFrame(lowerLeft),
-                frame.toFrame(upperLeft),
-                frame.toFrame(upperRight),
-                frame.toFrame(lowerRight));
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(lowerLeft, upperLeft, upperRight, lowerRight);
     }
 

@@ -1,10 +1,7 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
-import enlightenment.math.Point;
-import enlightenment.math.Rotation;
-import enlightenment.math.SceneFrame;
-import enlightenment.math.Vec3;
+import enlightenment.check.Check;
+import enlightenment.math.ExactPoint;
 import java.util.List;
 import java.util.Objects;
 
@@ -15,14 +12,14 @@ import java.util.Objects;
  * @param radius greater than 0
  * @param rotation turns the texture about +y by this many degrees; at 0 the texture's left edge faces -z
  */
-public record Sphere(Point center, double radius, double rotation) implements Shape {
+public record Sphere(ExactPoint center, double radius, double rotation) implements Shape {
     public Sphere {
         Objects.requireNonNull(center, "center");
         Check.positive("radius", radius);
         Check.finite("rotation", rotation);
     }
 
-    public static Sphere of(Point center, double radius) {
+    public static Sphere of(ExactPoint center, double radius) {
         return new Sphere(center, radius, 0);
     }
 
@@ -32,13 +29,7 @@ public record Sphere(Point center, double radius, double rotation) implements Sh
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        Vec3 meridian = Rotation.aboutY(rotation).apply(new Vec3(0, 0, -1));
-        return new SpherePrimitive(frame.toFrame(center), Sizes.inFrame(radius, frame), meridian.x(), meridian.z());
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(center);
     }
 

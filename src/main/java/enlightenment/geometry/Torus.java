@@ -1,8 +1,7 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.check.Check;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.util.List;
 import java.util.Objects;
@@ -15,7 +14,7 @@ import java.util.Objects;
  * @param majorRadius from the centre to the middle of the section
  * @param minorRadius radius of the section, greater than 0 and at most the major radius
  */
-public record Torus(Point center, Vec3 axis, double majorRadius, double minorRadius) implements Shape {
+public record Torus(ExactPoint center, Vec3 axis, double majorRadius, double minorRadius) implements Shape {
     public Torus {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(axis, "axis");
@@ -34,16 +33,7 @@ public record Torus(Point center, Vec3 axis, double majorRadius, double minorRad
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        return new TorusPrimitive(
-                frame.toFrame(center),
-                axis.normalized(),
-                Sizes.inFrame(majorRadius, frame),
-                Sizes.inFrame(minorRadius, frame));
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(center);
     }
 

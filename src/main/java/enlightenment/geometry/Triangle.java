@@ -1,8 +1,8 @@
 package enlightenment.geometry;
 
-import enlightenment.math.Check;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.check.Check;
+import enlightenment.frame.Parallelograms;
+import enlightenment.math.ExactPoint;
 import java.util.List;
 
 /**
@@ -12,7 +12,7 @@ import java.util.List;
  * @param b second vertex
  * @param c third vertex; not in line with the others
  */
-public record Triangle(Point a, Point b, Point c) implements Shape {
+public record Triangle(ExactPoint a, ExactPoint b, ExactPoint c) implements Shape {
     public Triangle {
         Check.that(!Parallelograms.collinear(a, b, c), "vertices", "must not lie in one line");
     }
@@ -23,13 +23,7 @@ public record Triangle(Point a, Point b, Point c) implements Shape {
     }
 
     @Override
-    public Primitive place(SceneFrame frame) {
-        return new TrianglePrimitive(
-                Parallelograms.lostNormal(a, b, c, frame), frame.toFrame(a), frame.toFrame(b), frame.toFrame(c));
-    }
-
-    @Override
-    public List<Point> anchors() {
+    public List<ExactPoint> anchors() {
         return List.of(a, b, c);
     }
 

@@ -1,6 +1,6 @@
 package enlightenment.image;
 
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 
 /**
  * ꟻLIP: how different two images look to somebody who flips between them in one place. 0 is no difference, 1 the largest

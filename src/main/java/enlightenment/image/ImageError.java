@@ -36,7 +36,7 @@ public record ImageError(
     /**
      * Compares two images. Only the relative error depends on which of them is the reference.
      *
-     * @throws enlightenment.math.Check.InvalidValueException if the sizes differ (key "size", the message has both) or if a
+     * @throws enlightenment.math.InvalidValueException if the sizes differ (key "size", the message has both) or if a
      *     component is infinite or not a number (key "test" or "reference", the message tells where)
      */
     public static ImageError between(Image test, Image reference) {

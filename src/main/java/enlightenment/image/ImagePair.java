@@ -1,6 +1,6 @@
 package enlightenment.image;
 
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 
 /** What two images must have in common to be compared. */
 final class ImagePair {

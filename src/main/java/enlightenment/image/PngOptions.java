@@ -1,6 +1,6 @@
 package enlightenment.image;
 
-import enlightenment.math.Check;
+import enlightenment.check.Check;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;

@@ -1,8 +1,8 @@
 package enlightenment.light;
 
+import enlightenment.check.Check;
 import enlightenment.color.DisplayRgb;
-import enlightenment.geometry.Parallelograms;
-import enlightenment.math.Check;
+import enlightenment.frame.Parallelograms;
 import java.util.List;
 import java.util.Objects;
 
@@ -16,7 +16,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
     String type();
 
     /** Points that, with {@link #reach}, bound the light. */
-    List<enlightenment.math.Point> anchors();
+    List<enlightenment.math.ExactPoint> anchors();
 
     /** No point of the light is farther than this from its nearest anchor's convex hull. */
     double reach();
@@ -28,7 +28,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      * @param radius greater than 0
      * @param color its colour
      */
-    record Sphere(enlightenment.math.Point center, double radius, DisplayRgb color) implements Light {
+    record Sphere(enlightenment.math.ExactPoint center, double radius, DisplayRgb color) implements Light {
         public Sphere {
             Objects.requireNonNull(center, "center");
             Check.positive("radius", radius);
@@ -41,7 +41,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         }
 
         @Override
-        public List<enlightenment.math.Point> anchors() {
+        public List<enlightenment.math.ExactPoint> anchors() {
             return List.of(center);
         }
 
@@ -61,10 +61,10 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      * @param color its colour
      */
     record Rectangle(
-            enlightenment.math.Point lowerLeft,
-            enlightenment.math.Point upperLeft,
-            enlightenment.math.Point upperRight,
-            enlightenment.math.Point lowerRight,
+            enlightenment.math.ExactPoint lowerLeft,
+            enlightenment.math.ExactPoint upperLeft,
+            enlightenment.math.ExactPoint upperRight,
+            enlightenment.math.ExactPoint lowerRight,
             DisplayRgb color)
             implements Light {
         public Rectangle {
@@ -78,7 +78,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         }
 
         @Override
-        public List<enlightenment.math.Point> anchors() {
+        public List<enlightenment.math.ExactPoint> anchors() {
             return List.of(lowerLeft, upperLeft, upperRight, lowerRight);
         }
 
@@ -94,7 +94,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      * @param position where it is
      * @param color its colour
      */
-    record Point(enlightenment.math.Point position, DisplayRgb color) implements Light {
+    record Point(enlightenment.math.ExactPoint position, DisplayRgb color) implements Light {
         public Point {
             Objects.requireNonNull(position, "position");
             Objects.requireNonNull(color, "color");
@@ -106,7 +106,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         }
 
         @Override
-        public List<enlightenment.math.Point> anchors() {
+        public List<enlightenment.math.ExactPoint> anchors() {
             return List.of(position);
         }
 

@@ -1,6 +1,6 @@
 package enlightenment.material;
 
-import enlightenment.math.Check;
+import enlightenment.check.Check;
 import java.util.Objects;
 
 /** What a surface does with light. */

@@ -1,7 +1,7 @@
 package enlightenment.material;
 
+import enlightenment.check.Check;
 import enlightenment.color.DisplayRgb;
-import enlightenment.math.Check;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;

@@ -1,9 +1,12 @@
 package enlightenment.math;
 
+import enlightenment.numeric.Products;
+import enlightenment.numeric.Scale;
+
 /**
  * An immutable triple of doubles: a direction, an offset or a position in a frame that has already been chosen.
  *
- * <p>Positions in a scene description are {@link Point}s, which are exact.
+ * <p>Positions in a scene description are {@link ExactPoint}s, which are exact.
  *
  * @param x first component
  * @param y second component (up, in the paper's scenes)

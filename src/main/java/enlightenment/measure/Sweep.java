@@ -56,7 +56,7 @@ public record Sweep(String name, List<Integer> values) {
     /**
      * The settings with the switch at this notch.
      *
-     * @throws enlightenment.math.Check.InvalidValueException if the switch does not go so far
+     * @throws enlightenment.math.InvalidValueException if the switch does not go so far
      */
     public RenderSettings at(RenderSettings settings, int value) {
         return switch (name) {

@@ -23,7 +23,7 @@ public final class Trade {
      * @param resume whether to go on with what the folder holds, if it holds something
      * @param cancelled asked now and then from several threads; once true, the trade ends with what it has
      * @return what is known, or nothing where it was stopped before there was a reference
-     * @throws enlightenment.math.Check.InvalidValueException if the folder cannot be used: key "output", or "resume" where it
+     * @throws enlightenment.math.InvalidValueException if the folder cannot be used: key "output", or "resume" where it
      *     holds a trade of something else
      */
     public static Optional<TradeResult> run(
@@ -66,7 +66,7 @@ public final class Trade {
      * Evaluates again what a folder holds, without measuring. Only the runs and the figures of the reference are needed; pictures
      * are part of the result as far as they were kept.
      *
-     * @throws enlightenment.math.Check.InvalidValueException key "evaluate", if the folder holds no trade or one of something else
+     * @throws enlightenment.math.InvalidValueException key "evaluate", if the folder holds no trade or one of something else
      */
     public static TradeResult evaluate(TradeSettings settings, Path folder) throws IOException {
         TradeFolder files = TradeFolder.stored(folder, settings);

@@ -3,7 +3,7 @@ package enlightenment.measure;
 import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -1,7 +1,7 @@
 package enlightenment.measure;
 
+import enlightenment.check.Check;
 import enlightenment.image.Image;
-import enlightenment.math.Check;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
 import java.util.Arrays;

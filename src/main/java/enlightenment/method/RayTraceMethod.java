@@ -4,7 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;

@@ -41,7 +41,7 @@ public final class EngineJob implements Closeable {
      * @param cancelled asked now and then; once true, a plan is made in haste
      * @throws IOException if the checkpoint cannot be used, is in use or is one of another job
      * @throws SceneException if the scene cannot be used
-     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws IllegalArgumentException if there is a checkpoint for a render that is planned anew each time, or scene and
      *     textures are too large
      */

@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.math.Check;
+import enlightenment.math.InvalidValueException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HexFormat;
@@ -85,7 +85,7 @@ public final class WorkerOptions implements Cloneable {
      */
     public WorkerOptions withPin(String pin) {
         if (!pin.matches("[0-9a-fA-F]{64}")) {
-            throw new Check.InvalidValueException("pin", "must have 64 hexadecimal digits, not \"" + pin + "\"");
+            throw new InvalidValueException("pin", "must have 64 hexadecimal digits, not \"" + pin + "\"");
         }
         WorkerOptions o = copy();
         o.pin = Optional.of(ContentHash.fromBytes(HexFormat.of().parseHex(pin)));

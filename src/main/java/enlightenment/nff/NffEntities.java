@@ -1,7 +1,7 @@
 package enlightenment.nff;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
 import java.math.BigDecimal;
@@ -75,7 +75,7 @@ final class NffEntities {
     }
 
     private void light(Token key) throws NffSyntaxException {
-        Point position = tokens.point("the light's");
+        ExactPoint position = tokens.point("the light's");
         if (!tokens.peek().startsLikeNumber()) {
             scene.light(key, position, new Vec3(1, 1, 1));
             return;
@@ -96,9 +96,9 @@ final class NffEntities {
     }
 
     private void cone(Token key) throws NffSyntaxException {
-        Point base = tokens.point("the base's centre");
+        ExactPoint base = tokens.point("the base's centre");
         double baseRadius = tokens.number("the base's radius");
-        Point apex = tokens.point("the apex's centre");
+        ExactPoint apex = tokens.point("the apex's centre");
         double apexRadius = tokens.number("the apex's radius");
         if (base.equals(apex)) {
             throw new NffSyntaxException(key, "expected a cone whose base and apex are different points");
@@ -111,7 +111,7 @@ final class NffEntities {
 
     private void polygon(Token key, boolean patch) throws NffSyntaxException {
         int n = tokens.count("the number of vertices", 3, MAX_VERTICES);
-        List<Point> vertices = new ArrayList<>();
+        List<ExactPoint> vertices = new ArrayList<>();
         for (int i = 1; i <= n; i++) {
             vertices.add(tokens.point("vertex " + i + " of " + n + ":"));
             if (patch) {
@@ -125,8 +125,8 @@ final class NffEntities {
         if (scene.hasView()) {
             throw new NffSyntaxException(key, "expected only one view in the file");
         }
-        Point from = null;
-        Point at = null;
+        ExactPoint from = null;
+        ExactPoint at = null;
         Vec3 up = null;
         double angle = 0;
         BigDecimal hither = BigDecimal.ZERO;

@@ -8,8 +8,8 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
-import enlightenment.math.Check;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -41,7 +41,7 @@ final class NffSceneBuilder {
         Camera camera;
         try {
             camera = view.window();
-        } catch (Check.InvalidValueException | ArithmeticException e) {
+        } catch (InvalidValueException | ArithmeticException e) {
             throw new NffSyntaxException(
                     at, "expected a view with \"at\" away from \"from\" and \"up\" not along the line of sight");
         }
@@ -60,7 +60,7 @@ final class NffSceneBuilder {
     }
 
     /** The format does not say how bright a light of colour 1 is, so only its hue has to be kept. */
-    void light(Token at, Point position, Vec3 color) {
+    void light(Token at, ExactPoint position, Vec3 color) {
         double largest = color.maxAbs();
         Vec3 shown = color;
         if (largest > 1) {
@@ -76,7 +76,7 @@ final class NffSceneBuilder {
         material = null;
     }
 
-    void sphere(Token at, Point center, double radius) {
+    void sphere(Token at, ExactPoint center, double radius) {
         if (radius == 0) {
             notes.add(at, "a sphere of radius 0 is left out");
             return;
@@ -87,7 +87,7 @@ final class NffSceneBuilder {
         add(at, Sphere.of(center, Math.abs(radius)));
     }
 
-    void cone(Token at, Point base, double baseRadius, Point apex, double apexRadius) {
+    void cone(Token at, ExactPoint base, double baseRadius, ExactPoint apex, double apexRadius) {
         double r = Math.abs(baseRadius);
         double top = Math.abs(apexRadius);
         if (r == 0 && top == 0) {
@@ -106,7 +106,7 @@ final class NffSceneBuilder {
         }
     }
 
-    void polygon(Token at, List<Point> vertices, boolean patch) throws NffSyntaxException {
+    void polygon(Token at, List<ExactPoint> vertices, boolean patch) throws NffSyntaxException {
         if (patch) {
             notes.add(at, "the normals of a patch are not used: it is shown flat");
         }

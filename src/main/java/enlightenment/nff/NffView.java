@@ -1,7 +1,7 @@
 package enlightenment.nff;
 
 import enlightenment.camera.Camera;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.math.BigDecimal;
 
@@ -16,7 +16,7 @@ import java.math.BigDecimal;
  * @param width pixels across
  * @param height pixels down
  */
-record NffView(Point from, Point at, Vec3 up, double angle, double hither, int width, int height) {
+record NffView(ExactPoint from, ExactPoint at, Vec3 up, double angle, double hither, int width, int height) {
 
     /**
      * The window through which the view looks. It stands at the hither plane, because what is before a window is not seen
@@ -52,8 +52,8 @@ record NffView(Point from, Point at, Vec3 up, double angle, double hither, int w
     }
 
     /** Shortest decimals of the offset, added exactly to the eye: as precise far from the origin as near it. */
-    private Point corner(Vec3 offset) {
-        return new Point(
+    private ExactPoint corner(Vec3 offset) {
+        return new ExactPoint(
                 from.x().add(BigDecimal.valueOf(offset.x())),
                 from.y().add(BigDecimal.valueOf(offset.y())),
                 from.z().add(BigDecimal.valueOf(offset.z())));

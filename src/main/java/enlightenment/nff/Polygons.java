@@ -1,10 +1,10 @@
 package enlightenment.nff;
 
-import enlightenment.geometry.Parallelograms;
+import enlightenment.frame.Parallelograms;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Triangle;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
@@ -23,8 +23,8 @@ final class Polygons {
      *
      * @return the parts, none of them where the polygon has no area; nothing where the polygon crosses itself
      */
-    static Optional<List<Shape>> parts(List<Point> vertices) {
-        List<Point> corners = withoutRepetitions(vertices);
+    static Optional<List<Shape>> parts(List<ExactPoint> vertices) {
+        List<ExactPoint> corners = withoutRepetitions(vertices);
         if (corners.size() == 4 && isParallelogram(corners)) {
             return Optional.of(List.of(new Rectangle(corners.get(0), corners.get(1), corners.get(2), corners.get(3))));
         }
@@ -40,9 +40,9 @@ final class Polygons {
         return Optional.of(triangles);
     }
 
-    private static List<Point> withoutRepetitions(List<Point> vertices) {
-        List<Point> corners = new ArrayList<>();
-        for (Point v : vertices) {
+    private static List<ExactPoint> withoutRepetitions(List<ExactPoint> vertices) {
+        List<ExactPoint> corners = new ArrayList<>();
+        for (ExactPoint v : vertices) {
             if (corners.isEmpty() || !corners.get(corners.size() - 1).equals(v)) {
                 corners.add(v);
             }
@@ -53,7 +53,7 @@ final class Polygons {
         return corners;
     }
 
-    private static boolean isParallelogram(List<Point> c) {
+    private static boolean isParallelogram(List<ExactPoint> c) {
         for (int k = 0; k < 3; k++) {
             BigDecimal one = c.get(0).component(k).add(c.get(2).component(k));
             BigDecimal other = c.get(1).component(k).add(c.get(3).component(k));
@@ -65,7 +65,7 @@ final class Polygons {
     }
 
     /** The axis along which the polygon shows its largest area; −1 where it has none (Newell's normal, exact). */
-    private static int facing(List<Point> c) {
+    private static int facing(List<ExactPoint> c) {
         int best = -1;
         BigDecimal largest = BigDecimal.ZERO;
         for (int axis = 0; axis < 3; axis++) {
@@ -78,9 +78,9 @@ final class Polygons {
         return best;
     }
 
-    private static List<Projected> project(List<Point> c, int axis) {
+    private static List<Projected> project(List<ExactPoint> c, int axis) {
         List<Projected> ring = new ArrayList<>(c.size());
-        for (Point p : c) {
+        for (ExactPoint p : c) {
             ring.add(new Projected(p, p.component((axis + 1) % 3), p.component((axis + 2) % 3)));
         }
         return ring;
@@ -159,9 +159,9 @@ final class Polygons {
 
     private static void add(List<Shape> triangles, List<Projected> ring, int at) {
         int n = ring.size();
-        Point a = ring.get((at + n - 1) % n).point;
-        Point b = ring.get(at).point;
-        Point c = ring.get((at + 1) % n).point;
+        ExactPoint a = ring.get((at + n - 1) % n).point;
+        ExactPoint b = ring.get(at).point;
+        ExactPoint c = ring.get((at + 1) % n).point;
         if (!Parallelograms.collinear(a, b, c)) {
             triangles.add(new Triangle(a, b, c));
         }
@@ -174,7 +174,7 @@ final class Polygons {
         return left.compareTo(right);
     }
 
-    private record Projected(Point point, BigDecimal u, BigDecimal v) {
+    private record Projected(ExactPoint point, BigDecimal u, BigDecimal v) {
         boolean isAt(Projected o) {
             return u.compareTo(o.u) == 0 && v.compareTo(o.v) == 0;
         }

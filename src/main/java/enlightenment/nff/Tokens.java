@@ -1,6 +1,6 @@
 package enlightenment.nff;
 
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.math.BigDecimal;
 
@@ -96,10 +96,10 @@ final class Tokens {
         return decimal(what).doubleValue();
     }
 
-    Point point(String what) throws NffSyntaxException {
+    ExactPoint point(String what) throws NffSyntaxException {
         BigDecimal x = decimal(what + " x");
         BigDecimal y = decimal(what + " y");
-        return new Point(x, y, decimal(what + " z"));
+        return new ExactPoint(x, y, decimal(what + " z"));
     }
 
     Vec3 direction(String what) throws NffSyntaxException {

@@ -1,9 +1,9 @@
 package enlightenment.render;
 
+import enlightenment.check.Check;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
-import enlightenment.math.Check;
 import enlightenment.method.TileMethod;
 import enlightenment.method.cluster.ClusterCost;
 import enlightenment.sampling.Hash;
@@ -82,7 +82,7 @@ final class Planner {
      *
      * @param start when the render began, of {@link System#nanoTime}
      * @param previewed the share of the samples that is spent on previews, and not on the picture
-     * @throws enlightenment.math.Check.InvalidValueException if rounding to the depth of the budget is a greater error than asked for, and
+     * @throws enlightenment.math.InvalidValueException if rounding to the depth of the budget is a greater error than asked for, and
      *     nothing else limits the render
      */
     RenderPlan plan(long start, double previewed) {

@@ -1,9 +1,9 @@
 package enlightenment.render;
 
-import enlightenment.math.Point;
-import enlightenment.math.Scale;
-import enlightenment.math.SceneFrame;
+import enlightenment.frame.SceneFrame;
+import enlightenment.math.ExactPoint;
 import enlightenment.method.cluster.ClusterRecord;
+import enlightenment.numeric.Scale;
 import enlightenment.sampling.RunningStatistics;
 import java.math.BigDecimal;
 import java.util.ArrayList;
@@ -65,7 +65,7 @@ public record RayCluster(
                 List.copyOf(distributions));
     }
 
-    private static double originComponent(Point origin, int axis) {
+    private static double originComponent(ExactPoint origin, int axis) {
         BigDecimal c = axis == 0 ? origin.x() : axis == 1 ? origin.y() : origin.z();
         return c.doubleValue();
     }

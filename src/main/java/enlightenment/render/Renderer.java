@@ -1,10 +1,10 @@
 package enlightenment.render;
 
+import enlightenment.check.Check;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.compiled.SceneHints;
 import enlightenment.image.Image;
-import enlightenment.math.Check;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -47,7 +47,7 @@ public final class Renderer {
      * Renders the scene.
      *
      * @throws SceneException if the scene cannot be used
-     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws CancellationException if the thread was interrupted before the picture was whole; the interrupt stays set
      */
     public static Image render(Scene scene, RenderSettings settings) {
@@ -64,7 +64,7 @@ public final class Renderer {
      * @param progress called from several threads, one at a time
      * @param cancelled asked from several threads at once; once true, the render ends with what it has
      * @throws SceneException if the scene cannot be used
-     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
     public static RenderResult render(
             Scene scene, RenderSettings settings, RenderProgress progress, BooleanSupplier cancelled) {
@@ -75,7 +75,7 @@ public final class Renderer {
      * Renders what is requested.
      *
      * @throws SceneException if the scene cannot be used
-     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
     public static RenderResult render(RenderRequest request) {
         long start = System.nanoTime();
@@ -124,7 +124,7 @@ public final class Renderer {
      * builds nothing to render with: for the frames of an animation, which have the same textures.
      *
      * @throws SceneException if the scene cannot be used
-     * @throws enlightenment.math.Check.InvalidValueException if one of its shapes cannot
+     * @throws enlightenment.math.InvalidValueException if one of its shapes cannot
      */
     public static void checkShapes(Scene scene) {
         SceneCompiler.check(scene);

@@ -1,6 +1,6 @@
 package enlightenment.render;
 
-import enlightenment.math.Check;
+import enlightenment.check.Check;
 
 /**
  * What is decided about a render before its first tile: with it, a tile is a pure function of scene, settings and place.

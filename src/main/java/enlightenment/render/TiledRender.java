@@ -66,7 +66,7 @@ public final class TiledRender {
      * @param cancelled asked from several threads at once; once true, or once the calling thread is interrupted, a plan is
      *     made in haste
      * @throws enlightenment.scene.SceneException if the scene cannot be used
-     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
     public static TiledRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
         long start = System.nanoTime();
@@ -122,7 +122,7 @@ public final class TiledRender {
      *
      * @param files gives the content of an image file, or null if it is to be read from the disk
      * @throws enlightenment.scene.SceneException if the scene cannot be used
-     * @throws enlightenment.math.Check.InvalidValueException if a setting cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
     public static TiledRender planned(
             Scene scene, RenderSettings settings, TilePlan plan, Function<Path, byte[]> files) {

@@ -1,6 +1,6 @@
 package enlightenment.sampling;
 
-import enlightenment.math.Check;
+import enlightenment.math.InvalidValueException;
 import java.util.List;
 
 /**
@@ -16,7 +16,7 @@ public sealed interface Distribution permits NormalDistribution, ZetaDistributio
     /**
      * The family of this name.
      *
-     * @throws Check.InvalidValueException (key {@code proposal}) if {@link #NAMES} does not hold it
+     * @throws InvalidValueException (key {@code proposal}) if {@link #NAMES} does not hold it
      */
     static Distribution of(String name) {
         if ("normal".equals(name)) {
@@ -28,7 +28,7 @@ public sealed interface Distribution permits NormalDistribution, ZetaDistributio
         if ("linear".equals(name)) {
             return LinearDistribution.INSTANCE;
         }
-        throw new Check.InvalidValueException("proposal", "must be one of " + NAMES + ", not " + name);
+        throw new InvalidValueException("proposal", "must be one of " + NAMES + ", not " + name);
     }
 
     /** One of {@link #NAMES}. */

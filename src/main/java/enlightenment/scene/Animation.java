@@ -1,6 +1,6 @@
 package enlightenment.scene;
 
-import enlightenment.math.Check;
+import enlightenment.check.Check;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.NavigableMap;

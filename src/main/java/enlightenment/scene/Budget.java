@@ -1,6 +1,6 @@
 package enlightenment.scene;
 
-import enlightenment.math.Check;
+import enlightenment.check.Check;
 import java.util.OptionalDouble;
 
 /**

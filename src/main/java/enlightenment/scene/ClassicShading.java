@@ -1,7 +1,7 @@
 package enlightenment.scene;
 
+import enlightenment.check.Check;
 import enlightenment.color.DisplayRgb;
-import enlightenment.math.Check;
 import java.util.Objects;
 
 /**

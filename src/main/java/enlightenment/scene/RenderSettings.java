@@ -1,6 +1,6 @@
 package enlightenment.scene;
 
-import enlightenment.math.Check;
+import enlightenment.check.Check;
 import enlightenment.sampling.Distribution;
 import java.util.Objects;
 import java.util.Optional;

@@ -1,10 +1,11 @@
 package enlightenment.scene;
 
 import enlightenment.camera.Camera;
+import enlightenment.check.Check;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Check;
+import enlightenment.math.InvalidValueException;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -60,7 +61,7 @@ public record Scene(
         for (int i = 0; i < objects.size(); i++) {
             String n = objects.get(i).name();
             if (!n.isEmpty() && !names.add(n)) {
-                throw new Check.InvalidValueException("objects/" + i + "/name", "\"" + n + "\" is used twice");
+                throw new InvalidValueException("objects/" + i + "/name", "\"" + n + "\" is used twice");
             }
         }
     }

@@ -1,11 +1,11 @@
 package enlightenment.scene;
 
 import enlightenment.camera.Camera;
+import enlightenment.check.Check;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Check;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -1,9 +1,9 @@
 package enlightenment.scene;
 
+import enlightenment.check.Check;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Shape;
 import enlightenment.material.Material;
-import enlightenment.math.Check;
 import java.util.List;
 import java.util.Objects;
 

@@ -3,9 +3,9 @@ package enlightenment.shading;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.Contacts;
 import enlightenment.compiled.RayCounters;
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 
 /**
  * Follows a ray through glass: keeps the list of solids that it is inside of, bends it at true borders and lets it pass

@@ -1,6 +1,6 @@
 package enlightenment.shading;
 
-import enlightenment.geometry.Hit;
+import enlightenment.primitive.Hit;
 
 /** Sees every ray that a shader sends to a light, and one where it knows without a ray. */
 public interface LightObserver {

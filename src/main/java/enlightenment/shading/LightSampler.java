@@ -2,7 +2,7 @@ package enlightenment.shading;
 
 import enlightenment.compiled.CompiledLight;
 import enlightenment.compiled.LightCone;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Ray;
 import enlightenment.sampling.Warp;
 
 /**

@@ -1,7 +1,7 @@
 package enlightenment.shading;
 
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
 
 /** Reflection and refraction of rays. The outgoing ray starts at the hit, on the side that the event says. */
 final class Optics {

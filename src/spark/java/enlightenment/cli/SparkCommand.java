@@ -2,7 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import enlightenment.net.EngineJob;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;

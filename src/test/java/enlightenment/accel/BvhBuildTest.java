@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

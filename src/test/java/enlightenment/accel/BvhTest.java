@@ -4,15 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Box;
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Ray;
 import java.util.Arrays;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -90,11 +91,11 @@ class BvhTest {
             Vec3 a = floor ? new Vec3(x, 0, y) : new Vec3(x, y, 8);
             Vec3 b = a.plus(floor ? Vec3.Z : Vec3.Y);
             Vec3[] c = {a, b, b.plus(Vec3.X), a.plus(Vec3.X)};
-            Point[] p = new Point[4];
+            ExactPoint[] p = new ExactPoint[4];
             for (int k = 0; k < 4; k++) {
-                p[k] = Point.of(c[k].x(), c[k].y(), c[k].z());
+                p[k] = ExactPoint.of(c[k].x(), c[k].y(), c[k].z());
             }
-            all[i] = new Rectangle(p[0], p[1], p[2], p[3]).place(SceneFrame.WORLD);
+            all[i] = Primitives.place(new Rectangle(p[0], p[1], p[2], p[3]), SceneFrame.WORLD);
         }
         Bvh bvh = Bvh.build(all);
         RandomPrimitives random = new RandomPrimitives(31);
@@ -234,16 +235,18 @@ class BvhTest {
     }
 
     private static Primitive sphere(double x, double y, double z, double r) {
-        return Sphere.of(Point.of(x, y, z), r).place(SceneFrame.WORLD);
+        return Primitives.place(Sphere.of(ExactPoint.of(x, y, z), r), SceneFrame.WORLD);
     }
 
     private static Primitive box(double x0, double y0, double z0, double x1, double y1, double z1) {
-        return new Box(Point.of(x0, y0, z0), Point.of(x1, y1, z1)).place(SceneFrame.WORLD);
+        return Primitives.place(new Box(ExactPoint.of(x0, y0, z0), ExactPoint.of(x1, y1, z1)), SceneFrame.WORLD);
     }
 
     /** The unit square at x, seen from -x. */
     private static Primitive wall(double x) {
-        return new Rectangle(Point.of(x, 0, 1), Point.of(x, 1, 1), Point.of(x, 1, 0), Point.of(x, 0, 0))
-                .place(SceneFrame.WORLD);
+        return Primitives.place(
+                new Rectangle(
+                        ExactPoint.of(x, 0, 1), ExactPoint.of(x, 1, 1), ExactPoint.of(x, 1, 0), ExactPoint.of(x, 0, 0)),
+                SceneFrame.WORLD);
     }
 }

@@ -1,20 +1,21 @@
 package enlightenment.accel;
 
+import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Ray;
 import java.util.SplittableRandom;
 
 /** Random things to build hierarchies of. */
@@ -33,8 +34,8 @@ final class RandomPrimitives {
         return (2 * random.nextDouble() - 1) * halfWidth;
     }
 
-    private static Point point(Vec3 v) {
-        return Point.of(v.x(), v.y(), v.z());
+    private static ExactPoint point(Vec3 v) {
+        return ExactPoint.of(v.x(), v.y(), v.z());
     }
 
     /** Primitives of every kind in turn, their sizes spread evenly over the decades from 1e-6 to 1e3. */
@@ -42,7 +43,7 @@ final class RandomPrimitives {
         Primitive[] all = new Primitive[n];
         for (int i = 0; i < n; i++) {
             double size = StrictMath.pow(10, -6 + 9 * random.nextDouble());
-            all[i] = shape(i % 10, vector(10 + 3 * size), size).place(SceneFrame.WORLD);
+            all[i] = Primitives.place(shape(i % 10, vector(10 + 3 * size), size), SceneFrame.WORLD);
         }
         return all;
     }
@@ -88,7 +89,7 @@ final class RandomPrimitives {
         double radius = 0.3 / StrictMath.cbrt(n);
         Primitive[] all = new Primitive[n];
         for (int i = 0; i < n; i++) {
-            all[i] = Sphere.of(point(vector(1)), radius).place(SceneFrame.WORLD);
+            all[i] = Primitives.place(Sphere.of(point(vector(1)), radius), SceneFrame.WORLD);
         }
         return all;
     }

@@ -33,14 +33,22 @@ class ArchitectureTest {
             .definedBy("enlightenment.file")
             .layer("text")
             .definedBy("enlightenment.text")
+            .layer("numeric")
+            .definedBy("enlightenment.numeric")
             .layer("math")
             .definedBy("enlightenment.math")
+            .layer("check")
+            .definedBy("enlightenment.check")
+            .layer("frame")
+            .definedBy("enlightenment.frame")
             .layer("color")
             .definedBy("enlightenment.color")
             .layer("image")
             .definedBy("enlightenment.image")
             .layer("geometry")
             .definedBy("enlightenment.geometry")
+            .layer("primitive")
+            .definedBy("enlightenment.primitive")
             .layer("sampling")
             .definedBy("enlightenment.sampling")
             .layer("descriptions")
@@ -89,6 +97,8 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("method", "render")
             .whereLayer("film")
             .mayOnlyBeAccessedByLayers("shading", "method", "render", "net")
+            .whereLayer("primitive")
+            .mayOnlyBeAccessedByLayers("accel", "compiled", "shading", "method", "render")
             .whereLayer("compiled")
             .mayOnlyBeAccessedByLayers("film", "shading", "method", "render")
             .whereLayer("accel")
@@ -170,7 +180,10 @@ class ArchitectureTest {
     static final ArchRule whatDecidesPixelsUsesNoFunctionsThatDifferBetweenMachines = noClasses()
             .that()
             .resideInAnyPackage(
+                    "enlightenment.numeric",
                     "enlightenment.math",
+                    "enlightenment.frame",
+                    "enlightenment.primitive",
                     "enlightenment.color",
                     "enlightenment.geometry",
                     "enlightenment.sampling",

@@ -22,8 +22,19 @@ import org.junit.jupiter.api.Test;
  * written as a literal.)
  */
 class FloatingLiteralsTest {
-    private static final List<String> PACKAGES =
-            List.of("math", "geometry", "accel", "compiled", "film", "shading", "method", "sampling", "camera");
+    private static final List<String> PACKAGES = List.of(
+            "numeric",
+            "math",
+            "frame",
+            "primitive",
+            "geometry",
+            "accel",
+            "compiled",
+            "film",
+            "shading",
+            "method",
+            "sampling",
+            "camera");
 
     /** Literals that say nothing about a scale. */
     private static final Set<Double> FREE = Set.of(0.0, 0.5, 1.0, 2.0);
@@ -38,23 +49,27 @@ class FloatingLiteralsTest {
     private record Explained(String file, String literal, String why) {}
 
     private static final List<Explained> EXPLAINED = List.of(
-            new Explained("math/Scale.java", "0x1p-53", "unit roundoff of doubles: the format itself"),
-            new Explained("math/Angles.java", "0.198912367379658", "tan(π/16): where a reduction of the angle changes"),
-            new Explained("math/Angles.java", "0.41421356237309503", "tan(π/8): what the reduction subtracts"),
-            new Explained("math/Angles.java", "0.6681786379192989", "tan(3π/16): where the reduction changes"),
-            new Explained("math/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),
+            new Explained("numeric/Scale.java", "0x1p-53", "unit roundoff of doubles: the format itself"),
             new Explained(
-                    "geometry/SpherePrimitive.java", "0.75", "ratio of two roots that chooses between equal forms"),
-            new Explained("geometry/Ray.java", "0x1p240", "where squares could overflow: chooses the rescaling path"),
-            new Explained("geometry/Ray.java", "0x1p-240", "where squares could underflow: chooses the rescaling path"),
+                    "numeric/Angles.java", "0.198912367379658", "tan(π/16): where a reduction of the angle changes"),
+            new Explained("numeric/Angles.java", "0.41421356237309503", "tan(π/8): what the reduction subtracts"),
+            new Explained("numeric/Angles.java", "0.6681786379192989", "tan(3π/16): where the reduction changes"),
+            new Explained("numeric/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),
             new Explained(
-                    "geometry/Parallelograms.java",
+                    "primitive/SpherePrimitive.java", "0.75", "ratio of two roots that chooses between equal forms"),
+            new Explained("primitive/Ray.java", "0x1p240", "where squares could overflow: chooses the rescaling path"),
+            new Explained(
+                    "primitive/Ray.java", "0x1p-240", "where squares could underflow: chooses the rescaling path"),
+            new Explained(
+                    "frame/Parallelograms.java",
                     "0x1p-26",
                     "validation limit, relative to the rectangle's own longer edge"),
             new Explained(
                     "compiled/CompiledCamera.java", "-16", "units of the frame, in which every coordinate is below 2"),
-            new Explained("math/Decimals.java", "3.3219280948873626", "the binary logarithm of ten, for an estimate"),
-            new Explained("math/Point.java", "0x1p-40", "relative: when a sum of roundings asks for exact arithmetic"),
+            new Explained(
+                    "numeric/Decimals.java", "3.3219280948873626", "the binary logarithm of ten, for an estimate"),
+            new Explained(
+                    "math/ExactPoint.java", "0x1p-40", "relative: when a sum of roundings asks for exact arithmetic"),
             new Explained(
                     "compiled/Contacts.java", "4", "tolerances: how far to look for a face that is known to coincide"),
             new Explained("sampling/Hash.java", "0x1p-53", "maps 53 random bits to [0, 1)"),

@@ -6,19 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
 import enlightenment.geometry.Rectangle;
-import enlightenment.geometry.RectanglePrimitive;
 import enlightenment.geometry.Sphere;
-import enlightenment.geometry.SpherePrimitive;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
-import enlightenment.math.Scale;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+import enlightenment.primitive.RectanglePrimitive;
+import enlightenment.primitive.SpherePrimitive;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.math.BigDecimal;
@@ -31,25 +31,26 @@ class GapLadderTest {
     private static final Material WHITE = Material.Matte.of(Texture.of(DisplayRgb.WHITE));
 
     /** A sphere of radius r above the floor y = 0, with a gap, in exact decimals; seen from an eye that is on no grid. */
-    private record Setting(CompiledScene scene, BigDecimal radius, BigDecimal gap, Point eye) {
-        static Setting of(BigDecimal r, BigDecimal gap, Point eye) {
+    private record Setting(CompiledScene scene, BigDecimal radius, BigDecimal gap, ExactPoint eye) {
+        static Setting of(BigDecimal r, BigDecimal gap, ExactPoint eye) {
             BigDecimal far = r.multiply(BigDecimal.TEN);
             BigDecimal near = far.negate();
             Scene scene = Scene.builder()
                     .size(4, 4)
                     .camera(new Camera.Perspective(
-                            eye, new Point(eye.x(), eye.y(), eye.z().add(r)), Vec3.Y, 40))
+                            eye, new ExactPoint(eye.x(), eye.y(), eye.z().add(r)), Vec3.Y, 40))
                     .object(
-                            new Sphere(new Point(BigDecimal.ZERO, r.add(gap), BigDecimal.ZERO), r.doubleValue(), 0),
+                            new Sphere(
+                                    new ExactPoint(BigDecimal.ZERO, r.add(gap), BigDecimal.ZERO), r.doubleValue(), 0),
                             WHITE)
                     .object(
                             new Rectangle(
-                                    new Point(near, BigDecimal.ZERO, near),
-                                    new Point(near, BigDecimal.ZERO, far),
-                                    new Point(far, BigDecimal.ZERO, far),
-                                    new Point(far, BigDecimal.ZERO, near)),
+                                    new ExactPoint(near, BigDecimal.ZERO, near),
+                                    new ExactPoint(near, BigDecimal.ZERO, far),
+                                    new ExactPoint(far, BigDecimal.ZERO, far),
+                                    new ExactPoint(far, BigDecimal.ZERO, near)),
                             WHITE)
-                    .light(new Light.Point(new Point(BigDecimal.ZERO, far, BigDecimal.ZERO), DisplayRgb.WHITE))
+                    .light(new Light.Point(new ExactPoint(BigDecimal.ZERO, far, BigDecimal.ZERO), DisplayRgb.WHITE))
                     .build();
             return new Setting(SceneCompiler.compile(scene, RenderSettings.of(scene)), r, gap, eye);
         }
@@ -66,7 +67,7 @@ class GapLadderTest {
         /** A ray from the floor at (x, 0, z), at right angles to it or towards (dx, 1, dz). */
         Ray fromFloor(BigDecimal x, BigDecimal z, double dx, double dz) {
             Primitive floor = scene.primitives[id(RectanglePrimitive.class)];
-            Vec3 o = scene.frame.toFrame(new Point(x, BigDecimal.ZERO, z));
+            Vec3 o = scene.frame.toFrame(new ExactPoint(x, BigDecimal.ZERO, z));
             return Ray.leaving(o, new Vec3(dx, 1, dz), floor, Ray.OUTSIDE);
         }
 
@@ -102,7 +103,7 @@ class GapLadderTest {
             BigDecimal r = new BigDecimal(scale).multiply(new BigDecimal("0.7"));
             for (int k = 1; k <= 13; k++) {
                 BigDecimal gap = r.scaleByPowerOfTen(-k);
-                Point eye = new Point(
+                ExactPoint eye = new ExactPoint(
                         r.multiply(new BigDecimal("0.317")),
                         r.multiply(new BigDecimal("1.093")),
                         r.multiply(new BigDecimal("-4.71")));
@@ -134,7 +135,7 @@ class GapLadderTest {
     @Test
     void aSphereOnTheFloorBlocksEveryRayFromBelow() {
         BigDecimal r = BigDecimal.ONE;
-        Setting s = Setting.of(r, BigDecimal.ZERO, Point.of(0.25, 1.5, -4));
+        Setting s = Setting.of(r, BigDecimal.ZERO, ExactPoint.of(0.25, 1.5, -4));
         for (int k = 0; k <= 15; k++) {
             for (int quarter = 0; quarter < 4; quarter++) {
                 BigDecimal x = BigDecimal.ONE.scaleByPowerOfTen(-k);
@@ -151,8 +152,8 @@ class GapLadderTest {
     @Test
     void theShadowRayOfAPointThatTheCameraSeesIsBlockedWhereverTheEyeIs() {
         // The eye on no grid: the points under the sphere are hits, with their own rounding.
-        Setting s = Setting.of(new BigDecimal("0.3"), BigDecimal.ZERO, Point.of("0.1234567", "0.0456789", "-1.7"));
-        Vec3 contact = s.scene.frame.toFrame(Point.ORIGIN);
+        Setting s = Setting.of(new BigDecimal("0.3"), BigDecimal.ZERO, ExactPoint.of("0.1234567", "0.0456789", "-1.7"));
+        Vec3 contact = s.scene.frame.toFrame(ExactPoint.ORIGIN);
         Primitive floor = s.scene.primitives[s.id(RectanglePrimitive.class)];
         Hit hit = new Hit();
         for (int k = 1; k <= 15; k++) {

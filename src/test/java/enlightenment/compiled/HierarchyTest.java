@@ -9,10 +9,9 @@ import enlightenment.accel.Closest;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.film.FilmTile;
+import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cube;
-import enlightenment.geometry.Primitive;
-import enlightenment.geometry.Ray;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
@@ -21,10 +20,12 @@ import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.method.RayTraceMethod;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -35,7 +36,7 @@ import org.junit.jupiter.api.Test;
 /** The hierarchy against a loop over everything: the same ids, the same bits. */
 class HierarchyTest {
     private static Shape shape(Random r, double size) {
-        Point c = Point.of(4 * r.nextGaussian(), 4 * r.nextGaussian(), 4 * r.nextGaussian());
+        ExactPoint c = ExactPoint.of(4 * r.nextGaussian(), 4 * r.nextGaussian(), 4 * r.nextGaussian());
         return switch (r.nextInt(6)) {
             case 0 -> Sphere.of(c, size);
             case 1 -> new Box(c, c.plus(new Vec3(size, 2 * size, size / 2)));
@@ -54,7 +55,7 @@ class HierarchyTest {
     private static Primitive[] primitives(Random r, int n) {
         Primitive[] all = new Primitive[n];
         for (int i = 0; i < n; i++) {
-            all[i] = shape(r, Math.pow(10, -6 + 7 * r.nextDouble())).place(SceneFrame.WORLD);
+            all[i] = Primitives.place(shape(r, Math.pow(10, -6 + 7 * r.nextDouble())), SceneFrame.WORLD);
         }
         return all;
     }
@@ -119,7 +120,7 @@ class HierarchyTest {
     void coincidentPrimitivesNeitherOverflowTheStackNorChangeTheWinner() {
         Primitive[] same = new Primitive[20_000];
         for (int i = 0; i < same.length; i++) {
-            same[i] = Sphere.of(Point.of(0, 0, 5), 1).place(SceneFrame.WORLD);
+            same[i] = Primitives.place(Sphere.of(ExactPoint.of(0, 0, 5), 1), SceneFrame.WORLD);
         }
         Bvh bvh = Bvh.build(same);
         Closest state = new Closest(new int[same.length], new long[1]);
@@ -132,13 +133,13 @@ class HierarchyTest {
         Random r = new Random(11);
         SceneBuilder b = Scene.builder()
                 .size(48, 32)
-                .camera(new Camera.Perspective(Point.of(0, 2, -12), Point.of(0, 0, 0), Vec3.Y, 50))
-                .light(new Light.Sphere(Point.of(4, 9, -6), 1.5, DisplayRgb.WHITE))
+                .camera(new Camera.Perspective(ExactPoint.of(0, 2, -12), ExactPoint.of(0, 0, 0), Vec3.Y, 50))
+                .light(new Light.Sphere(ExactPoint.of(4, 9, -6), 1.5, DisplayRgb.WHITE))
                 .light(new Light.Rectangle(
-                        Point.of(-9, 3, -4),
-                        Point.of(-9, 6, -4),
-                        Point.of(-9, 6, 0),
-                        Point.of(-9, 3, 0),
+                        ExactPoint.of(-9, 3, -4),
+                        ExactPoint.of(-9, 6, -4),
+                        ExactPoint.of(-9, 6, 0),
+                        ExactPoint.of(-9, 3, 0),
                         DisplayRgb.WHITE));
         Material[] materials = {
             Material.Matte.of(Texture.of(new DisplayRgb(0.9, 0.6, 0.4))),
@@ -150,7 +151,10 @@ class HierarchyTest {
         }
         b.object(
                 new Rectangle(
-                        Point.of(-20, -6, -20), Point.of(-20, -6, 20), Point.of(20, -6, 20), Point.of(20, -6, -20)),
+                        ExactPoint.of(-20, -6, -20),
+                        ExactPoint.of(-20, -6, 20),
+                        ExactPoint.of(20, -6, 20),
+                        ExactPoint.of(20, -6, -20)),
                 materials[0]);
         Scene scene = b.build();
         RenderSettings settings = RenderSettings.of(scene).withAntialias(2).withShadowSamples(5);

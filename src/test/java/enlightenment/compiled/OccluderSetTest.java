@@ -7,14 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.accel.BvhQuery;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
-import enlightenment.geometry.Ray;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -27,7 +27,8 @@ class OccluderSetTest {
     private static final Material WHITE = Material.Matte.of(Texture.of(DisplayRgb.WHITE));
 
     private static SceneBuilder room() {
-        return Scene.builder().camera(new Camera.Perspective(Point.of(0, 0, -9), Point.of(0, 0, 0), Vec3.Y, 60));
+        return Scene.builder()
+                .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60));
     }
 
     private static CompiledScene compile(SceneBuilder b) {
@@ -92,7 +93,7 @@ class OccluderSetTest {
         assertTrue(rays > 50_000 && clear > 100_000 && hidden > 200, rays + " " + clear + " " + hidden);
     }
 
-    private static double[] array(CompiledScene scene, Point p) {
+    private static double[] array(CompiledScene scene, ExactPoint p) {
         Vec3 v = scene.frame.toFrame(p);
         return new double[] {v.x(), v.y(), v.z()};
     }
@@ -106,15 +107,15 @@ class OccluderSetTest {
         return new double[] {d.x(), d.y(), d.z()};
     }
 
-    private static Point point(Random random, double range) {
-        return Point.of(
+    private static ExactPoint point(Random random, double range) {
+        return ExactPoint.of(
                 range * (2 * random.nextDouble() - 1),
                 range * (2 * random.nextDouble() - 1),
                 range * (2 * random.nextDouble() - 1));
     }
 
     private static Rectangle rectangle(Random random) {
-        Point a = point(random, 3);
+        ExactPoint a = point(random, 3);
         Vec3 u = new Vec3(random.nextInt(3), random.nextInt(3) - 1, 1).times(0.5);
         Vec3 v = new Vec3(-0.5, random.nextInt(3), random.nextInt(3) - 3).times(0.5);
         return new Rectangle(a, a.plus(u), a.plus(u.plus(v)), a.plus(v));
@@ -122,20 +123,23 @@ class OccluderSetTest {
 
     @Test
     void aFlatThingIsNoCandidateIfPointAndLightLieOnOneSideOfItWhateverElseThereIs() {
-        Rectangle floor =
-                new Rectangle(Point.of(-5, -5, -10), Point.of(-5, -5, 5), Point.of(5, -5, 5), Point.of(5, -5, -10));
-        Rectangle table =
-                new Rectangle(Point.of(-1, -3, -1), Point.of(-1, -3, 1), Point.of(1, -3, 1), Point.of(1, -3, -1));
+        Rectangle floor = new Rectangle(
+                ExactPoint.of(-5, -5, -10),
+                ExactPoint.of(-5, -5, 5),
+                ExactPoint.of(5, -5, 5),
+                ExactPoint.of(5, -5, -10));
+        Rectangle table = new Rectangle(
+                ExactPoint.of(-1, -3, -1), ExactPoint.of(-1, -3, 1), ExactPoint.of(1, -3, 1), ExactPoint.of(1, -3, -1));
         CompiledScene scene = compile(room().object(floor, WHITE)
                 .object(table, WHITE)
-                .object(Sphere.of(Point.of(0, -20, 0), 1), WHITE)
-                .light(new Light.Sphere(Point.of(0, 3, 0), 0.5, DisplayRgb.WHITE)));
+                .object(Sphere.of(ExactPoint.of(0, -20, 0), 1), WHITE)
+                .light(new Light.Sphere(ExactPoint.of(0, 3, 0), 0.5, DisplayRgb.WHITE)));
         BvhQuery out = new BvhQuery(scene.kind, new long[scene.kindNames.size()]);
         LightCone cone = new LightCone();
-        double[] onFloor = array(scene, Point.of(0.25, -5, 0.25));
+        double[] onFloor = array(scene, ExactPoint.of(0.25, -5, 0.25));
         cone.aim(scene.lights[0], onFloor[0], onFloor[1], onFloor[2]);
         assertEquals(1, scene.occluders.gather(cone, new int[0], 0, out), "the table, not the floor nor what is below");
-        double[] onTable = array(scene, Point.of(0.25, -3, 0.25));
+        double[] onTable = array(scene, ExactPoint.of(0.25, -3, 0.25));
         cone.aim(scene.lights[0], onTable[0], onTable[1], onTable[2]);
         assertEquals(0, scene.occluders.gather(cone, new int[0], 0, out));
     }

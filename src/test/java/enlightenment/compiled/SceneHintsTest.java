@@ -11,7 +11,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
@@ -32,8 +32,8 @@ class SceneHintsTest {
     private static final Material MIRROR = Material.Mirror.of(Texture.of(DisplayRgb.WHITE));
     private static final Material CLEAR = Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5);
     private static final Material MILKY = new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0, 0, true);
-    private static final Light LAMP = new Light.Sphere(Point.of(3, 3, -3), 0.5, DisplayRgb.WHITE);
-    private static final Sphere BALL = Sphere.of(Point.of(0, 0, 0), 1);
+    private static final Light LAMP = new Light.Sphere(ExactPoint.of(3, 3, -3), 0.5, DisplayRgb.WHITE);
+    private static final Sphere BALL = Sphere.of(ExactPoint.of(0, 0, 0), 1);
     private static final Predicate<String> DISTANT = hint -> hint.contains("cannot tell neighbouring pixels apart");
     private static final String NO_LIGHT =
             "/lights: there is no light; things show 0.5 (/shading/ambient) of their colours, without shades";
@@ -57,7 +57,7 @@ class SceneHintsTest {
         assertEquals(List.of("/objects: there is nothing to see"), hints(from(-5)));
         // A light can be seen; one of a single point cannot.
         assertEquals(List.of(), hints(from(-5).light(LAMP)));
-        Light point = new Light.Point(Point.of(0, 0, 0), DisplayRgb.WHITE);
+        Light point = new Light.Point(ExactPoint.of(0, 0, 0), DisplayRgb.WHITE);
         assertEquals(List.of("/objects: there is nothing to see"), hints(from(-5).light(point)));
     }
 
@@ -65,7 +65,7 @@ class SceneHintsTest {
     void withoutLightMatteThingsAreFlat() {
         assertEquals(List.of(NO_LIGHT), hints(from(-5).object(BALL, WHITE)));
         assertEquals(List.of(NO_LIGHT), hints(from(-5).object(BALL, MILKY)));
-        Light black = new Light.Sphere(Point.of(3, 3, -3), 0.5, DisplayRgb.BLACK);
+        Light black = new Light.Sphere(ExactPoint.of(3, 3, -3), 0.5, DisplayRgb.BLACK);
         assertEquals(
                 List.of("/lights: no light has another colour than black"),
                 hints(from(-5).object(BALL, WHITE).light(black)));
@@ -83,7 +83,7 @@ class SceneHintsTest {
     void aCameraInsideAnOpaqueSolidSeesADarkWall() {
         List<String> expected = List.of("/camera: is inside /objects/1 (\"hull\"), which is opaque and holds no light");
         for (Material material : List.of(WHITE, MIRROR, MILKY)) {
-            SceneObject hull = new SceneObject("hull", Sphere.of(Point.of(0, 0, -5), 2), material, List.of());
+            SceneObject hull = new SceneObject("hull", Sphere.of(ExactPoint.of(0, 0, -5), 2), material, List.of());
             assertEquals(
                     expected, hints(from(-5).object(BALL, WHITE).object(hull).light(LAMP)));
         }
@@ -91,7 +91,7 @@ class SceneHintsTest {
 
     @Test
     void aRoomMakesSense() {
-        Box room = new Box(Point.of(-9, -9, -9), Point.of(9, 9, 9));
+        Box room = new Box(ExactPoint.of(-9, -9, -9), ExactPoint.of(9, 9, 9));
         assertEquals(
                 List.of(),
                 hints(from(-5).object(BALL, WHITE).object(room, WHITE).light(LAMP)));
@@ -100,21 +100,21 @@ class SceneHintsTest {
                 List.of(),
                 hints(from(-5).object(BALL, WHITE).object(room, CLEAR).light(LAMP)));
         // A pipe is no solid.
-        Cylinder pipe = new Cylinder(Point.of(0, 0, -7), Point.of(0, 0, -3), 1, false);
+        Cylinder pipe = new Cylinder(ExactPoint.of(0, 0, -7), ExactPoint.of(0, 0, -3), 1, false);
         assertEquals(
                 List.of(),
                 hints(from(-5).object(BALL, WHITE).object(pipe, WHITE).light(LAMP)));
         // The sky may shine by itself.
         ClassicShading allAmbient = new ClassicShading(1, 0.5, DisplayRgb.BLACK, 100);
-        Sphere sky = Sphere.of(Point.of(0, 0, 0), 100);
+        Sphere sky = Sphere.of(ExactPoint.of(0, 0, 0), 100);
         assertEquals(List.of(), hints(from(-5).object(sky, WHITE).shading(allAmbient)));
     }
 
     @Test
     void aCameraOnASurfaceIsNotInside() {
         // The eye stands on the box; 0.1 is no double, and its rounding must not put the eye inside.
-        Box ground = new Box(Point.of("-9", "-9", "-9"), Point.of("9", "0.1", "9"));
-        Camera standing = new Camera.Perspective(Point.of("0", "0.1", "-5"), Point.of(0, 1, 0), Vec3.Y, 40);
+        Box ground = new Box(ExactPoint.of("-9", "-9", "-9"), ExactPoint.of("9", "0.1", "9"));
+        Camera standing = new Camera.Perspective(ExactPoint.of("0", "0.1", "-5"), ExactPoint.of(0, 1, 0), Vec3.Y, 40);
         assertEquals(
                 List.of(),
                 hints(Scene.builder()
@@ -127,13 +127,13 @@ class SceneHintsTest {
     @Test
     void whatStandsBetweenEyeAndWindowIsNoMistake() {
         Camera window = new Camera.Window(
-                Point.of(0, 0, -5),
-                Point.of(-1, -1, -3),
-                Point.of(-1, 1, -3),
-                Point.of(1, 1, -3),
-                Point.of(1, -1, -3),
+                ExactPoint.of(0, 0, -5),
+                ExactPoint.of(-1, -1, -3),
+                ExactPoint.of(-1, 1, -3),
+                ExactPoint.of(1, 1, -3),
+                ExactPoint.of(1, -1, -3),
                 0);
-        Sphere aroundTheEye = Sphere.of(Point.of(0, 0, -5), 1);
+        Sphere aroundTheEye = Sphere.of(ExactPoint.of(0, 0, -5), 1);
         assertEquals(
                 List.of(),
                 hints(Scene.builder()
@@ -147,8 +147,8 @@ class SceneHintsTest {
     void aLightInsideAnOpaqueSolidGivesNoLight() {
         String expected = "/lights/1: is inside /objects/0, which is opaque: no light comes out";
         List<Light> lights = List.of(
-                new Light.Sphere(Point.of(0, 0, 0), 0.9, DisplayRgb.WHITE),
-                new Light.Point(Point.of(0, 0.5, 0), DisplayRgb.WHITE),
+                new Light.Sphere(ExactPoint.of(0, 0, 0), 0.9, DisplayRgb.WHITE),
+                new Light.Point(ExactPoint.of(0, 0.5, 0), DisplayRgb.WHITE),
                 rectangle(0.5));
         for (Light light : lights) {
             assertEquals(List.of(expected), hints(withBallAnd(WHITE, light)), light.type());
@@ -160,10 +160,10 @@ class SceneHintsTest {
     void aLightThatLooksOutOfASolidMakesSense() {
         List<Light> lights = List.of(
                 // Their middles are inside.
-                new Light.Sphere(Point.of(0, 0, 0), 1.1, DisplayRgb.WHITE),
-                new Light.Sphere(Point.of(0.5, 0, 0), 0.6, DisplayRgb.WHITE),
+                new Light.Sphere(ExactPoint.of(0, 0, 0), 1.1, DisplayRgb.WHITE),
+                new Light.Sphere(ExactPoint.of(0.5, 0, 0), 0.6, DisplayRgb.WHITE),
                 // A lamp on the ball.
-                new Light.Point(Point.of(0, 1, 0), DisplayRgb.WHITE),
+                new Light.Point(ExactPoint.of(0, 1, 0), DisplayRgb.WHITE),
                 rectangle(0.8));
         for (Light light : lights) {
             assertEquals(List.of(), hints(withBallAnd(WHITE, light)), light.toString());
@@ -172,10 +172,10 @@ class SceneHintsTest {
 
     private static Light rectangle(double half) {
         return new Light.Rectangle(
-                Point.of(-half, -half, 0),
-                Point.of(-half, half, 0),
-                Point.of(half, half, 0),
-                Point.of(half, -half, 0),
+                ExactPoint.of(-half, -half, 0),
+                ExactPoint.of(-half, half, 0),
+                ExactPoint.of(half, half, 0),
+                ExactPoint.of(half, -half, 0),
                 DisplayRgb.WHITE);
     }
 
@@ -185,34 +185,37 @@ class SceneHintsTest {
 
     @Test
     void anAngleInRadiansIsTooNarrow() {
-        Rectangle wall = new Rectangle(Point.of(-9, -9, 2), Point.of(-9, 9, 2), Point.of(9, 9, 2), Point.of(9, -9, 2));
+        Rectangle wall = new Rectangle(
+                ExactPoint.of(-9, -9, 2), ExactPoint.of(-9, 9, 2), ExactPoint.of(9, 9, 2), ExactPoint.of(9, -9, 2));
         for (double angle : new double[] {0.6, 0.999, 1e-9, 1e-300}) {
-            SceneBuilder narrow = view(new Camera.Perspective(Point.of(0, 0, -5), Point.of(0, 0, 0), Vec3.Y, angle));
+            SceneBuilder narrow =
+                    view(new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.of(0, 0, 0), Vec3.Y, angle));
             assertEquals(List.of(NARROW), hints(narrow.object(wall, WHITE)), "" + angle);
         }
-        SceneBuilder wide = view(new Camera.Perspective(Point.of(0, 0, -5), Point.of(0, 0, 0), Vec3.Y, 1.001));
+        SceneBuilder wide =
+                view(new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.of(0, 0, 0), Vec3.Y, 1.001));
         assertEquals(List.of(), hints(wide.object(wall, WHITE)));
     }
 
     @Test
     void aTelescopeMakesSense() {
         // 2 arctan(1.1 / 1000) is 0.126 degrees: the ball of radius 1 just fits.
-        Camera telescope = new Camera.Perspective(Point.of(0, 0, -1000), Point.of(0, 0, 0), Vec3.Y, 0.14);
+        Camera telescope = new Camera.Perspective(ExactPoint.of(0, 0, -1000), ExactPoint.of(0, 0, 0), Vec3.Y, 0.14);
         assertEquals(List.of(), hints(view(telescope)));
-        Camera tooNear = new Camera.Perspective(Point.of(0, 0, -1000), Point.of(0, 0, 0), Vec3.Y, 0.10);
+        Camera tooNear = new Camera.Perspective(ExactPoint.of(0, 0, -1000), ExactPoint.of(0, 0, 0), Vec3.Y, 0.10);
         assertEquals(List.of(NARROW), hints(view(tooNear)));
         // Seen past the ball, and away from it.
-        Camera past = new Camera.Perspective(Point.of(0, 0, -1000), Point.of(9, 0, 0), Vec3.Y, 0.14);
+        Camera past = new Camera.Perspective(ExactPoint.of(0, 0, -1000), ExactPoint.of(9, 0, 0), Vec3.Y, 0.14);
         assertEquals(List.of(NARROW), hints(view(past)));
-        Camera away = new Camera.Perspective(Point.of(0, 0, -1000), Point.of(0, 0, -2000), Vec3.Y, 0.14);
+        Camera away = new Camera.Perspective(ExactPoint.of(0, 0, -1000), ExactPoint.of(0, 0, -2000), Vec3.Y, 0.14);
         assertEquals(List.of(NARROW), hints(view(away)));
     }
 
     @Test
     void parallelRaysHaveNoAngle() {
-        Camera flat = new Camera.Orthographic(Point.of(0, 0, -5), Point.of(0, 0, 0), Vec3.Y, 0.001);
+        Camera flat = new Camera.Orthographic(ExactPoint.of(0, 0, -5), ExactPoint.of(0, 0, 0), Vec3.Y, 0.001);
         assertEquals(List.of(), hints(view(flat)));
-        assertEquals(List.of(), hints(view(new Camera.Isometric(Point.of(0, 0, 0), 0.001))));
+        assertEquals(List.of(), hints(view(new Camera.Isometric(ExactPoint.of(0, 0, 0), 0.001))));
     }
 
     /** The ball fills three quarters of the picture's height each time; only the distance grows. */
@@ -221,14 +224,14 @@ class SceneHintsTest {
         for (int e : new int[] {3, 6, 9, 11, 13, 16, 20}) {
             double distance = Double.parseDouble("1e" + e);
             double degrees = 2 * 180 / Math.PI * 1.33 / distance;
-            Point oblique = Point.of(0.3 * distance, 0.5 * distance, -distance);
-            Point straight = Point.of(0, 0, -distance);
+            ExactPoint oblique = ExactPoint.of(0.3 * distance, 0.5 * distance, -distance);
+            ExactPoint straight = ExactPoint.of(0, 0, -distance);
             boolean coarse = e > 14;
-            for (Point eye : new Point[] {oblique, straight}) {
+            for (ExactPoint eye : new ExactPoint[] {oblique, straight}) {
                 boolean expected = coarse && eye == oblique;
-                List<String> seen = hints(view(new Camera.Perspective(eye, Point.of(0, 0, 0), Vec3.Y, degrees)));
+                List<String> seen = hints(view(new Camera.Perspective(eye, ExactPoint.of(0, 0, 0), Vec3.Y, degrees)));
                 assertEquals(expected, seen.stream().anyMatch(DISTANT), "1e" + e + " from " + eye + ": " + seen);
-                List<String> flat = hints(view(new Camera.Orthographic(eye, Point.of(0, 0, 0), Vec3.Y, 2.67)));
+                List<String> flat = hints(view(new Camera.Orthographic(eye, ExactPoint.of(0, 0, 0), Vec3.Y, 2.67)));
                 assertEquals(expected, flat.stream().anyMatch(DISTANT), "1e" + e + " flat from " + eye + ": " + flat);
             }
         }
@@ -241,7 +244,7 @@ class SceneHintsTest {
     private static SceneBuilder from(double z) {
         return Scene.builder()
                 .size(8, 8)
-                .camera(new Camera.Perspective(Point.of(0, 0, z), Point.of(0, 0, 0), Vec3.Y, 40));
+                .camera(new Camera.Perspective(ExactPoint.of(0, 0, z), ExactPoint.of(0, 0, 0), Vec3.Y, 40));
     }
 
     private static List<String> hints(SceneBuilder scene) {

@@ -3,7 +3,7 @@ package enlightenment.image;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import enlightenment.math.Check.InvalidValueException;
+import enlightenment.math.InvalidValueException;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import org.junit.jupiter.api.Test;

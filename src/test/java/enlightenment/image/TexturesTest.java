@@ -36,7 +36,7 @@ class TexturesTest {
         long bytes = 0;
         try (Stream<Path> files = Files.list(TEXTURES)) {
             for (Path file : files.filter(f -> f.toString().endsWith(".png")).collect(Collectors.toList())) {
-                TexelImage image = TexelImage.read(file);
+                ImageTexture image = ImageTexture.read(file);
                 found.put(file.getFileName().toString(), image.width() + " x " + image.height());
                 bytes += Files.size(file);
             }

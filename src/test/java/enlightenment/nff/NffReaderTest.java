@@ -16,7 +16,7 @@ import enlightenment.image.Image;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
@@ -107,21 +107,21 @@ class NffReaderTest {
     @Test
     void decimalsStayExact() {
         Sphere s = (Sphere) onlyShape("s 0.1 1.11022e-16 -100000000000000000000.3 0.0555556");
-        assertEquals(Point.of("0.1", "1.11022e-16", "-100000000000000000000.3"), s.center());
+        assertEquals(ExactPoint.of("0.1", "1.11022e-16", "-100000000000000000000.3"), s.center());
         assertEquals(0.0555556, s.radius());
-        assertEquals(Point.of("-0.5", "0.5", "3"), ((Sphere) onlyShape("s -.5 +.5 3. 1")).center());
+        assertEquals(ExactPoint.of("-0.5", "0.5", "3"), ((Sphere) onlyShape("s -.5 +.5 3. 1")).center());
     }
 
     @Test
     void theWindowStandsAtTheHitherPlaneWithTheViewersRightOnTheRight() {
         // Looking along +z with y up in right-handed axes, the viewer's right is forward × up = −x.
         Camera.Window w = (Camera.Window) parse("").scene().camera();
-        assertEquals(Point.of(0, 0, -5), w.eye());
+        assertEquals(ExactPoint.of(0, 0, -5), w.eye());
         Vec3 right = w.lowerRight().minus(w.lowerLeft());
         Vec3 up = w.upperLeft().minus(w.lowerLeft());
         assertTrue(right.x() < 0 && right.y() == 0 && right.z() == 0, right::toString);
         assertTrue(up.y() > 0 && up.x() == 0 && up.z() == 0, up::toString);
-        assertEquals(Point.of(0, 0, -4).z(), w.lowerLeft().z());
+        assertEquals(ExactPoint.of(0, 0, -4).z(), w.lowerLeft().z());
     }
 
     @Test
@@ -174,8 +174,8 @@ class NffReaderTest {
 
     @Test
     void conesAreOpenAndTakeTheirWiderEndAsBase() {
-        Point p = Point.of(0, 0, 0);
-        Point q = Point.of(0, 0, 3);
+        ExactPoint p = ExactPoint.of(0, 0, 0);
+        ExactPoint q = ExactPoint.of(0, 0, 3);
         assertEquals(new Cone(p, q, 2, 1, false), onlyShape("c\n0 0 0 2\n0 0 3 1\n"));
         assertEquals(new Cone(q, p, 2, 1, false), onlyShape("c 0 0 0 1 0 0 3 2"));
         assertEquals(new Cone(q, p, 2, 0, false), onlyShape("c 0 0 0 0 0 0 3 2"));
@@ -187,9 +187,9 @@ class NffReaderTest {
     void lightsMayHaveAColour() {
         List<Light> lights =
                 parse("l 1 2 3\nl 1 2 3 0.5 0.25 0\nl 4 5 6 4 2 0").scene().lights();
-        assertEquals(new Light.Point(Point.of(1, 2, 3), DisplayRgb.WHITE), lights.get(0));
-        assertEquals(new Light.Point(Point.of(1, 2, 3), new DisplayRgb(0.5, 0.25, 0)), lights.get(1));
-        assertEquals(new Light.Point(Point.of(4, 5, 6), new DisplayRgb(1, 0.5, 0)), lights.get(2));
+        assertEquals(new Light.Point(ExactPoint.of(1, 2, 3), DisplayRgb.WHITE), lights.get(0));
+        assertEquals(new Light.Point(ExactPoint.of(1, 2, 3), new DisplayRgb(0.5, 0.25, 0)), lights.get(1));
+        assertEquals(new Light.Point(ExactPoint.of(4, 5, 6), new DisplayRgb(1, 0.5, 0)), lights.get(2));
     }
 
     @Test

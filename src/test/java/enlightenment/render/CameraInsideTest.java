@@ -10,14 +10,14 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
-import enlightenment.geometry.Ray;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Ray;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -37,13 +37,13 @@ class CameraInsideTest {
     }
 
     /** A ball-shaped room around the origin, lit from a point without shadows: what is seen depends on the direction. */
-    private static SceneBuilder room(Point eye, Vec3 along, double fieldOfView) {
+    private static SceneBuilder room(ExactPoint eye, Vec3 along, double fieldOfView) {
         return Scene.builder()
                 .size(24, 24)
                 .camera(new Camera.Perspective(eye, eye.plus(along), new Vec3(0.1, 1, 0.2), fieldOfView))
                 .shading(new ClassicShading(AMBIENT, 1, DisplayRgb.BLACK, 1000))
-                .object(Sphere.of(Point.ORIGIN, ROOM), TestScenes.matte(1, 1, 1))
-                .light(new Light.Point(Point.of(LAMP.x(), LAMP.y(), LAMP.z()), DisplayRgb.WHITE));
+                .object(Sphere.of(ExactPoint.ORIGIN, ROOM), TestScenes.matte(1, 1, 1))
+                .light(new Light.Point(ExactPoint.of(LAMP.x(), LAMP.y(), LAMP.z()), DisplayRgb.WHITE));
     }
 
     /** The room's colour where the ray from a point inside meets its wall. */
@@ -57,7 +57,7 @@ class CameraInsideTest {
 
     @Test
     void fromTheCentreOfAGlassBallEverythingLooksAsWithoutIt() {
-        Point eye = Point.of(0.3, -0.4, 0.7);
+        ExactPoint eye = ExactPoint.of(0.3, -0.4, 0.7);
         for (double ior : new double[] {1.5, 2.4, 0.5}) {
             for (Vec3 along : new Vec3[] {Vec3.Z, new Vec3(1, -0.3, 0.2), new Vec3(-0.5, 0.4, -2)}) {
                 DoublePicture without = DoublePicture.of(room(eye, along, 100).build(), 2, 1);
@@ -76,8 +76,8 @@ class CameraInsideTest {
         Vec3 middle = new Vec3(0.5, 0.1, 0.4);
         double radius = 1.25;
         double ior = 1.5;
-        Scene scene = room(Point.of(eye.x(), eye.y(), eye.z()), new Vec3(0.4, 0.3, 1), 120)
-                .object(Sphere.of(Point.of(middle.x(), middle.y(), middle.z()), radius), glass(ior))
+        Scene scene = room(ExactPoint.of(eye.x(), eye.y(), eye.z()), new Vec3(0.4, 0.3, 1), 120)
+                .object(Sphere.of(ExactPoint.of(middle.x(), middle.y(), middle.z()), radius), glass(ior))
                 .build();
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
         ClassicShader shader = new ClassicShader(compiled, 1, new RayCounters(compiled.kindNames.size()));
@@ -117,8 +117,8 @@ class CameraInsideTest {
     void fromInsideAGlassBlockTheSlabShiftsNothingButTheAngle() {
         // The block's face z = 1 bends by Snell's law alone.
         Vec3 eye = new Vec3(0.1, 0.2, 0.3);
-        Scene scene = room(Point.of(eye.x(), eye.y(), eye.z()), Vec3.Z, 30)
-                .object(new Box(Point.of(-3, -3, -1), Point.of(3, 3, 1)), glass(1.5))
+        Scene scene = room(ExactPoint.of(eye.x(), eye.y(), eye.z()), Vec3.Z, 30)
+                .object(new Box(ExactPoint.of(-3, -3, -1), ExactPoint.of(3, 3, 1)), glass(1.5))
                 .build();
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
         ClassicShader shader = new ClassicShader(compiled, 1, new RayCounters(compiled.kindNames.size()));
@@ -142,13 +142,13 @@ class CameraInsideTest {
 
     @Test
     void insideAnOpaqueBoxItsWallsAreSeenAndNothingElse() {
-        Point eye = Point.of(0.3, -0.4, 0.7);
+        ExactPoint eye = ExactPoint.of(0.3, -0.4, 0.7);
         for (Shape box : new Shape[] {
-            new Box(Point.of(-1, -1, -1), Point.of(1, 1, 1)),
+            new Box(ExactPoint.of(-1, -1, -1), ExactPoint.of(1, 1, 1)),
             Sphere.of(eye, 0.001),
             Solids.solid().get("frustum")
         }) {
-            Point inside = box instanceof Box || box instanceof Sphere ? eye : Point.of(0.05, 0.2, 0.05);
+            ExactPoint inside = box instanceof Box || box instanceof Sphere ? eye : ExactPoint.of(0.05, 0.2, 0.05);
             for (Vec3 along : new Vec3[] {Vec3.Z, Vec3.X, new Vec3(-1, -2, -3)}) {
                 Scene scene = room(inside, along, 110)
                         .shading(new ClassicShading(AMBIENT, 0, DisplayRgb.WHITE, 10))
@@ -163,16 +163,16 @@ class CameraInsideTest {
 
     @Test
     void anEyeExactlyOnASurfaceSeesAFinitePicture() {
-        Shape ball = Sphere.of(Point.ORIGIN, 1);
-        Shape box = new Box(Point.of(-1, -1, -1), Point.of(1, 1, 1));
-        Shape tube = new Cylinder(Point.of(0, -1, 0), Point.of(0, 1, 0), 1, true);
-        Point[] eyes = {
-            Point.of(0, 0, -1),
-            Point.of(1, 0, 0),
-            Point.of(0.6, 0.8, 0),
-            Point.of(0, 1, 0),
-            Point.of(1, 1, 0),
-            Point.of(1, 1, -1)
+        Shape ball = Sphere.of(ExactPoint.ORIGIN, 1);
+        Shape box = new Box(ExactPoint.of(-1, -1, -1), ExactPoint.of(1, 1, 1));
+        Shape tube = new Cylinder(ExactPoint.of(0, -1, 0), ExactPoint.of(0, 1, 0), 1, true);
+        ExactPoint[] eyes = {
+            ExactPoint.of(0, 0, -1),
+            ExactPoint.of(1, 0, 0),
+            ExactPoint.of(0.6, 0.8, 0),
+            ExactPoint.of(0, 1, 0),
+            ExactPoint.of(1, 1, 0),
+            ExactPoint.of(1, 1, -1)
         };
         Material[] materials = {
             TestScenes.matte(0.8, 0.7, 0.6),
@@ -184,7 +184,7 @@ class CameraInsideTest {
         };
         Vec3[] along = {Vec3.Z, Vec3.Z.negated(), Vec3.X, Vec3.Y, new Vec3(1, 1, -1), new Vec3(-1, -1, 1)};
         for (Shape shape : new Shape[] {ball, box, tube}) {
-            for (Point eye : eyes) {
+            for (ExactPoint eye : eyes) {
                 for (Material material : materials) {
                     for (Vec3 direction : along) {
                         Scene scene = room(eye, direction, 90)
@@ -203,12 +203,12 @@ class CameraInsideTest {
     @Test
     void anEyeOnTheSurfaceOfGlassOfIndexOneSeesWhatItWouldSeeWithoutIt() {
         for (Vec3 direction : new Vec3[] {Vec3.Z, Vec3.Z.negated(), Vec3.X, new Vec3(1, 2, -0.1)}) {
-            Point eye = Point.of(0, 0, -1);
+            ExactPoint eye = ExactPoint.of(0, 0, -1);
             DoublePicture without = DoublePicture.of(room(eye, direction, 90).build(), 1, 1);
             for (Shape shape : new Shape[] {
-                Sphere.of(Point.ORIGIN, 1),
-                new Box(Point.of(-1, -1, -1), Point.of(1, 1, 1)),
-                new Cylinder(Point.of(0, -1, 0), Point.of(0, 1, 0), 1, true)
+                Sphere.of(ExactPoint.ORIGIN, 1),
+                new Box(ExactPoint.of(-1, -1, -1), ExactPoint.of(1, 1, 1)),
+                new Cylinder(ExactPoint.of(0, -1, 0), ExactPoint.of(0, 1, 0), 1, true)
             }) {
                 Scene scene = room(eye, direction, 90).object(shape, glass(1)).build();
                 assertEquals(0, DoublePicture.of(scene, 1, 1).difference(without), 1e-12, shape.type());

@@ -10,7 +10,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -24,13 +24,14 @@ class ClearGlassTest {
     private static SceneBuilder room() {
         return Scene.builder()
                 .size(48, 48)
-                .camera(new Camera.Perspective(Point.of(0.31, 0.47, -4.13), Point.of(0.02, 0.01, 0), Vec3.Y, 40))
+                .camera(new Camera.Perspective(
+                        ExactPoint.of(0.31, 0.47, -4.13), ExactPoint.of(0.02, 0.01, 0), Vec3.Y, 40))
                 .shading(new ClassicShading(0.25, 1, DisplayRgb.BLACK, 10_000))
-                .object(Sphere.of(Point.of(0.2, -0.1, 0.3), 9), TestScenes.matte(0.9, 0.8, 0.7))
-                .object(Sphere.of(Point.of(0.6, 0.2, 2.5), 0.9), TestScenes.matte(0.3, 0.9, 0.5))
-                .object(Sphere.of(Point.of(-0.9, 0.4, 2.9), 0.8), TestScenes.mirror(0.9))
-                .light(new Light.Point(Point.of(2.5, 4.5, -1.5), DisplayRgb.WHITE))
-                .light(new Light.Point(Point.of(-3.5, -2.5, 1.5), new DisplayRgb(0.9, 0.5, 0.7)));
+                .object(Sphere.of(ExactPoint.of(0.2, -0.1, 0.3), 9), TestScenes.matte(0.9, 0.8, 0.7))
+                .object(Sphere.of(ExactPoint.of(0.6, 0.2, 2.5), 0.9), TestScenes.matte(0.3, 0.9, 0.5))
+                .object(Sphere.of(ExactPoint.of(-0.9, 0.4, 2.9), 0.8), TestScenes.mirror(0.9))
+                .light(new Light.Point(ExactPoint.of(2.5, 4.5, -1.5), DisplayRgb.WHITE))
+                .light(new Light.Point(ExactPoint.of(-3.5, -2.5, 1.5), new DisplayRgb(0.9, 0.5, 0.7)));
     }
 
     private static Material glass(double ior, int priority) {
@@ -61,7 +62,7 @@ class ClearGlassTest {
 
     @Test
     void aBubbleOfTheSameIndexAsItsGlassIsInvisible() {
-        Shape block = Sphere.of(Point.of(0, 0, 0), 1.7);
+        Shape block = Sphere.of(ExactPoint.of(0, 0, 0), 1.7);
         DoublePicture without =
                 DoublePicture.of(room().object(block, glass(1.5, 0)).build(), 2, 1);
         for (Map.Entry<String, Shape> e : Solids.solid().entrySet()) {

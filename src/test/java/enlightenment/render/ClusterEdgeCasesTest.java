@@ -10,7 +10,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
@@ -33,12 +33,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ClusterEdgeCasesTest {
     private static final ClassicShading DARK = new ClassicShading(0.1, 0, new DisplayRgb(0.25, 0.5, 0.75), 20);
 
-    private static Point at(double x, double y, double z) {
-        return Point.of(x, y, z);
+    private static ExactPoint at(double x, double y, double z) {
+        return ExactPoint.of(x, y, z);
     }
 
     /** A floor with two balls on it, one before a wall with a hole, seen from in front; no light. */
-    private static SceneBuilder room(Point eye) {
+    private static SceneBuilder room(ExactPoint eye) {
         return Scene.builder()
                 .size(24, 16)
                 .shading(DARK)

@@ -13,7 +13,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -41,11 +41,12 @@ class CoincidentFacesTest {
     private static DoublePicture picture(List<SceneObject> objects, boolean lit) {
         SceneBuilder b = Scene.builder()
                 .size(96, 96)
-                .camera(new Camera.Perspective(Point.of(1.31, 2.47, -4.13), Point.of(0.3, 0.4, 0), Vec3.Y, 40))
+                .camera(new Camera.Perspective(
+                        ExactPoint.of(1.31, 2.47, -4.13), ExactPoint.of(0.3, 0.4, 0), Vec3.Y, 40))
                 .shading(new ClassicShading(lit ? 0.25 : 1, 0.25, new DisplayRgb(0.4, 0.6, 0.8), 100));
         objects.forEach(b::object);
         if (lit) {
-            b.light(new Light.Point(Point.of(-3, 7, -4), DisplayRgb.WHITE));
+            b.light(new Light.Point(ExactPoint.of(-3, 7, -4), DisplayRgb.WHITE));
         }
         return DoublePicture.of(b.build(), 1, 4);
     }
@@ -70,11 +71,13 @@ class CoincidentFacesTest {
             SceneObject floor = object(FLOOR, RED);
             DoublePicture on = inAnyOrder(
                     lit,
-                    object(new Box(Point.of(-0.7, 0.1, -0.9), Point.of(0.8, 1.2, 0.7)), glass(0.9, 1, 0.9)),
+                    object(new Box(ExactPoint.of(-0.7, 0.1, -0.9), ExactPoint.of(0.8, 1.2, 0.7)), glass(0.9, 1, 0.9)),
                     floor);
             DoublePicture above = inAnyOrder(
                     lit,
-                    object(new Box(Point.of(-0.7, 0.1 + 1e-9, -0.9), Point.of(0.8, 1.2, 0.7)), glass(0.9, 1, 0.9)),
+                    object(
+                            new Box(ExactPoint.of(-0.7, 0.1 + 1e-9, -0.9), ExactPoint.of(0.8, 1.2, 0.7)),
+                            glass(0.9, 1, 0.9)),
                     floor);
             assertTrue(on.shareBeyond(above, 1e-6) <= 0.001, "share " + on.shareBeyond(above, 1e-6));
             assertEquals(0, on.speckles(above));
@@ -88,11 +91,11 @@ class CoincidentFacesTest {
                 SceneObject floor = object(FLOOR, BLUE);
                 DoublePicture two = inAnyOrder(
                         lit,
-                        object(new Box(Point.of(-0.7, 0.3, -0.9), Point.of(0.1, 1.2, 0.7)), m),
-                        object(new Box(Point.of(0.1, 0.3, -0.9), Point.of(0.9, 1.2, 0.7)), m),
+                        object(new Box(ExactPoint.of(-0.7, 0.3, -0.9), ExactPoint.of(0.1, 1.2, 0.7)), m),
+                        object(new Box(ExactPoint.of(0.1, 0.3, -0.9), ExactPoint.of(0.9, 1.2, 0.7)), m),
                         floor);
-                DoublePicture one =
-                        inAnyOrder(lit, object(new Box(Point.of(-0.7, 0.3, -0.9), Point.of(0.9, 1.2, 0.7)), m), floor);
+                DoublePicture one = inAnyOrder(
+                        lit, object(new Box(ExactPoint.of(-0.7, 0.3, -0.9), ExactPoint.of(0.9, 1.2, 0.7)), m), floor);
                 if (m instanceof Material.Glass) {
                     assertTrue(two.shareBeyond(one, 1e-9) <= 0.001, "share " + two.shareBeyond(one, 1e-9));
                 } else {
@@ -108,8 +111,8 @@ class CoincidentFacesTest {
         Vec3 turn = new Vec3(20, 30, 10);
         double edge = 0.8;
         double radius = edge / 2 * Math.sqrt(3);
-        Vec3 axis = enlightenment.math.Rotation.ofDegrees(turn).axis(0);
-        Point middle = Point.of(0, 1, 0);
+        Vec3 axis = enlightenment.frame.Rotation.ofDegrees(turn).axis(0);
+        ExactPoint middle = ExactPoint.of(0, 1, 0);
         Material glass = glass(1, 1, 1);
         SceneObject floor = object(FLOOR, BLUE);
         DoublePicture touching = inAnyOrder(
@@ -160,8 +163,8 @@ class CoincidentFacesTest {
     @Test
     void aTubeOfGlassAroundACylinderOfTheSameRadiusFiltersOnce() {
         // An open cylinder is a thin pane; it lies in the lateral surface of the solid one.
-        Point base = Point.of(-0.3, 0.3, 0.1);
-        Point top = Point.of(0.4, 1.7, -0.2);
+        ExactPoint base = ExactPoint.of(-0.3, 0.3, 0.1);
+        ExactPoint top = ExactPoint.of(0.4, 1.7, -0.2);
         DoublePicture tube = inAnyOrder(
                 false,
                 object(new Cylinder(base, top, 0.6, false), glass(0.5, 1, 1)),

@@ -13,7 +13,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -39,12 +39,12 @@ class ContactTest {
 
     @Test
     void underASphereThatTouchesTheFloorThereIsAmbientLightOnly() {
-        Light point = new Light.Point(Point.of(0, 8, 0), DisplayRgb.WHITE);
+        Light point = new Light.Point(ExactPoint.of(0, 8, 0), DisplayRgb.WHITE);
         for (double h : new double[] {1e-1, 1e-2, 1e-4, 1e-6, 1e-9, 1e-12}) {
             // Within the wedge between floor and sphere, four times h from the contact, where it is 8h² high.
-            Camera camera =
-                    new Camera.Perspective(Point.of(-4 * h, 4 * h * h, 0), Point.of(0, 4 * h * h, 0), Vec3.Y, 50);
-            DoublePicture p = picture(Sphere.of(Point.of(0, 1, 0), 1), camera, point);
+            Camera camera = new Camera.Perspective(
+                    ExactPoint.of(-4 * h, 4 * h * h, 0), ExactPoint.of(0, 4 * h * h, 0), Vec3.Y, 50);
+            DoublePicture p = picture(Sphere.of(ExactPoint.of(0, 1, 0), 1), camera, point);
             assertEquals(AMBIENT, p.least(), "h = " + h);
             assertEquals(AMBIENT, p.greatest(), "h = " + h);
         }
@@ -52,11 +52,11 @@ class ContactTest {
 
     @Test
     void theContactHasNoLightPixelsUnderAWideLightEither() {
-        Light ball = new Light.Sphere(Point.of(0, 8, 0), 1, DisplayRgb.WHITE);
+        Light ball = new Light.Sphere(ExactPoint.of(0, 8, 0), 1, DisplayRgb.WHITE);
         for (double h : new double[] {1e-1, 1e-3, 1e-6, 1e-9}) {
-            Camera camera =
-                    new Camera.Perspective(Point.of(-4 * h, 4 * h * h, 0), Point.of(0, 4 * h * h, 0), Vec3.Y, 50);
-            DoublePicture p = picture(Sphere.of(Point.of(0, 1.0, 0), 1), camera, ball);
+            Camera camera = new Camera.Perspective(
+                    ExactPoint.of(-4 * h, 4 * h * h, 0), ExactPoint.of(0, 4 * h * h, 0), Vec3.Y, 50);
+            DoublePicture p = picture(Sphere.of(ExactPoint.of(0, 1.0, 0), 1), camera, ball);
             assertTrue(p.greatest() <= AMBIENT + 1e-12, "h = " + h + ": " + p.greatest());
         }
     }
@@ -65,13 +65,13 @@ class ContactTest {
     void theFloorUnderAGlassSolidThatStandsOnItIsDark() {
         // Classic glass throws full shadows; seen through it, the floor below shows ambient light and nothing else.
         Shape[] things = {
-            new Box(Point.of(-1, 0, -1), Point.of(1, 0.5, 1)),
-            new Cylinder(Point.of(0, 0, 0), Point.of(0, 0.5, 0), 1, true),
-            new Cylinder(Point.of(0, 0.5, 0), Point.of(0, 0, 0), 1, true),
-            new Cone(Point.of(0, 0, 0), Point.of(0, 0.5, 0), 1, 0.9, true),
-            new Cone(Point.of(0, 0.5, 0), Point.of(0, 0, 0), 1, 0.9, true)
+            new Box(ExactPoint.of(-1, 0, -1), ExactPoint.of(1, 0.5, 1)),
+            new Cylinder(ExactPoint.of(0, 0, 0), ExactPoint.of(0, 0.5, 0), 1, true),
+            new Cylinder(ExactPoint.of(0, 0.5, 0), ExactPoint.of(0, 0, 0), 1, true),
+            new Cone(ExactPoint.of(0, 0, 0), ExactPoint.of(0, 0.5, 0), 1, 0.9, true),
+            new Cone(ExactPoint.of(0, 0.5, 0), ExactPoint.of(0, 0, 0), 1, 0.9, true)
         };
-        Camera above = new Camera.Perspective(Point.of(0.03, 6, -0.07), Point.of(0, 0, 0), Vec3.Z, 9);
+        Camera above = new Camera.Perspective(ExactPoint.of(0.03, 6, -0.07), ExactPoint.of(0, 0, 0), Vec3.Z, 9);
         Material glass = Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5);
         for (Shape thing : things) {
             Scene scene = Scene.builder()
@@ -80,7 +80,7 @@ class ContactTest {
                     .shading(new ClassicShading(AMBIENT, 0, DisplayRgb.BLACK, 10))
                     .object(thing, glass)
                     .object(FLOOR, TestScenes.matte(1, 1, 1))
-                    .light(new Light.Point(Point.of(0, 8, 0), DisplayRgb.WHITE))
+                    .light(new Light.Point(ExactPoint.of(0, 8, 0), DisplayRgb.WHITE))
                     .build();
             DoublePicture p = DoublePicture.of(scene, 2, 1);
             assertEquals(AMBIENT, p.least(), thing.toString());

@@ -7,7 +7,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -37,7 +37,7 @@ final class FineScenes {
                 .name(name)
                 .size(WIDTH, HEIGHT)
                 .shading(DIM)
-                .camera(new Camera.Orthographic(Point.of(0, 0, -10), Point.of(0, 0, 0), Vec3.Y, 3));
+                .camera(new Camera.Orthographic(ExactPoint.of(0, 0, -10), ExactPoint.of(0, 0, 0), Vec3.Y, 3));
         switch (name) {
             case "wires" -> wires(b);
             case "slats" -> slats(b);
@@ -55,12 +55,12 @@ final class FineScenes {
         b.object(TestScenes.rectangle(-9, -9, z, -9, 9, z, 9, 9, z, 9, -9, z), material);
     }
 
-    private static Cylinder rod(Point base, Point top, double radius) {
+    private static Cylinder rod(ExactPoint base, ExactPoint top, double radius) {
         return new Cylinder(base, top, radius, true);
     }
 
     private static Light sun() {
-        return new Light.Sphere(Point.of(-6, 9, -20), 0.5, DisplayRgb.WHITE);
+        return new Light.Sphere(ExactPoint.of(-6, 9, -20), 0.5, DisplayRgb.WHITE);
     }
 
     /** White wires at all angles before a dark wall, a twentieth to a third of a pixel wide. */
@@ -75,8 +75,8 @@ final class FineScenes {
             double width = PIXEL * (0.05 + 0.28 * k / 15);
             b.object(
                     rod(
-                            Point.of(-offset * y - 4 * x, offset * x - 4 * y, -0.05 * k),
-                            Point.of(-offset * y + 4 * x, offset * x + 4 * y, -0.05 * k),
+                            ExactPoint.of(-offset * y - 4 * x, offset * x - 4 * y, -0.05 * k),
+                            ExactPoint.of(-offset * y + 4 * x, offset * x + 4 * y, -0.05 * k),
                             width / 2),
                     TestScenes.matte(1, 1, 1));
         }
@@ -116,27 +116,31 @@ final class FineScenes {
             double x = -2.03 + 4.08 * k / 99;
             double y = -1.53 + 3.06 * k / 99;
             double radius = PIXEL * 0.14;
-            b.object(rod(Point.of(x, -2, 0), Point.of(x + 0.07, 2, 0.1), radius), TestScenes.matte(0.2, 0.5, 1));
-            b.object(rod(Point.of(-3, y, 0.2), Point.of(3, y + 0.05, 0.2), radius), TestScenes.matte(1, 0.4, 0.2));
+            b.object(
+                    rod(ExactPoint.of(x, -2, 0), ExactPoint.of(x + 0.07, 2, 0.1), radius),
+                    TestScenes.matte(0.2, 0.5, 1));
+            b.object(
+                    rod(ExactPoint.of(-3, y, 0.2), ExactPoint.of(3, y + 0.05, 0.2), radius),
+                    TestScenes.matte(1, 0.4, 0.2));
         }
-        b.light(new Light.Sphere(Point.of(-6, 9, -20), 0.2, DisplayRgb.WHITE));
+        b.light(new Light.Sphere(ExactPoint.of(-6, 9, -20), 0.2, DisplayRgb.WHITE));
     }
 
     /** A floor with balls and posts under 36 small lights. */
     private static void lamps(SceneBuilder b) {
-        b.camera(new Camera.Perspective(Point.of(0, 2.2, -5), Point.of(0, 0.4, 0), Vec3.Y, 40));
+        b.camera(new Camera.Perspective(ExactPoint.of(0, 2.2, -5), ExactPoint.of(0, 0.4, 0), Vec3.Y, 40));
         b.object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), TestScenes.matte(0.9, 0.9, 0.9));
         for (int k = 0; k < 12; k++) {
             double x = k % 4 - 1.5;
             double z = k / 4 - 1;
             if (k % 2 == 0) {
-                b.object(Sphere.of(Point.of(x, 0.4, z), 0.3), TestScenes.matte(1, 0.6, 0.3));
+                b.object(Sphere.of(ExactPoint.of(x, 0.4, z), 0.3), TestScenes.matte(1, 0.6, 0.3));
             } else {
-                b.object(rod(Point.of(x, 0, z), Point.of(x, 1, z), 0.03), TestScenes.matte(0.3, 0.6, 1));
+                b.object(rod(ExactPoint.of(x, 0, z), ExactPoint.of(x, 1, z), 0.03), TestScenes.matte(0.3, 0.6, 1));
             }
         }
         for (int k = 0; k < 36; k++) {
-            b.light(new Light.Sphere(Point.of(0.8 * (k % 6) - 2, 3, 0.8 * (k / 6) - 2), 0.08, DisplayRgb.WHITE));
+            b.light(new Light.Sphere(ExactPoint.of(0.8 * (k % 6) - 2, 3, 0.8 * (k / 6) - 2), 0.08, DisplayRgb.WHITE));
         }
     }
 
@@ -152,7 +156,7 @@ final class FineScenes {
     private static void spot(SceneBuilder b) {
         b.shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 8));
         wall(b, 0, TestScenes.matte(1, 1, 1));
-        b.camera(new Camera.Orthographic(Point.of(0, 0, -3), Point.of(0, 0, 0), Vec3.Y, 3));
+        b.camera(new Camera.Orthographic(ExactPoint.of(0, 0, -3), ExactPoint.of(0, 0, 0), Vec3.Y, 3));
         double hole = 0.04;
         double at = 0.4;
         b.object(
@@ -169,6 +173,6 @@ final class FineScenes {
                 TestScenes.rectangle(
                         at - hole, at + hole, -6, at - hole, 9, -6, at + hole, 9, -6, at + hole, at + hole, -6),
                 TestScenes.matte(0, 0, 0));
-        b.light(new Light.Sphere(Point.of(at, at, -8), 0.02, DisplayRgb.WHITE));
+        b.light(new Light.Sphere(ExactPoint.of(at, at, -8), 0.02, DisplayRgb.WHITE));
     }
 }

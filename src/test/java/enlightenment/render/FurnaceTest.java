@@ -10,7 +10,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 /** White things under the same light from everywhere are white (numerics, N29). */
 class FurnaceTest {
     private static final Camera CAMERA =
-            new Camera.Perspective(Point.of(0.31, 0.47, -4.13), Point.of(0.02, 0.01, 0), Vec3.Y, 40);
+            new Camera.Perspective(ExactPoint.of(0.31, 0.47, -4.13), ExactPoint.of(0.02, 0.01, 0), Vec3.Y, 40);
     private static final ClassicShading ALL_AMBIENT = new ClassicShading(1, 0, DisplayRgb.BLACK, 100_000);
     private static final Material WHITE = TestScenes.matte(1, 1, 1);
 
@@ -31,7 +31,7 @@ class FurnaceTest {
                 .size(32, 32)
                 .camera(CAMERA)
                 .shading(ALL_AMBIENT)
-                .object(Sphere.of(Point.of(0.2, -0.1, 0.3), 9), WHITE)
+                .object(Sphere.of(ExactPoint.of(0.2, -0.1, 0.3), 9), WHITE)
                 .object(thing, material);
     }
 
@@ -53,7 +53,7 @@ class FurnaceTest {
         for (int n = 1; n <= 60; n++) {
             SceneBuilder b = furnace(Solids.solid().get("torus"), WHITE).size(4, 4);
             for (int i = 0; i < n; i++) {
-                b.light(new Light.Point(Point.of(3, i * 0.1, -3), DisplayRgb.WHITE));
+                b.light(new Light.Point(ExactPoint.of(3, i * 0.1, -3), DisplayRgb.WHITE));
             }
             assertWhite(b.build(), 0, n + " lights");
         }
@@ -93,14 +93,14 @@ class FurnaceTest {
         for (Map.Entry<String, Shape> e : Solids.all().entrySet()) {
             for (Material m :
                     new Material[] {TestScenes.mirror(1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)}) {
-                Scene scene = inside(e.getValue(), m, Point.of(0.2, -0.1, 0.3), CAMERA);
+                Scene scene = inside(e.getValue(), m, ExactPoint.of(0.2, -0.1, 0.3), CAMERA);
                 assertWhite(scene, 1e-12, e.getKey() + " " + m.type());
             }
         }
     }
 
     /** A thing and the camera within a ball of light, with nothing but direct light. */
-    private static Scene inside(Shape thing, Material material, Point middle, Camera camera) {
+    private static Scene inside(Shape thing, Material material, ExactPoint middle, Camera camera) {
         return Scene.builder()
                 .size(32, 32)
                 .camera(camera)
@@ -114,13 +114,14 @@ class FurnaceTest {
     void insideALightAConvexThingGetsAQuarterOfIt() {
         // Over all directions alike, the mean of max(cosθ, 0) is 1/4 and that of its square 1/6.
         double deviation = Math.sqrt(1.0 / 6 - 1.0 / 16);
-        Camera close = new Camera.Perspective(Point.of(0.21, 0.27, -4.13), Point.of(0.05, 0.05, 0), Vec3.Y, 4);
+        Camera close =
+                new Camera.Perspective(ExactPoint.of(0.21, 0.27, -4.13), ExactPoint.of(0.05, 0.05, 0), Vec3.Y, 4);
         int shadowSamples = 64;
         for (Map.Entry<String, Shape> e : Solids.all().entrySet()) {
             if (e.getKey().equals("torus") || e.getKey().startsWith("open")) {
                 continue;
             }
-            for (Point middle : new Point[] {Point.of(0, 0, 0), Point.of(1.5, -2, 2.5)}) {
+            for (ExactPoint middle : new ExactPoint[] {ExactPoint.of(0, 0, 0), ExactPoint.of(1.5, -2, 2.5)}) {
                 DoublePicture p = DoublePicture.of(inside(e.getValue(), WHITE, middle, close), 1, shadowSamples);
                 double sum = 0;
                 for (int y = 0; y < p.height; y++) {

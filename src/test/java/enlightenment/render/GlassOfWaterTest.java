@@ -9,7 +9,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -32,8 +32,8 @@ class GlassOfWaterTest {
             this.axis = axis;
         }
 
-        Point at(double height) {
-            return Point.of(0.1, -1, 0.2).plus(axis.times(height));
+        ExactPoint at(double height) {
+            return ExactPoint.of(0.1, -1, 0.2).plus(axis.times(height));
         }
     }
 
@@ -45,12 +45,13 @@ class GlassOfWaterTest {
     private static SceneBuilder room(double eyeHeight, int size) {
         return Scene.builder()
                 .size(size, size)
-                .camera(new Camera.Perspective(Point.of(0.31, eyeHeight, -5.13), Point.of(0.12, 0.01, 0.2), Vec3.Y, 32))
+                .camera(new Camera.Perspective(
+                        ExactPoint.of(0.31, eyeHeight, -5.13), ExactPoint.of(0.12, 0.01, 0.2), Vec3.Y, 32))
                 .shading(new ClassicShading(0.25, 1, DisplayRgb.BLACK, 100_000))
-                .object(Sphere.of(Point.of(0.2, -0.1, 0.3), 12), TestScenes.matte(0.9, 0.8, 0.7))
-                .object(Sphere.of(Point.of(0.3, 0.4, 3.5), 0.9), TestScenes.matte(0.3, 0.9, 0.5))
-                .light(new Light.Point(Point.of(2.5, 4.5, -4.5), DisplayRgb.WHITE))
-                .light(new Light.Point(Point.of(-3.5, -2.5, 1.5), new DisplayRgb(0.9, 0.5, 0.7)));
+                .object(Sphere.of(ExactPoint.of(0.2, -0.1, 0.3), 12), TestScenes.matte(0.9, 0.8, 0.7))
+                .object(Sphere.of(ExactPoint.of(0.3, 0.4, 3.5), 0.9), TestScenes.matte(0.3, 0.9, 0.5))
+                .light(new Light.Point(ExactPoint.of(2.5, 4.5, -4.5), DisplayRgb.WHITE))
+                .light(new Light.Point(ExactPoint.of(-3.5, -2.5, 1.5), new DisplayRgb(0.9, 0.5, 0.7)));
     }
 
     /** A solid glass, in it the air that it holds, and in that the water: 80 % of the height of the air. */

@@ -11,7 +11,7 @@ import enlightenment.image.ImageFiles;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderDefaults;
@@ -45,7 +45,7 @@ final class HardScenes {
             "half");
 
     private static final Material WHITE = Material.Matte.of(Texture.of(DisplayRgb.WHITE));
-    private static final Light LAMP = new Light.Sphere(Point.of(-2, 3, -5), 0.4, DisplayRgb.WHITE);
+    private static final Light LAMP = new Light.Sphere(ExactPoint.of(-2, 3, -5), 0.4, DisplayRgb.WHITE);
 
     private HardScenes() {}
 
@@ -53,7 +53,8 @@ final class HardScenes {
         SceneBuilder b = Scene.builder()
                 .name(name)
                 .size(WIDTH, HEIGHT)
-                .camera(new Camera.Orthographic(Point.of(0, 0, -10), Point.of(0, 0, 0), new Vec3(0.2, 1, 0), 2))
+                .camera(new Camera.Orthographic(
+                        ExactPoint.of(0, 0, -10), ExactPoint.of(0, 0, 0), new Vec3(0.2, 1, 0), 2))
                 .render(new RenderDefaults("raytrace", 1, 1, 0));
         switch (name) {
             case "slats" -> slats(b.light(LAMP), 0.0191, 0.4);
@@ -76,22 +77,22 @@ final class HardScenes {
     private static void slats(SceneBuilder b, double pitch, double share) {
         for (int k = -110; k < 110; k++) {
             double x = k * pitch;
-            b.object(new Box(Point.of(x, -2, 0), Point.of(x + share * pitch, 2, 0.05)), WHITE);
+            b.object(new Box(ExactPoint.of(x, -2, 0), ExactPoint.of(x + share * pitch, 2, 0.05)), WHITE);
         }
     }
 
     /** Slats before a lit wall, with their shadows on it, under a perspective camera. */
     private static void screen(SceneBuilder b) {
         slats(b.light(LAMP), 0.0283, 0.5);
-        b.camera(new Camera.Perspective(Point.of(0.4, 0.3, -4), Point.of(0, 0, 0), new Vec3(0, 1, 0), 30))
+        b.camera(new Camera.Perspective(ExactPoint.of(0.4, 0.3, -4), ExactPoint.of(0, 0, 0), new Vec3(0, 1, 0), 30))
                 .object(TestScenes.rectangle(-6, -6, 1, -6, 6, 1, 6, 6, 1, 6, -6, 1), TestScenes.matte(0.8, 0.5, 0.3));
     }
 
     private static void grid(SceneBuilder b, int lines, double radius) {
         for (int k = 0; k < lines; k++) {
             double at = -1.6 + 3.2 * (k + 0.5) / lines;
-            b.object(new Cylinder(Point.of(at, -2, 0), Point.of(at, 2, 0), radius, true), WHITE);
-            b.object(new Cylinder(Point.of(-2, at, 0), Point.of(2, at, 0), radius, true), WHITE);
+            b.object(new Cylinder(ExactPoint.of(at, -2, 0), ExactPoint.of(at, 2, 0), radius, true), WHITE);
+            b.object(new Cylinder(ExactPoint.of(-2, at, 0), ExactPoint.of(2, at, 0), radius, true), WHITE);
         }
     }
 
@@ -99,7 +100,7 @@ final class HardScenes {
     private static void dots(SceneBuilder b) {
         Random random = new Random(3);
         for (int k = 0; k < 5; k++) {
-            Point at = Point.of(2.4 * random.nextDouble() - 1.2, 1.8 * random.nextDouble() - 0.9, 0);
+            ExactPoint at = ExactPoint.of(2.4 * random.nextDouble() - 1.2, 1.8 * random.nextDouble() - 0.9, 0);
             b.object(Sphere.of(at, 0.012), WHITE);
         }
         b.light(LAMP);
@@ -138,22 +139,22 @@ final class HardScenes {
 
     /** A checkerboard towards the horizon. */
     private static void floor(SceneBuilder b) {
-        b.camera(new Camera.Perspective(Point.of(0, 1, -5), Point.of(0, 0.8, 0), new Vec3(0, 1, 0), 40))
+        b.camera(new Camera.Perspective(ExactPoint.of(0, 1, -5), ExactPoint.of(0, 0.8, 0), new Vec3(0, 1, 0), 40))
                 .light(LAMP)
                 .object(TestScenes.rectangle(-40, 0, -5, -40, 0, 75, 40, 0, 75, 40, 0, -5), checker(80));
     }
 
     /** A floor with balls under a field of small lights. */
     private static void lights(SceneBuilder b) {
-        b.camera(new Camera.Perspective(Point.of(0, 3, -6), Point.of(0, 0.2, 0), new Vec3(0, 1, 0), 35))
+        b.camera(new Camera.Perspective(ExactPoint.of(0, 3, -6), ExactPoint.of(0, 0.2, 0), new Vec3(0, 1, 0), 35))
                 .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 100))
                 .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), WHITE);
         for (int k = 0; k < 36; k++) {
-            Point at = Point.of(-2.5 + k % 6, 2 + 0.1 * (k % 5), -2.5 + k / 6);
+            ExactPoint at = ExactPoint.of(-2.5 + k % 6, 2 + 0.1 * (k % 5), -2.5 + k / 6);
             b.light(new Light.Sphere(at, 0.05, DisplayRgb.of(0.06, 0.06, 0.05)));
         }
         for (int k = 0; k < 9; k++) {
-            b.object(Sphere.of(Point.of(-1.5 + 1.5 * (k % 3), 0.4, -1.5 + 1.5 * (k / 3)), 0.35), WHITE);
+            b.object(Sphere.of(ExactPoint.of(-1.5 + 1.5 * (k % 3), 0.4, -1.5 + 1.5 * (k / 3)), 0.35), WHITE);
         }
     }
 
@@ -163,6 +164,6 @@ final class HardScenes {
                 TestScenes.rectangle(-3.4, -1.7, 0, -3.4, 1.7, 0, 0, 1.7, 0, 0, -1.7, 0),
                 texture(noise(), Texture.Filter.NEAREST));
         b.object(TestScenes.rectangle(0, -2, 0.5, 0, 2, 0.5, 4, 2, 0.5, 4, -2, 0.5), WHITE)
-                .object(Sphere.of(Point.of(0.8, 0, 0), 0.5), TestScenes.matte(0.3, 0.5, 0.9));
+                .object(Sphere.of(ExactPoint.of(0.8, 0, 0), 0.5), TestScenes.matte(0.3, 0.5, 0.9));
     }
 }

@@ -13,7 +13,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.material.Material;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
@@ -54,10 +54,10 @@ class HiddenObjectsTest {
         return Path.of(System.getProperty("project.directory"), "scenes");
     }
 
-    private static List<Shape> specks(Point c) {
+    private static List<Shape> specks(ExactPoint c) {
         double s = SIZE;
-        Point x = c.plus(new Vec3(s, 0, 0));
-        Point y = c.plus(new Vec3(0.2 * s, s, 0.3 * s));
+        ExactPoint x = c.plus(new Vec3(s, 0, 0));
+        ExactPoint y = c.plus(new Vec3(0.2 * s, s, 0.3 * s));
         return List.of(
                 Sphere.of(c, s),
                 new Box(c, c.plus(new Vec3(s, s, s))),
@@ -72,9 +72,9 @@ class HiddenObjectsTest {
     }
 
     /** Behind the viewer, beyond the middle of every rectangle on both sides, and inside of every ball and cube. */
-    private static Map<String, Point> places(Scene scene) {
-        Map<String, Point> places = new LinkedHashMap<>();
-        Point eye = scene.camera().origin();
+    private static Map<String, ExactPoint> places(Scene scene) {
+        Map<String, ExactPoint> places = new LinkedHashMap<>();
+        ExactPoint eye = scene.camera().origin();
         places.put("behind the viewer", eye.plus(new Vec3(0.013, 0.017, -31.7)));
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject o = scene.objects().get(i);
@@ -116,10 +116,10 @@ class HiddenObjectsTest {
         RenderSettings cluster = settings.withMethod("cluster").withBudget(Budget.NONE.withSamples(8));
         RawPicture evenly = RawPicture.of(scene, settings);
         RawPicture clustered = RawPicture.of(scene, cluster);
-        Map<String, Point> places = places(scene);
+        Map<String, ExactPoint> places = places(scene);
         assertTrue(places.size() > 0);
         int number = 0;
-        for (Map.Entry<String, Point> place : places.entrySet()) {
+        for (Map.Entry<String, ExactPoint> place : places.entrySet()) {
             List<Shape> all = specks(place.getValue());
             String where = place.getKey() + ", " + name;
             evenly.assertSameBits(RawPicture.of(with(scene, all), settings), where);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.compiled.HierarchyChoice;
 import enlightenment.geometry.Sphere;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -107,7 +107,7 @@ class ImageInvarianceTest {
     }
 
     private static void assertSpeckChangesNoBit(Scene scene, RenderSettings settings, int exponent, String what) {
-        Point behind = new Point(
+        ExactPoint behind = new ExactPoint(
                 BigDecimal.ZERO,
                 BigDecimal.ONE,
                 BigDecimal.valueOf(2).pow(exponent).negate());

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.frame.Rotation;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
@@ -14,8 +15,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
-import enlightenment.math.Rotation;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -33,7 +33,7 @@ class LightOnSurfaceTest {
     private static final SceneObject FLOOR =
             SceneObject.of(TestScenes.rectangle(-9, -1, -9, -9, -1, 9, 9, -1, 9, 9, -1, -9), TestScenes.matte(1, 1, 1));
     private static final SceneObject BALL =
-            SceneObject.of(Sphere.of(Point.of(0.4, -0.5, 0.3), 0.5), TestScenes.matte(1, 0.8, 0.6));
+            SceneObject.of(Sphere.of(ExactPoint.of(0.4, -0.5, 0.3), 0.5), TestScenes.matte(1, 0.8, 0.6));
     private static final Vec3 TURN = new Vec3(31, 17, 7);
     private static final double HAIR = 1e-9;
 
@@ -44,7 +44,8 @@ class LightOnSurfaceTest {
     private static DoublePicture picture(Light light, List<SceneObject> objects, int scale) {
         SceneBuilder b = Scene.builder()
                 .size(64, 64)
-                .camera(new Camera.Perspective(Point.of(1.31, 1.47, -6.13), Point.of(0.1, 0.4, 0.2), Vec3.Y, 50))
+                .camera(new Camera.Perspective(
+                        ExactPoint.of(1.31, 1.47, -6.13), ExactPoint.of(0.1, 0.4, 0.2), Vec3.Y, 50))
                 .shading(new ClassicShading(0.1, 0, new DisplayRgb(0.4, 0.6, 0.8), 6))
                 .light(light);
         objects.forEach(b::object);
@@ -62,7 +63,7 @@ class LightOnSurfaceTest {
         }
     }
 
-    private static Light.Rectangle lamp(Point middle, Vec3 u, Vec3 v, double half) {
+    private static Light.Rectangle lamp(ExactPoint middle, Vec3 u, Vec3 v, double half) {
         return new Light.Rectangle(
                 middle.plus(u.times(-half)).plus(v.times(-half)),
                 middle.plus(u.times(-half)).plus(v.times(half)),
@@ -74,18 +75,18 @@ class LightOnSurfaceTest {
     @Test
     void aLampInTheCeilingsPlaneLightsTheRoom() {
         Rectangle ceiling = TestScenes.rectangle(-9, 3, -9, -9, 3, 9, 9, 3, 9, 9, 3, -9);
-        assertShines("ceiling", ceiling, y -> lamp(Point.of(0.3, 3 - y, 0.7), Vec3.X, Vec3.Z, 0.6));
+        assertShines("ceiling", ceiling, y -> lamp(ExactPoint.of(0.3, 3 - y, 0.7), Vec3.X, Vec3.Z, 0.6));
     }
 
     @Test
     void aLampOnAFaceOfABoxOrOfALeaningCubeShines() {
-        Box box = new Box(Point.of(-1, 1.7, 0), Point.of(1, 2.9, 2));
-        assertShines("box", box, y -> lamp(Point.of(0.3, 1.7 - y, 0.7), Vec3.X, Vec3.Z, 0.4));
-        assertShines("box, at its edge", box, y -> lamp(Point.of(0.6, 1.7 - y, 0.4), Vec3.X, Vec3.Z, 0.4));
+        Box box = new Box(ExactPoint.of(-1, 1.7, 0), ExactPoint.of(1, 2.9, 2));
+        assertShines("box", box, y -> lamp(ExactPoint.of(0.3, 1.7 - y, 0.7), Vec3.X, Vec3.Z, 0.4));
+        assertShines("box, at its edge", box, y -> lamp(ExactPoint.of(0.6, 1.7 - y, 0.4), Vec3.X, Vec3.Z, 0.4));
         Vec3 u = Rotation.ofDegrees(TURN).axis(0);
         Vec3 v = Rotation.ofDegrees(TURN).axis(1);
         Vec3 n = Rotation.ofDegrees(TURN).axis(2).negated();
-        Point o = Point.of(0.2, 2.1, 1.1);
+        ExactPoint o = ExactPoint.of(0.2, 2.1, 1.1);
         Cube cube = new Cube(o, 0.8 * Math.sqrt(3), TURN);
         assertShines("leaning cube", cube, y -> lamp(o.plus(n.times(0.8 + y)), u, v, 0.3));
         Cylinder post = new Cylinder(o, o.plus(n.times(0.9)), 0.5, true);
@@ -97,7 +98,7 @@ class LightOnSurfaceTest {
         Vec3 u = Rotation.ofDegrees(TURN).axis(0);
         Vec3 v = Rotation.ofDegrees(TURN).axis(1);
         Vec3 n = Rotation.ofDegrees(TURN).axis(2).negated();
-        Point o = Point.of(0.2, 0.9, 2.1);
+        ExactPoint o = ExactPoint.of(0.2, 0.9, 2.1);
         Light.Rectangle all = lamp(o, u, v, 30);
         Rectangle wall = new Rectangle(all.lowerLeft(), all.upperLeft(), all.upperRight(), all.lowerRight());
         assertShines("leaning wall", wall, y -> lamp(o.plus(u.times(0.41)).plus(n.times(y)), u, v, 0.37));
@@ -106,8 +107,8 @@ class LightOnSurfaceTest {
     @Test
     void aPointLightOnASurfaceShines() {
         Rectangle ceiling = TestScenes.rectangle(-9, 3, -9, -9, 3, 9, 9, 3, 9, 9, 3, -9);
-        assertShines("ceiling", ceiling, y -> new Light.Point(Point.of(0.3, 3 - y, 0.7), DisplayRgb.WHITE));
-        Point o = Point.of(0.2, 1.9, 0.6);
+        assertShines("ceiling", ceiling, y -> new Light.Point(ExactPoint.of(0.3, 3 - y, 0.7), DisplayRgb.WHITE));
+        ExactPoint o = ExactPoint.of(0.2, 1.9, 0.6);
         Vec3 down = new Vec3(0.36, -0.8, -0.48);
         assertShines("ball", Sphere.of(o, 0.7), y -> new Light.Point(o.plus(down.times(0.7 + y)), DisplayRgb.WHITE));
         Vec3 across = new Vec3(0.8, 0.6, -0.4).cross(down).normalized();
@@ -124,7 +125,7 @@ class LightOnSurfaceTest {
     @Test
     void aBallOfLightInABallOfTheSameSizeIsSeenAndShines() {
         // A hair larger it would be seen for certain.
-        Point o = Point.of(0.2, 1.9, 0.6);
+        ExactPoint o = ExactPoint.of(0.2, 1.9, 0.6);
         assertShines("ball", new Sphere(o, 0.4, 33), y -> new Light.Sphere(o, 0.4 + y, DisplayRgb.WHITE));
     }
 
@@ -132,12 +133,13 @@ class LightOnSurfaceTest {
     void whatIsBehindTheCeilingChangesNoBitInTheRoom() {
         Rectangle ceiling = TestScenes.rectangle(-9, 3, -9, -9, 3, 9, 9, 3, 9, 9, 3, -9);
         for (double y : new double[] {0, 1e-17, 1e-13, 0.1}) {
-            Light light = lamp(Point.of(0.3, 3 - y, 0.7), Vec3.X, Vec3.Z, 0.6);
+            Light light = lamp(ExactPoint.of(0.3, 3 - y, 0.7), Vec3.X, Vec3.Z, 0.6);
             List<SceneObject> objects =
                     new ArrayList<>(List.of(FLOOR, BALL, SceneObject.of(ceiling, TestScenes.matte(0.9, 0.9, 1))));
             DoublePicture room = picture(light, objects, 0);
-            objects.add(SceneObject.of(Sphere.of(Point.of(0.1, 4.2, 0.5), 1), TestScenes.matte(1, 0, 0)));
-            objects.add(SceneObject.of(new Box(Point.of(-2, 3.5, -2), Point.of(-1, 4, 2)), TestScenes.mirror(0.9)));
+            objects.add(SceneObject.of(Sphere.of(ExactPoint.of(0.1, 4.2, 0.5), 1), TestScenes.matte(1, 0, 0)));
+            objects.add(SceneObject.of(
+                    new Box(ExactPoint.of(-2, 3.5, -2), ExactPoint.of(-1, 4, 2)), TestScenes.mirror(0.9)));
             assertArrayEquals(room.toArray(), picture(light, objects, 0).toArray(), "lamp " + y + " below");
         }
     }

@@ -9,7 +9,7 @@ import enlightenment.geometry.Box;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -31,25 +31,25 @@ class LightTouchTest {
     }
 
     private static Light ball(double height, double radius) {
-        return new Light.Sphere(Point.of(0, height, 0), radius, DisplayRgb.WHITE);
+        return new Light.Sphere(ExactPoint.of(0, height, 0), radius, DisplayRgb.WHITE);
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0.5, 0.4999999999999999, 0.5000000000000001, 0.3, 0, -0.3, -0.4999999999999999, -0.5})
     void aBallOfLightAtAnyHeightGivesNothingNegativeOrInfinite(double height) {
         Camera[] cameras = {
-            new Camera.Perspective(Point.of(0.5, 3, -4), Point.of(0, 0, 0), Vec3.Y, 40),
+            new Camera.Perspective(ExactPoint.of(0.5, 3, -4), ExactPoint.of(0, 0, 0), Vec3.Y, 40),
             // Within the light, and within a hair of the place where it touches the floor.
-            new Camera.Perspective(Point.of(0.01, 0.2, 0.02), Point.of(0, 0, 0), Vec3.Z, 120),
-            new Camera.Perspective(Point.of(-1e-6, 1e-13, 0), Point.of(1e-6, 0, 0), Vec3.Y, 90),
+            new Camera.Perspective(ExactPoint.of(0.01, 0.2, 0.02), ExactPoint.of(0, 0, 0), Vec3.Z, 120),
+            new Camera.Perspective(ExactPoint.of(-1e-6, 1e-13, 0), ExactPoint.of(1e-6, 0, 0), Vec3.Y, 90),
             // From below the floor.
-            new Camera.Perspective(Point.of(0.5, -3, -4), Point.of(0, 0, 0), Vec3.Y, 40)
+            new Camera.Perspective(ExactPoint.of(0.5, -3, -4), ExactPoint.of(0, 0, 0), Vec3.Y, 40)
         };
         for (Camera camera : cameras) {
             for (double shadow : new double[] {0, 0.5, 1}) {
                 Scene scene = floor(camera)
                         .shading(new ClassicShading(0, shadow, DisplayRgb.BLACK, 10))
-                        .object(Sphere.of(Point.of(0.9, 0.2, 0.1), 0.2), TestScenes.matte(1, 1, 1))
+                        .object(Sphere.of(ExactPoint.of(0.9, 0.2, 0.1), 0.2), TestScenes.matte(1, 1, 1))
                         .light(ball(height, 0.5))
                         .build();
                 DoublePicture p = DoublePicture.of(scene, 2, 16);
@@ -68,7 +68,8 @@ class LightTouchTest {
             double sine = 0.5 / distance;
             double cosine = Math.sqrt((1 - sine) * (1 + sine));
             double expected = (Math.asin(sine) - sine * cosine) / (2 * Math.PI * (1 - cosine));
-            Camera above = new Camera.Orthographic(Point.of(distance, 4, 0), Point.of(distance, 0, 0), Vec3.Z, 1e-9);
+            Camera above =
+                    new Camera.Orthographic(ExactPoint.of(distance, 4, 0), ExactPoint.of(distance, 0, 0), Vec3.Z, 1e-9);
             DoublePicture p =
                     DoublePicture.of(floor(above).size(1, 1).light(ball(0, 0.5)).build(), 1, samples);
             assertEquals(expected, p.at(0, 0, 0), 4 * sine / 2 / Math.sqrt(samples), "distance " + distance);
@@ -83,8 +84,8 @@ class LightTouchTest {
             double cosine = x / distance;
             double expected = 0.5 / distance * (1 + cosine) / 2;
             // From below the light's middle, so that the light does not stand in the way.
-            Camera camera =
-                    new Camera.Orthographic(Point.of(x + 0.25 * x, 0.25 * x * x, 0), Point.of(x, 0, 0), Vec3.Y, 1e-12);
+            Camera camera = new Camera.Orthographic(
+                    ExactPoint.of(x + 0.25 * x, 0.25 * x * x, 0), ExactPoint.of(x, 0, 0), Vec3.Y, 1e-12);
             DoublePicture p = DoublePicture.of(
                     floor(camera).size(1, 1).light(ball(0.5, 0.5)).build(), 1, 4096);
             // Rounding may put the light's edge below the horizon; then the mean is sampled.
@@ -108,7 +109,7 @@ class LightTouchTest {
             Rectangle l = TestScenes.rectangle(lights[i]);
             Scene scene = Scene.builder()
                     .size(32, 32)
-                    .camera(new Camera.Perspective(Point.of(-5.1, 4.3, -6.7), Point.of(0, 0, 0), Vec3.Y, 30))
+                    .camera(new Camera.Perspective(ExactPoint.of(-5.1, 4.3, -6.7), ExactPoint.of(0, 0, 0), Vec3.Y, 30))
                     .shading(new ClassicShading(0, 0.5, DisplayRgb.BLACK, 10))
                     .object(planes[i], TestScenes.matte(1, 1, 1))
                     .light(new Light.Rectangle(
@@ -127,11 +128,11 @@ class LightTouchTest {
     void aRectangleOfLightInALeaningPlaneGivesRoundingErrorAtMost() {
         Vec3 right = new Vec3(0.9, 0.1, 0.3);
         Vec3 up = new Vec3(-0.2, 0.7, 0.4);
-        Point corner = Point.of(-0.4, -0.3, 0.2);
-        Point far = corner.plus(right.times(2.5));
+        ExactPoint corner = ExactPoint.of(-0.4, -0.3, 0.2);
+        ExactPoint far = corner.plus(right.times(2.5));
         Scene scene = Scene.builder()
                 .size(32, 32)
-                .camera(new Camera.Perspective(Point.of(0.1, 0.3, -6.7), Point.of(0, 0, 0), Vec3.Y, 10))
+                .camera(new Camera.Perspective(ExactPoint.of(0.1, 0.3, -6.7), ExactPoint.of(0, 0, 0), Vec3.Y, 10))
                 .shading(new ClassicShading(0, 0.5, DisplayRgb.BLACK, 10))
                 .object(
                         new Rectangle(corner, corner.plus(up), corner.plus(up).plus(right), corner.plus(right)),
@@ -145,8 +146,8 @@ class LightTouchTest {
 
     @Test
     void aLightAroundEverythingGivesAQuarterToTheOpenFloor() {
-        Camera camera = new Camera.Perspective(Point.of(0.5, 3, -4), Point.of(0, 0, 0), Vec3.Y, 40);
-        Light around = new Light.Sphere(Point.of(0.3, 0.7, -0.2), 40, DisplayRgb.WHITE);
+        Camera camera = new Camera.Perspective(ExactPoint.of(0.5, 3, -4), ExactPoint.of(0, 0, 0), Vec3.Y, 40);
+        Light around = new Light.Sphere(ExactPoint.of(0.3, 0.7, -0.2), 40, DisplayRgb.WHITE);
         DoublePicture open = DoublePicture.of(floor(camera).light(around).build(), 1, 256);
         double sum = 0;
         for (int i = 0; i < 32 * 32; i++) {
@@ -155,7 +156,7 @@ class LightTouchTest {
         double deviation = Math.sqrt(1.0 / 6 - 1.0 / 16);
         assertEquals(0.25, sum / 1024, 4 * deviation / Math.sqrt(1024 * 256));
         Scene withBox = floor(camera)
-                .object(new Box(Point.of(-0.5, 0, -0.5), Point.of(0.5, 1, 0.5)), TestScenes.matte(1, 1, 1))
+                .object(new Box(ExactPoint.of(-0.5, 0, -0.5), ExactPoint.of(0.5, 1, 0.5)), TestScenes.matte(1, 1, 1))
                 .light(around)
                 .build();
         DoublePicture shaded = DoublePicture.of(withBox, 1, 256);
@@ -164,10 +165,10 @@ class LightTouchTest {
 
     @Test
     void aPointOfLightOnTheSurfaceGivesAFinitePicture() {
-        Camera camera = new Camera.Perspective(Point.of(0.5, 3, -4), Point.of(0, 0, 0), Vec3.Y, 40);
+        Camera camera = new Camera.Perspective(ExactPoint.of(0.5, 3, -4), ExactPoint.of(0, 0, 0), Vec3.Y, 40);
         for (double height : new double[] {0, Double.MIN_VALUE, 1e-300, 1e-17, -1e-17}) {
             Scene scene = floor(camera)
-                    .light(new Light.Point(Point.of(0, height, 0), DisplayRgb.WHITE))
+                    .light(new Light.Point(ExactPoint.of(0, height, 0), DisplayRgb.WHITE))
                     .build();
             DoublePicture p = DoublePicture.of(scene, 2, 1);
             assertTrue(p.isFinite() && p.least() >= 0 && p.greatest() <= 1);

@@ -8,7 +8,7 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -24,7 +24,7 @@ class MirrorHallTest {
     }
 
     private static Camera straightAhead(double fieldOfView) {
-        return new Camera.Perspective(Point.of(0, 0, 0), Point.of(0, 0, 1), Vec3.Y, fieldOfView);
+        return new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, 0, 1), Vec3.Y, fieldOfView);
     }
 
     @ParameterizedTest
@@ -67,15 +67,15 @@ class MirrorHallTest {
         double top = 8 * bounces * slope;
         double beyond = 8 * (bounces + 3) * slope;
         Light emitter = new Light.Rectangle(
-                Point.of(-9, top, -5),
-                Point.of(-9, top, 5),
-                Point.of(9, top, 5),
-                Point.of(9, top, -5),
+                ExactPoint.of(-9, top, -5),
+                ExactPoint.of(-9, top, 5),
+                ExactPoint.of(9, top, 5),
+                ExactPoint.of(9, top, -5),
                 DisplayRgb.WHITE);
         for (int limit : new int[] {bounces - 1, bounces, 1_000_000}) {
             Scene scene = Scene.builder()
                     .size(1, 1)
-                    .camera(new Camera.Perspective(Point.of(0, 0, 0), Point.of(0, slope, 1), Vec3.Y, 1e-12))
+                    .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, slope, 1), Vec3.Y, 1e-12))
                     .shading(new ClassicShading(0, 1, DisplayRgb.BLACK, limit))
                     .object(
                             TestScenes.rectangle(-9, -9, 4, -9, beyond, 4, 9, beyond, 4, 9, -9, 4),
@@ -97,15 +97,15 @@ class MirrorHallTest {
             double top = 8 * bounces * slope;
             Scene scene = Scene.builder()
                     .size(1, 1)
-                    .camera(new Camera.Perspective(Point.of(0, 0, 0), Point.of(0, slope, 1), Vec3.Y, 1e-9))
+                    .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, slope, 1), Vec3.Y, 1e-9))
                     .shading(new ClassicShading(0, 1, DisplayRgb.BLACK, 100))
                     .object(panel(4, 9), TestScenes.mirror(0.5))
                     .object(panel(-4, 9), TestScenes.mirror(0.5))
                     .light(new Light.Rectangle(
-                            Point.of(-8, top, -5),
-                            Point.of(-8, top, 5),
-                            Point.of(8, top, 5),
-                            Point.of(8, top, -5),
+                            ExactPoint.of(-8, top, -5),
+                            ExactPoint.of(-8, top, 5),
+                            ExactPoint.of(8, top, 5),
+                            ExactPoint.of(8, top, -5),
                             DisplayRgb.WHITE))
                     .build();
             assertEquals(

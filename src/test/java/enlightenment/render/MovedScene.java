@@ -12,7 +12,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.math.BigDecimal;
@@ -85,8 +85,8 @@ final class MovedScene {
                 s.animation());
     }
 
-    private Point point(Point p) {
-        return new Point(coordinate.apply(p.x()), coordinate.apply(p.y()), coordinate.apply(p.z()));
+    private ExactPoint point(ExactPoint p) {
+        return new ExactPoint(coordinate.apply(p.x()), coordinate.apply(p.y()), coordinate.apply(p.z()));
     }
 
     private double length(double v) {
@@ -118,7 +118,7 @@ final class MovedScene {
             return new Light.Sphere(point(s.center()), length(s.radius()), s.color());
         }
         if (light instanceof Light.Rectangle r) {
-            List<Point> c = r.anchors().stream().map(this::point).toList();
+            List<ExactPoint> c = r.anchors().stream().map(this::point).toList();
             return new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), r.color());
         }
         return new Light.Point(point(((Light.Point) light).position()), light.color());

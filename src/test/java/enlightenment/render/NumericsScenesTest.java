@@ -3,7 +3,7 @@ package enlightenment.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import enlightenment.camera.Camera;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -45,7 +45,7 @@ class NumericsScenesTest {
                 far.name(),
                 far.width(),
                 far.height(),
-                new Camera.Orthographic(Point.of(0, 0, -10), Point.ORIGIN, Vec3.Y, 3),
+                new Camera.Orthographic(ExactPoint.of(0, 0, -10), ExactPoint.ORIGIN, Vec3.Y, 3),
                 far.shading(),
                 far.textures(),
                 far.materials(),

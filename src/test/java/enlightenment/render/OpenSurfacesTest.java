@@ -10,7 +10,7 @@ import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -24,8 +24,8 @@ import org.junit.jupiter.api.Test;
  */
 class OpenSurfacesTest {
     private static final Material WHITE = TestScenes.matte(1, 1, 1);
-    private static final Point BASE = Point.of(-0.3, 0.2, 0.1);
-    private static final Point TOP = Point.of(0.4, 1.5, -0.6);
+    private static final ExactPoint BASE = ExactPoint.of(-0.3, 0.2, 0.1);
+    private static final ExactPoint TOP = ExactPoint.of(0.4, 1.5, -0.6);
 
     /** Far above the errors of hits, far below a pixel. */
     private static final double HAIR = 1e-9;
@@ -41,20 +41,21 @@ class OpenSurfacesTest {
             more -> new Cone(TOP, BASE, 0.9 + more, 0, false));
 
     private static final List<Light> LIGHTS = List.of(
-            new Light.Sphere(Point.of(-3.1, 4.3, -4.7), 0.7, DisplayRgb.WHITE),
-            new Light.Sphere(Point.of(2.7, 0.9, 1.3), 0.3, DisplayRgb.WHITE),
-            new Light.Point(Point.of(2.3, 3.1, -4.3), DisplayRgb.WHITE),
+            new Light.Sphere(ExactPoint.of(-3.1, 4.3, -4.7), 0.7, DisplayRgb.WHITE),
+            new Light.Sphere(ExactPoint.of(2.7, 0.9, 1.3), 0.3, DisplayRgb.WHITE),
+            new Light.Point(ExactPoint.of(2.3, 3.1, -4.3), DisplayRgb.WHITE),
             new Light.Rectangle(
-                    Point.of(-3, 3, -3),
-                    Point.of(-3, 3, -2),
-                    Point.of(-2, 3, -2),
-                    Point.of(-2, 3, -3),
+                    ExactPoint.of(-3, 3, -3),
+                    ExactPoint.of(-3, 3, -2),
+                    ExactPoint.of(-2, 3, -2),
+                    ExactPoint.of(-2, 3, -3),
                     DisplayRgb.WHITE));
 
     private static DoublePicture picture(Light light, Material material, Shape... shapes) {
         SceneBuilder b = Scene.builder()
                 .size(64, 64)
-                .camera(new Camera.Perspective(Point.of(1.31, 4.47, -4.13), Point.of(0.1, 0.8, -0.2), Vec3.Y, 30))
+                .camera(new Camera.Perspective(
+                        ExactPoint.of(1.31, 4.47, -4.13), ExactPoint.of(0.1, 0.8, -0.2), Vec3.Y, 30))
                 .shading(new ClassicShading(0.1, 0, new DisplayRgb(0.4, 0.6, 0.8), 6))
                 .light(light);
         for (Shape s : shapes) {

@@ -10,7 +10,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Sphere;
 import enlightenment.image.Image;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Budget;
 import enlightenment.scene.ClassicShading;
@@ -41,10 +41,10 @@ class RenderRequestTest {
     private static Scene ballAndLight() {
         return Scene.builder()
                 .size(41, 21)
-                .camera(new Camera.Perspective(Point.of(10, 20, 30), Point.of(10, 20, 35), Vec3.Y, 40))
-                .object(Sphere.of(Point.of(1000, 0, 0), 1), TestScenes.matte(1, 1, 1))
-                .object(Sphere.of(Point.of(10, 20, 35), 1), TestScenes.matte(1, 1, 1))
-                .light(new Light.Sphere(Point.of(13, 20, 40), 0.5, DisplayRgb.WHITE))
+                .camera(new Camera.Perspective(ExactPoint.of(10, 20, 30), ExactPoint.of(10, 20, 35), Vec3.Y, 40))
+                .object(Sphere.of(ExactPoint.of(1000, 0, 0), 1), TestScenes.matte(1, 1, 1))
+                .object(Sphere.of(ExactPoint.of(10, 20, 35), 1), TestScenes.matte(1, 1, 1))
+                .light(new Light.Sphere(ExactPoint.of(13, 20, 40), 0.5, DisplayRgb.WHITE))
                 .build();
     }
 
@@ -78,8 +78,8 @@ class RenderRequestTest {
     void insideABallTheNormalFacesTheViewer() {
         Scene scene = Scene.builder()
                 .size(3, 3)
-                .camera(new Camera.Perspective(Point.of(0, 0, 0), Point.of(0, 0, 1), Vec3.Y, 20))
-                .object(Sphere.of(Point.of(0, 0, 0), 7), TestScenes.matte(1, 1, 1))
+                .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, 0, 1), Vec3.Y, 20))
+                .object(Sphere.of(ExactPoint.of(0, 0, 0), 7), TestScenes.matte(1, 1, 1))
                 .build();
         RenderResult result = Renderer.render(
                 RenderRequest.of(scene, RenderSettings.of(scene)).withAuxiliary(ALL));

@@ -14,8 +14,8 @@ import enlightenment.image.Image;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Check;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
@@ -105,7 +105,7 @@ class RendererTest {
         for (int limit : new int[] {1, 10, 1000, 100_000}) {
             Scene scene = Scene.builder()
                     .size(1, 1)
-                    .camera(new Camera.Perspective(Point.of(0, 0, 0), Point.of(0, 0, 1), Vec3.Y, 1))
+                    .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, 0, 1), Vec3.Y, 1))
                     .shading(new ClassicShading(1, 1, DisplayRgb.BLACK, limit))
                     .object(panel(2), pane)
                     .object(panel(4), TestScenes.mirror(r))
@@ -132,7 +132,7 @@ class RendererTest {
         for (double ambient : new double[] {0, 0.1}) {
             Scene scene = Scene.builder()
                     .size(4, 4)
-                    .camera(new Camera.Perspective(Point.of(0, 0, 0), Point.of(0, 0, 1), Vec3.Y, 20))
+                    .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, 0, 1), Vec3.Y, 20))
                     .shading(new ClassicShading(ambient, 0.5, DisplayRgb.BLACK, 10))
                     .object(panel(3), TestScenes.matte(1, 0.5, 0.25))
                     .build();
@@ -149,7 +149,8 @@ class RendererTest {
         SceneBuilder b = Scene.builder().size(80, 40).camera(SMALL.camera());
         SMALL.objects().forEach(b::object);
         b.object(
-                Sphere.of(Point.of(0.3, 1.2, 3), 0.9), new Material.Glass(Texture.of(DisplayRgb.WHITE), 1, 1, 0, true));
+                Sphere.of(ExactPoint.of(0.3, 1.2, 3), 0.9),
+                new Material.Glass(Texture.of(DisplayRgb.WHITE), 1, 1, 0, true));
         // Glass throws shadows in classic shading, so both scenes are lit by ambient light only.
         RenderSettings s = QUICK;
         SceneBuilder plain = Scene.builder().size(80, 40).camera(SMALL.camera());
@@ -164,9 +165,9 @@ class RendererTest {
         // A ball lens of index 1.5 and radius 1: seen from far, what lies behind it is upside down.
         Scene scene = Scene.builder()
                 .size(64, 64)
-                .camera(new Camera.Perspective(Point.of(0, 0, -20), Point.of(0, 0, 0), Vec3.Y, 12))
+                .camera(new Camera.Perspective(ExactPoint.of(0, 0, -20), ExactPoint.of(0, 0, 0), Vec3.Y, 12))
                 .shading(new ClassicShading(1, 1, DisplayRgb.BLACK, 10))
-                .object(Sphere.of(Point.of(0, 0, 0), 1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5))
+                .object(Sphere.of(ExactPoint.of(0, 0, 0), 1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5))
                 .object(TestScenes.rectangle(-9, 0, 8, -9, 9, 8, 9, 9, 8, 9, 0, 8), TestScenes.matte(1, 0, 0))
                 .object(TestScenes.rectangle(-9, -9, 8, -9, 0, 8, 9, 0, 8, 9, -9, 8), TestScenes.matte(0, 0, 1))
                 .build();
@@ -182,11 +183,11 @@ class RendererTest {
         Light white = SMALL.lights().get(0);
         SceneBuilder twice = Scene.builder().size(80, 40).camera(SMALL.camera());
         SMALL.objects().forEach(twice::object);
-        twice.light(new Light.Point(Point.of(0, 1, 1), DisplayRgb.WHITE))
-                .light(new Light.Point(Point.of(0, 1, 1), DisplayRgb.WHITE));
+        twice.light(new Light.Point(ExactPoint.of(0, 1, 1), DisplayRgb.WHITE))
+                .light(new Light.Point(ExactPoint.of(0, 1, 1), DisplayRgb.WHITE));
         SceneBuilder once = Scene.builder().size(80, 40).camera(SMALL.camera());
         SMALL.objects().forEach(once::object);
-        once.light(new Light.Point(Point.of(0, 1, 1), DisplayRgb.WHITE));
+        once.light(new Light.Point(ExactPoint.of(0, 1, 1), DisplayRgb.WHITE));
         assertArrayEquals(
                 Renderer.render(once.build(), QUICK).toArray(),
                 Renderer.render(twice.build(), QUICK).toArray(),
@@ -217,9 +218,9 @@ class RendererTest {
 
     @Test
     void anUnknownMethodAndAnImpossibleSizeAreRefused() {
-        assertThrows(Check.InvalidValueException.class, () -> Renderer.render(SMALL, QUICK.withMethod("magic")));
-        Check.InvalidValueException e = assertThrows(
-                Check.InvalidValueException.class, () -> Renderer.render(SMALL, QUICK.withSize(65536, 65536)));
+        assertThrows(InvalidValueException.class, () -> Renderer.render(SMALL, QUICK.withMethod("magic")));
+        InvalidValueException e =
+                assertThrows(InvalidValueException.class, () -> Renderer.render(SMALL, QUICK.withSize(65536, 65536)));
         assertTrue(e.getMessage().contains("bytes"), e.getMessage());
     }
 
@@ -266,8 +267,8 @@ class RendererTest {
         return b.build();
     }
 
-    private static Point p(int k, double x, double y, double z) {
-        return Point.of(Math.scalb(x, k), Math.scalb(y, k), Math.scalb(z, k));
+    private static ExactPoint p(int k, double x, double y, double z) {
+        return ExactPoint.of(Math.scalb(x, k), Math.scalb(y, k), Math.scalb(z, k));
     }
 
     @Test

@@ -8,7 +8,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Sphere;
 import enlightenment.image.Image;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.sampling.RunningStatistics;
 import enlightenment.scene.ClassicShading;
@@ -25,9 +25,13 @@ class ShadowSamplesTest {
 
     /** What shines on the floor's half shadow. */
     enum Lamp {
-        SPHERE(new Light.Sphere(Point.of(0, 4, 0), 1, DisplayRgb.WHITE)),
+        SPHERE(new Light.Sphere(ExactPoint.of(0, 4, 0), 1, DisplayRgb.WHITE)),
         RECTANGLE(new Light.Rectangle(
-                Point.of(-1, 4, -1), Point.of(-1, 4, 1), Point.of(1, 4, 1), Point.of(1, 4, -1), DisplayRgb.WHITE));
+                ExactPoint.of(-1, 4, -1),
+                ExactPoint.of(-1, 4, 1),
+                ExactPoint.of(1, 4, 1),
+                ExactPoint.of(1, 4, -1),
+                DisplayRgb.WHITE));
 
         final Light light;
 
@@ -40,10 +44,10 @@ class ShadowSamplesTest {
     private static Scene scene(Lamp lamp) {
         return Scene.builder()
                 .size(1, 1)
-                .camera(new Camera.Perspective(Point.of(3, 2, -3), Point.of(0.9, 0, 0.1), Vec3.Y, 1e-9))
+                .camera(new Camera.Perspective(ExactPoint.of(3, 2, -3), ExactPoint.of(0.9, 0, 0.1), Vec3.Y, 1e-9))
                 .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 4))
                 .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), TestScenes.matte(1, 1, 1))
-                .object(Sphere.of(Point.of(0, 2, 0), 0.8), TestScenes.matte(1, 1, 1))
+                .object(Sphere.of(ExactPoint.of(0, 2, 0), 0.8), TestScenes.matte(1, 1, 1))
                 .light(lamp.light)
                 .build();
     }

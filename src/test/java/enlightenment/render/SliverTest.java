@@ -13,8 +13,8 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
-import enlightenment.math.Check.InvalidValueException;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -23,8 +23,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is thinner than doubles can tell is a shape all the same; what has no width as exact decimals is none. */
 class SliverTest {
-    private static Point p(String x, String y, String z) {
-        return Point.of(x, y, z);
+    private static ExactPoint p(String x, String y, String z) {
+        return ExactPoint.of(x, y, z);
     }
 
     @ParameterizedTest
@@ -87,13 +87,13 @@ class SliverTest {
     @ValueSource(strings = {"1e-15", "1e-17", "1e-30", "1e-400"})
     void aSliverLeavesNoHoleInAWall(String width) {
         Camera camera = new Camera.Perspective(p("0.37", "0.21", "-2.9"), p("0.51", "0.03", "0.4"), Vec3.Y, 20);
-        Point left = p("-1", "-0.3", "0.1");
-        Point right = p("2", "0.9", "0.7");
+        ExactPoint left = p("-1", "-0.3", "0.1");
+        ExactPoint right = p("2", "0.9", "0.7");
         // Near the middle of the two.
-        Point middle = Point.of("0.5", "0.3", "0.4");
-        middle = new Point(middle.x(), middle.y().add(new java.math.BigDecimal(width)), middle.z());
-        Point below = p("0.5", "-5", "0.4");
-        Point above = p("0.5", "5", "0.4");
+        ExactPoint middle = ExactPoint.of("0.5", "0.3", "0.4");
+        middle = new ExactPoint(middle.x(), middle.y().add(new java.math.BigDecimal(width)), middle.z());
+        ExactPoint below = p("0.5", "-5", "0.4");
+        ExactPoint above = p("0.5", "5", "0.4");
         SceneBuilder pieces = room(camera);
         SceneBuilder whole = room(camera);
         for (Shape s : new Shape[] {
@@ -115,8 +115,8 @@ class SliverTest {
     @ValueSource(ints = {-15, -16, -17, -40, -250, -300, -350})
     void aWaferIsADisk(int e) {
         Camera camera = new Camera.Perspective(p("0.3", "0.4", "-3"), p("0.7", "0.1", "1"), Vec3.Y, 40);
-        Point base = p("0.7", "0.1", "1.3");
-        Point top = new Point(
+        ExactPoint base = p("0.7", "0.1", "1.3");
+        ExactPoint top = new ExactPoint(
                 base.x().add(new java.math.BigDecimal("1e" + e)),
                 base.y().subtract(new java.math.BigDecimal("2e" + e)),
                 base.z().subtract(new java.math.BigDecimal("2e" + e)));

@@ -12,7 +12,7 @@ import enlightenment.image.Rounding;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
@@ -54,11 +54,11 @@ class StampTest {
         SceneBuilder builder = Scene.builder()
                 .size(WIDTH, HEIGHT)
                 .camera(new Camera.Orthographic(
-                        Point.of(WIDTH / 2.0, -HEIGHT / 2.0, -10),
-                        Point.of(WIDTH / 2.0, -HEIGHT / 2.0, 0),
+                        ExactPoint.of(WIDTH / 2.0, -HEIGHT / 2.0, -10),
+                        ExactPoint.of(WIDTH / 2.0, -HEIGHT / 2.0, 0),
                         Vec3.of(0, 1, 0),
                         HEIGHT))
-                .light(new Light.Sphere(Point.of(0, 0, -1000), 1, DisplayRgb.WHITE));
+                .light(new Light.Sphere(ExactPoint.of(0, 0, -1000), 1, DisplayRgb.WHITE));
         Material white = new Material.Matte(Texture.of(DisplayRgb.WHITE), false);
         // Slanted, so that no row of pixels is like another.
         for (double x : stripes()) {

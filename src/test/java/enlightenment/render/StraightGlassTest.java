@@ -12,7 +12,7 @@ import enlightenment.geometry.Torus;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -31,13 +31,13 @@ class StraightGlassTest {
     private static SceneBuilder room(int maxBounces) {
         return Scene.builder()
                 .size(20, 16)
-                .camera(new Camera.Perspective(Point.of(0.2, 0.3, -6), Point.of(0.1, 0, 0), Vec3.Y, 34))
+                .camera(new Camera.Perspective(ExactPoint.of(0.2, 0.3, -6), ExactPoint.of(0.1, 0, 0), Vec3.Y, 34))
                 .shading(new ClassicShading(0.3, 1, DisplayRgb.WHITE, maxBounces))
                 .object(
                         TestScenes.rectangle(-4, -4, 4, -4, 4, 4, 4, 4, 4, 4, -4, 4),
                         Material.Matte.of(
                                 new Texture.Checker(List.of(DisplayRgb.WHITE, new DisplayRgb(0.2, 0.4, 0.6)), 9)))
-                .light(new Light.Point(Point.of(-3, 4, -5), DisplayRgb.WHITE));
+                .light(new Light.Point(ExactPoint.of(-3, 4, -5), DisplayRgb.WHITE));
     }
 
     private static DoublePicture picture(SceneBuilder scene) {
@@ -45,7 +45,7 @@ class StraightGlassTest {
     }
 
     private static Shape ball(double radius) {
-        return Sphere.of(Point.of(0, 0, 0), radius);
+        return Sphere.of(ExactPoint.of(0, 0, 0), radius);
     }
 
     @ParameterizedTest
@@ -76,9 +76,10 @@ class StraightGlassTest {
         for (int i = 1; i <= 60; i++) {
             double z = -3 + i / 10.0;
             many.object(TestScenes.rectangle(-4, -4, z, -4, 4, z, 4, 4, z, 4, -4, z), glass(1.5, 0));
-            many.object(new Cube(Point.of(0.3, 0.1, z / 3), 0.3 + i / 50.0, new Vec3(i, 2 * i, 20)), glass(1, i % 4));
             many.object(
-                    new Torus(Point.of(0, 0, z / 2), new Vec3(0.1, 1, i / 30.0), 0.8, 0.3 + i / 200.0),
+                    new Cube(ExactPoint.of(0.3, 0.1, z / 3), 0.3 + i / 50.0, new Vec3(i, 2 * i, 20)), glass(1, i % 4));
+            many.object(
+                    new Torus(ExactPoint.of(0, 0, z / 2), new Vec3(0.1, 1, i / 30.0), 0.8, 0.3 + i / 200.0),
                     glass(1, i % 5));
         }
         assertEquals(0, picture(many).difference(nothing), 1e-9);
@@ -90,7 +91,7 @@ class StraightGlassTest {
         SceneBuilder scene = room(3);
         for (int i = 0; i < 40; i++) {
             double radius = 1.2 * (1 + (i - 20) * 0x1p-52);
-            scene.object(Sphere.of(Point.of(0, 0, 0), radius), glass(i % 2 == 0 ? 1.5 : 1.5 + 0x1p-52, i % 3));
+            scene.object(Sphere.of(ExactPoint.of(0, 0, 0), radius), glass(i % 2 == 0 ? 1.5 : 1.5 + 0x1p-52, i % 3));
         }
         assertTrue(picture(scene).isFinite());
     }

@@ -7,7 +7,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 
@@ -30,29 +30,29 @@ public final class TestScenes {
         return Scene.builder()
                 .size(800, 400)
                 .camera(new Camera.Window(
-                        Point.of(0, 1, -3),
-                        Point.of(-3, 0, 0),
-                        Point.of(-3, 3, 0),
-                        Point.of(3, 3, 0),
-                        Point.of(3, 0, 0),
+                        ExactPoint.of(0, 1, -3),
+                        ExactPoint.of(-3, 0, 0),
+                        ExactPoint.of(-3, 3, 0),
+                        ExactPoint.of(3, 3, 0),
+                        ExactPoint.of(3, 0, 0),
                         0.5))
-                .object(Sphere.of(Point.of(-2, 1, 4), 1.5), white)
-                .object(Sphere.of(Point.of(2, 1, 4), 1.5), white)
-                .object(Sphere.of(Point.of(0, 3, 4), 0.75), mirror(1))
+                .object(Sphere.of(ExactPoint.of(-2, 1, 4), 1.5), white)
+                .object(Sphere.of(ExactPoint.of(2, 1, 4), 1.5), white)
+                .object(Sphere.of(ExactPoint.of(0, 3, 4), 0.75), mirror(1))
                 .object(rectangle(-6, -6, 8, -6, 6, 8, 6, 6, 8, 6, -6, 8), white)
                 .object(rectangle(6, -6, -2, 6, 6, -2, 6, 6, 8, 6, -6, 8), white)
                 .object(rectangle(-6, -6, -2, -6, -6, 8, 6, -6, 8, 6, -6, -2), white)
                 .object(rectangle(-6, -6, -2, -6, 6, -2, -6, 6, 8, -6, -6, 8), white)
                 .object(rectangle(-6, 6, -2, -6, 6, 8, 6, 6, 8, 6, 6, -2), sky)
-                .light(new Light.Sphere(Point.of(0, 1, 1), 0.15, DisplayRgb.WHITE));
+                .light(new Light.Sphere(ExactPoint.of(0, 1, 1), 0.15, DisplayRgb.WHITE));
     }
 
     /** A rectangle by the coordinates of its corners. */
     public static Rectangle rectangle(double... c) {
         return new Rectangle(
-                Point.of(c[0], c[1], c[2]),
-                Point.of(c[3], c[4], c[5]),
-                Point.of(c[6], c[7], c[8]),
-                Point.of(c[9], c[10], c[11]));
+                ExactPoint.of(c[0], c[1], c[2]),
+                ExactPoint.of(c[3], c[4], c[5]),
+                ExactPoint.of(c[6], c[7], c[8]),
+                ExactPoint.of(c[9], c[10], c[11]));
     }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.frame.Rotation;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -18,8 +19,7 @@ import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
-import enlightenment.math.Point;
-import enlightenment.math.Rotation;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
@@ -50,10 +50,11 @@ class TouchingSurfacesTest {
     private static SceneBuilder view() {
         return Scene.builder()
                 .size(64, 64)
-                .camera(new Camera.Perspective(Point.of(1.31, 2.47, -4.13), Point.of(0.3, 0.6, 0), Vec3.Y, 40))
+                .camera(new Camera.Perspective(
+                        ExactPoint.of(1.31, 2.47, -4.13), ExactPoint.of(0.3, 0.6, 0), Vec3.Y, 40))
                 .shading(new ClassicShading(0.25, 0.25, new DisplayRgb(0.4, 0.6, 0.8), 20))
-                .light(new Light.Sphere(Point.of(-3.1, 7.3, -4.7), 0.4, DisplayRgb.WHITE))
-                .light(new Light.Point(Point.of(4.3, 5.1, -3.3), new DisplayRgb(0.8, 0.7, 0.6)));
+                .light(new Light.Sphere(ExactPoint.of(-3.1, 7.3, -4.7), 0.4, DisplayRgb.WHITE))
+                .light(new Light.Point(ExactPoint.of(4.3, 5.1, -3.3), new DisplayRgb(0.8, 0.7, 0.6)));
     }
 
     private static DoublePicture picture(SceneObject... objects) {
@@ -69,13 +70,13 @@ class TouchingSurfacesTest {
     /** By name: shapes that are the same surface in two descriptions. */
     private static Map<String, Shape[]> twins() {
         Map<String, Shape[]> t = new LinkedHashMap<>();
-        Point c = Point.of(0.1, 0.9, 0.2);
-        Point d = Point.of(0.4, 1.8, -0.3);
+        ExactPoint c = ExactPoint.of(0.1, 0.9, 0.2);
+        ExactPoint d = ExactPoint.of(0.4, 1.8, -0.3);
         t.put("rotated sphere", new Shape[] {Sphere.of(c, 0.7), new Sphere(c, 0.7, 77)});
         t.put("sphere an ulp larger", new Shape[] {Sphere.of(c, 0.7), Sphere.of(c, Math.nextUp(0.7))});
-        t.put(
-                "sphere an ulp aside",
-                new Shape[] {Sphere.of(c, 0.7), Sphere.of(Point.of(Math.nextUp(0.1), 0.9, Math.nextDown(0.2)), 0.7)});
+        t.put("sphere an ulp aside", new Shape[] {
+            Sphere.of(c, 0.7), Sphere.of(ExactPoint.of(Math.nextUp(0.1), 0.9, Math.nextDown(0.2)), 0.7)
+        });
         t.put("quarter-turned cube", new Shape[] {new Cube(c, 0.9, Vec3.ZERO), new Cube(c, 0.9, new Vec3(0, 90, 0))});
         t.put(
                 "leaning cube, turned on",
@@ -93,10 +94,10 @@ class TouchingSurfacesTest {
         t.put("torus upside down", new Shape[] {new Torus(c, axis, 0.7, 0.25), new Torus(c, axis.negated(), 0.7, 0.25)
         });
         t.put("disk from behind", new Shape[] {new Disk(c, axis, 0.7), new Disk(c, axis.negated(), 0.7)});
-        Point p = Point.of(-0.7, 0.3, 0.3);
-        Point q = Point.of(-0.4, 1.7, 0.6);
-        Point r = Point.of(1.1, 1.6, -0.2);
-        Point s = r.plus(p.minus(q));
+        ExactPoint p = ExactPoint.of(-0.7, 0.3, 0.3);
+        ExactPoint q = ExactPoint.of(-0.4, 1.7, 0.6);
+        ExactPoint r = ExactPoint.of(1.1, 1.6, -0.2);
+        ExactPoint s = r.plus(p.minus(q));
         t.put("rectangle, other corner first", new Shape[] {new Rectangle(p, q, r, s), new Rectangle(r, s, p, q)});
         t.put("rectangle from behind", new Shape[] {new Rectangle(p, q, r, s), new Rectangle(s, r, q, p)});
         t.put("triangle, other corner first", new Shape[] {new Triangle(p, q, r), new Triangle(q, r, p)});
@@ -151,7 +152,7 @@ class TouchingSurfacesTest {
     @Test
     void whatLiesInALargerSurfaceIsSeenAsIfItLayAHairAboveIt() {
         for (Material above : List.of(RED, MIRROR)) {
-            Box table = new Box(Point.of(-0.9, 0.1, -0.8), Point.of(1.1, 0.9, 0.9));
+            Box table = new Box(ExactPoint.of(-0.9, 0.1, -0.8), ExactPoint.of(1.1, 0.9, 0.9));
             assertLiesOn(
                     "carpet on a box",
                     new SceneObject[] {object(table, BLUE), FLOOR},
@@ -162,7 +163,7 @@ class TouchingSurfacesTest {
                     "disk on the floor",
                     new SceneObject[] {FLOOR},
                     above,
-                    y -> new Disk(Point.of(0.2, 0.1 + y, 0.1), Vec3.Y, 0.8));
+                    y -> new Disk(ExactPoint.of(0.2, 0.1 + y, 0.1), Vec3.Y, 0.8));
             Rectangle wall = TestScenes.rectangle(-3, -1, 1, -3, 4, 1, 3, 4, 1, 3, -1, 1);
             assertLiesOn(
                     "poster on a wall",
@@ -177,7 +178,7 @@ class TouchingSurfacesTest {
         Vec3 u = Rotation.ofDegrees(new Vec3(31, 17, 7)).axis(0);
         Vec3 v = Rotation.ofDegrees(new Vec3(31, 17, 7)).axis(1);
         Vec3 n = Rotation.ofDegrees(new Vec3(31, 17, 7)).axis(2).negated();
-        Point o = Point.of(0.3, 0.6, 0.4);
+        ExactPoint o = ExactPoint.of(0.3, 0.6, 0.4);
         assertLiesOn(
                 "poster on a leaning wall",
                 new SceneObject[] {object(square(o, u, v, 2.3), BLUE)},
@@ -199,7 +200,7 @@ class TouchingSurfacesTest {
                 y -> new Cylinder(o.plus(u.times(0.3)), o.plus(u.times(0.7)), 0.4 + y, false));
     }
 
-    private static Rectangle square(Point middle, Vec3 u, Vec3 v, double half) {
+    private static Rectangle square(ExactPoint middle, Vec3 u, Vec3 v, double half) {
         return new Rectangle(
                 middle.plus(u.times(-half)).plus(v.times(-half)),
                 middle.plus(u.times(-half)).plus(v.times(half)),
@@ -236,11 +237,11 @@ class TouchingSurfacesTest {
 
     @Test
     void aHouseOfTwoOverlappingBoxesHasNoDarkPlaces() {
-        Box hall = new Box(Point.of(-0.9, 0.1, -0.6), Point.of(0.9, 1.1, 0.3));
-        Box wing = new Box(Point.of(-0.2, 0.1, -0.6), Point.of(0.6, 1.1, 1.5));
+        Box hall = new Box(ExactPoint.of(-0.9, 0.1, -0.6), ExactPoint.of(0.9, 1.1, 0.3));
+        Box wing = new Box(ExactPoint.of(-0.2, 0.1, -0.6), ExactPoint.of(0.6, 1.1, 1.5));
         for (Material m : List.of(RED, MIRROR)) {
             DoublePicture house = inAnyOrder(object(hall, m), object(wing, m), FLOOR);
-            Box lowered = new Box(Point.of(-0.2, 0.1, -0.6 + HAIR), Point.of(0.6, 1.1 - HAIR, 1.5));
+            Box lowered = new Box(ExactPoint.of(-0.2, 0.1, -0.6 + HAIR), ExactPoint.of(0.6, 1.1 - HAIR, 1.5));
             DoublePicture truth = inAnyOrder(object(hall, m), object(lowered, m), FLOOR);
             assertTrue(house.shareBeyond(truth, 1e-6) <= 0.002, m.type() + house.shareBeyond(truth, 1e-6));
             assertEquals(0, house.speckles(truth), m.type());
@@ -283,7 +284,7 @@ class TouchingSurfacesTest {
         Vec3 u = Rotation.ofDegrees(new Vec3(31, 17, 7)).axis(0);
         Vec3 v = Rotation.ofDegrees(new Vec3(31, 17, 7)).axis(1);
         Vec3 n = Rotation.ofDegrees(new Vec3(31, 17, 7)).axis(2).negated();
-        Point o = Point.of(0.3, 0.6, 0.4);
+        ExactPoint o = ExactPoint.of(0.3, 0.6, 0.4);
         SceneObject wall = object(square(o, u, v, 2.3), BLUE);
         return Double.isNaN(gap) ? scene(wall) : scene(wall, object(square(o.plus(n.times(gap)), u, v, 0.47), RED));
     }

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.math.Check;
+import enlightenment.math.InvalidValueException;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
@@ -22,8 +22,7 @@ class DistributionTest {
             assertEquals(name, Distribution.of(name).name());
         }
         for (String name : new String[] {"Normal", "", "uniform", null}) {
-            Check.InvalidValueException e =
-                    assertThrows(Check.InvalidValueException.class, () -> Distribution.of(name));
+            InvalidValueException e = assertThrows(InvalidValueException.class, () -> Distribution.of(name));
             assertEquals("proposal", e.key());
             assertTrue(e.getMessage().contains("[normal, zeta, linear]"), e.getMessage());
         }

@@ -13,8 +13,8 @@ import enlightenment.image.PngOptions;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Check.InvalidValueException;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.net.WorkerOptions;
 import enlightenment.render.Renderer;
@@ -24,7 +24,7 @@ import org.junit.jupiter.api.function.Executable;
 
 /** Who makes a scene in a program sees from the message alone which value is meant. */
 class NamedFaultsTest {
-    private static final Point O = Point.ORIGIN;
+    private static final ExactPoint O = ExactPoint.ORIGIN;
     private static final Texture WHITE = Texture.of(DisplayRgb.WHITE);
 
     private static void fails(String message, Executable maker) {
@@ -38,31 +38,32 @@ class NamedFaultsTest {
         fails("radius: must be a number greater than 0, not -1.0", () -> Sphere.of(O, -1));
         fails("rotation: must be a finite number, not NaN", () -> new Sphere(O, 1, Double.NaN));
         fails("top: must differ from \"base\"", () -> new Cylinder(O, O, 1, true));
-        fails("max/1: must be greater than the same coordinate of \"min\"", () -> new Box(O, Point.of(1, 0, 1)));
+        fails("max/1: must be greater than the same coordinate of \"min\"", () -> new Box(O, ExactPoint.of(1, 0, 1)));
         fails("transparency: must lie in 0.0..1.0, not 2.0", () -> new Material.Glass(WHITE, 1, 2, 0, true));
         fails("radius: must be a number greater than 0, not 0.0", () -> new Light.Sphere(O, 0, DisplayRgb.WHITE));
         fails("ambient: must lie in 0.0..1.0, not 3.0", () -> new ClassicShading(3, 0, DisplayRgb.BLACK, 1));
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));
-        fails("y: must be a finite number, not Infinity", () -> Point.of(0, 1 / 0.0, 0));
+        fails("y: must be a finite number, not Infinity", () -> ExactPoint.of(0, 1 / 0.0, 0));
         fails("depth: must be 8 or 16 bits per component, not 24", () -> new PngOptions(24, Map.of()));
         fails("pin: must have 64 hexadecimal digits, not \"x\"", () -> WorkerOptions.DEFAULT.withPin("x"));
     }
 
     @Test
     void corners() {
-        Point p = Point.of(0, 1, 0);
-        Point far = Point.of(9, 9, 9);
-        Point q = Point.of(1, 0, 0);
+        ExactPoint p = ExactPoint.of(0, 1, 0);
+        ExactPoint far = ExactPoint.of(9, 9, 9);
+        ExactPoint q = ExactPoint.of(1, 0, 0);
         InvalidValueException e = assertThrows(InvalidValueException.class, () -> new Rectangle(O, p, far, q));
         assertEquals("corners/2", e.key());
-        e = assertThrows(InvalidValueException.class, () -> new Camera.Window(Point.of(0, 0, -1), O, p, far, q, 0));
+        e = assertThrows(
+                InvalidValueException.class, () -> new Camera.Window(ExactPoint.of(0, 0, -1), O, p, far, q, 0));
         assertEquals("upperRight", e.key());
         assertEquals("upperRight: " + e.problem(), e.getMessage());
     }
 
     @Test
     void settings() {
-        Camera camera = new Camera.Perspective(Point.of(0, 0, -5), O, Vec3.Y, 40);
+        Camera camera = new Camera.Perspective(ExactPoint.of(0, 0, -5), O, Vec3.Y, 40);
         Scene scene = Scene.builder().size(8, 8).camera(camera).build();
         RenderSettings s = RenderSettings.of(scene);
         fails("threads: must lie in 1..4096, not 0", () -> s.withThreads(0));
@@ -75,7 +76,7 @@ class NamedFaultsTest {
 
     @Test
     void theSceneNamesItsObjects() {
-        Camera camera = new Camera.Perspective(Point.of(0, 0, -5), O, Vec3.Y, 40);
+        Camera camera = new Camera.Perspective(ExactPoint.of(0, 0, -5), O, Vec3.Y, 40);
         SceneObject ball = new SceneObject("ball", Sphere.of(O, 1), Material.Matte.of(WHITE), java.util.List.of());
         SceneBuilder twice =
                 Scene.builder().size(8, 8).camera(camera).object(ball).object(ball);

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;

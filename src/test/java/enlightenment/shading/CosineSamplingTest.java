@@ -8,7 +8,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.compiled.CompiledLight;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.sampling.Sobol;
 import enlightenment.scene.RenderSettings;
@@ -21,8 +21,8 @@ class CosineSamplingTest {
 
     private static CompiledLight light(double radius) {
         Scene scene = Scene.builder()
-                .camera(new Camera.Perspective(Point.ORIGIN, Point.of(0, 0, 1), Vec3.Y, 40))
-                .light(new Light.Sphere(Point.of(0.5, 1, 0.25), radius, DisplayRgb.WHITE))
+                .camera(new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 1), Vec3.Y, 40))
+                .light(new Light.Sphere(ExactPoint.of(0.5, 1, 0.25), radius, DisplayRgb.WHITE))
                 .build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene)).lights[0];
     }

@@ -8,10 +8,10 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
-import enlightenment.geometry.Ray;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Ray;
 import enlightenment.render.TestScenes;
 import enlightenment.sampling.Warp;
 import enlightenment.scene.ClassicShading;
@@ -26,13 +26,13 @@ class GuidedShareTest {
     private static Scene scene(double tilt) {
         return Scene.builder()
                 .size(1, 1)
-                .camera(new Camera.Orthographic(Point.of(0, 3, 0), Point.of(0, 0, 0), Vec3.Z, 0.001))
+                .camera(new Camera.Orthographic(ExactPoint.of(0, 3, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 0.001))
                 .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 10))
                 .object(
                         TestScenes.rectangle(-9, -9 * tilt, -9, -9, -9 * tilt, 9, 9, 9 * tilt, 9, 9, 9 * tilt, -9),
                         TestScenes.matte(1, 1, 1))
                 .object(TestScenes.rectangle(-0.35, 5, -9, -0.35, 5, 9, 9, 5, 9, 9, 5, -9), TestScenes.matte(1, 1, 1))
-                .light(new Light.Sphere(Point.of(0, 10, 0), 1, DisplayRgb.WHITE))
+                .light(new Light.Sphere(ExactPoint.of(0, 10, 0), 1, DisplayRgb.WHITE))
                 .build();
     }
 

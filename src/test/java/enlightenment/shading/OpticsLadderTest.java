@@ -4,12 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Ray;
+import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Rectangle;
-import enlightenment.math.Point;
-import enlightenment.math.SceneFrame;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Ray;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Random;
@@ -31,8 +32,10 @@ class OpticsLadderTest {
         h.ny = ny;
         h.nz = nz;
         h.side = Ray.OUTSIDE;
-        h.primitive = new Rectangle(Point.of(0, 0, 0), Point.of(0, 1, 0), Point.of(1, 1, 0), Point.of(1, 0, 0))
-                .place(SceneFrame.WORLD);
+        h.primitive = Primitives.place(
+                new Rectangle(
+                        ExactPoint.of(0, 0, 0), ExactPoint.of(0, 1, 0), ExactPoint.of(1, 1, 0), ExactPoint.of(1, 0, 0)),
+                SceneFrame.WORLD);
         return h;
     }
 

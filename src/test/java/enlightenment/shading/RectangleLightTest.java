@@ -7,9 +7,9 @@ import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.compiled.CompiledLight;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.frame.LightVectors;
 import enlightenment.light.Light;
-import enlightenment.math.LightVectors;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.sampling.RunningStatistics;
 import enlightenment.scene.RenderSettings;
@@ -36,13 +36,13 @@ class RectangleLightTest {
         BigDecimal x1 = x0.add(new BigDecimal(line.get("w")));
         BigDecimal y1 = y0.add(new BigDecimal(line.get("h")));
         Light.Rectangle rectangle = new Light.Rectangle(
-                new Point(x0, y0, z),
-                new Point(x0, y1, z),
-                new Point(x1, y1, z),
-                new Point(x1, y0, z),
+                new ExactPoint(x0, y0, z),
+                new ExactPoint(x0, y1, z),
+                new ExactPoint(x1, y1, z),
+                new ExactPoint(x1, y0, z),
                 DisplayRgb.WHITE);
         Scene scene = Scene.builder()
-                .camera(new Camera.Perspective(Point.ORIGIN, Point.of(0, 0, 1), Vec3.Y, 40))
+                .camera(new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 1), Vec3.Y, 40))
                 .light(rectangle)
                 .build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene)).lights[0];

@@ -1,7 +1,7 @@
 package enlightenment.method.cluster;
 
-import enlightenment.geometry.Hit;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
 import enlightenment.shading.LightObserver;
 import java.util.ArrayList;
 import java.util.List;

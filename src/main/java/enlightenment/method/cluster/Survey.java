@@ -1,7 +1,7 @@
 package enlightenment.method.cluster;
 
 import enlightenment.compiled.CompiledScene;
-import enlightenment.geometry.Ray;
+import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;

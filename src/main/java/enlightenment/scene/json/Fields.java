@@ -1,8 +1,8 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.math.Check.InvalidValueException;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.json.Vocabulary.Keys;
 import java.util.ArrayList;
@@ -145,9 +145,9 @@ final class Fields {
         return v == null ? unlessGiven : values.word(v, at(key), words, planned);
     }
 
-    Point point(String key) {
+    ExactPoint point(String key) {
         JsonValue v = get(key);
-        return v == null ? Point.ORIGIN : values.point(v, at(key));
+        return v == null ? ExactPoint.ORIGIN : values.point(v, at(key));
     }
 
     Vec3 direction(String key, Vec3 unlessGiven) {
@@ -161,12 +161,12 @@ final class Fields {
     }
 
     /** A fixed number of positions; origins after a problem. */
-    List<Point> points(String key, int count, String expected) {
-        List<Point> points = new ArrayList<>(count);
+    List<ExactPoint> points(String key, int count, String expected) {
+        List<ExactPoint> points = new ArrayList<>(count);
         JsonValue v = get(key);
         JsonValue.Arr a = v == null ? null : values.array(v, at(key), count, expected);
         for (int i = 0; i < count; i++) {
-            points.add(a == null ? Point.ORIGIN : values.point(a.get(i), at(key).child(i)));
+            points.add(a == null ? ExactPoint.ORIGIN : values.point(a.get(i), at(key).child(i)));
         }
         return points;
     }

@@ -2,7 +2,7 @@ package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -31,16 +31,16 @@ final class Lights {
         DisplayRgb color = f.color("color", DisplayRgb.WHITE);
         switch (f.type(null)) {
             case "sphere": {
-                Point center = f.point("center");
+                ExactPoint center = f.point("center");
                 double radius = f.number("radius");
                 return f.make(() -> new Light.Sphere(center, radius, color));
             }
             case "rectangle": {
-                List<Point> c = f.points("corners", 4, SceneObjects.CORNERS);
+                List<ExactPoint> c = f.points("corners", 4, SceneObjects.CORNERS);
                 return f.make(() -> new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), color));
             }
             default: {
-                Point position = f.point("position");
+                ExactPoint position = f.point("position");
                 return f.make(() -> new Light.Point(position, color));
             }
         }

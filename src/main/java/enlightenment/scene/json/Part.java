@@ -1,7 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneException;
 import java.math.BigDecimal;
@@ -104,13 +104,13 @@ final class Part {
         return v.equals(usual) && !animated(key) ? this : vector(key, v);
     }
 
-    Part point(String key, Point p) {
+    Part point(String key, ExactPoint p) {
         return put(key, json(place.child(key), p));
     }
 
-    Part points(String key, Point... points) {
+    Part points(String key, ExactPoint... points) {
         List<JsonValue> items = new ArrayList<>();
-        for (Point p : points) {
+        for (ExactPoint p : points) {
             items.add(json(place.child(key).child(items.size()), p));
         }
         return put(key, JsonValue.Arr.of(items));
@@ -146,7 +146,7 @@ final class Part {
         return new JsonValue.Num(0, 0, Numbers.text(v));
     }
 
-    private static JsonValue json(Place place, Point p) {
+    private static JsonValue json(Place place, ExactPoint p) {
         List<JsonValue> items = new ArrayList<>(3);
         for (int k = 0; k < 3; k++) {
             items.add(exact(place.child(k), p.component(k)));

@@ -11,7 +11,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.material.Material;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneObject;
 import java.util.ArrayList;
@@ -110,35 +110,35 @@ final class SceneObjects {
     }
 
     private static Shape sphere(Fields f) {
-        Point center = f.point("center");
+        ExactPoint center = f.point("center");
         double radius = f.number("radius");
         double rotation = f.number("rotation", 0);
         return f.make(() -> new Sphere(center, radius, rotation));
     }
 
     private static Shape rectangle(Fields f) {
-        List<Point> c = f.points("corners", 4, CORNERS);
+        List<ExactPoint> c = f.points("corners", 4, CORNERS);
         return f.make(() -> new Rectangle(c.get(0), c.get(1), c.get(2), c.get(3)));
     }
 
     private static Shape disk(Fields f) {
-        Point center = f.point("center");
+        ExactPoint center = f.point("center");
         Vec3 normal = f.direction("normal", Vec3.Y);
         double radius = f.number("radius");
         return f.make(() -> new Disk(center, normal, radius));
     }
 
     private static Shape cylinder(Fields f) {
-        Point base = f.point("base");
-        Point top = f.point("top");
+        ExactPoint base = f.point("base");
+        ExactPoint top = f.point("top");
         double radius = f.number("radius");
         boolean capped = f.flag("capped", true);
         return f.make(() -> new Cylinder(base, top, radius, capped));
     }
 
     private static Shape cone(Fields f) {
-        Point base = f.point("base");
-        Point apex = f.point("apex");
+        ExactPoint base = f.point("base");
+        ExactPoint apex = f.point("apex");
         double radius = f.number("radius");
         double topRadius = f.number("topRadius", 0);
         boolean capped = f.flag("capped", true);
@@ -146,20 +146,20 @@ final class SceneObjects {
     }
 
     private static Shape cube(Fields f) {
-        Point center = f.point("center");
+        ExactPoint center = f.point("center");
         double radius = f.number("radius");
         Vec3 rotation = f.angles("rotation", Vec3.ZERO);
         return f.make(() -> new Cube(center, radius, rotation));
     }
 
     private static Shape box(Fields f) {
-        Point min = f.point("min");
-        Point max = f.point("max");
+        ExactPoint min = f.point("min");
+        ExactPoint max = f.point("max");
         return f.make(() -> new Box(min, max));
     }
 
     private static Shape torus(Fields f) {
-        Point center = f.point("center");
+        ExactPoint center = f.point("center");
         Vec3 axis = f.direction("axis", Vec3.Y);
         double majorRadius = f.number("majorRadius");
         double minorRadius = f.number("minorRadius");
@@ -167,7 +167,7 @@ final class SceneObjects {
     }
 
     private static Shape triangle(Fields f) {
-        List<Point> v = f.points("vertices", 3, "three vertices [x, y, z]");
+        List<ExactPoint> v = f.points("vertices", 3, "three vertices [x, y, z]");
         return f.make(() -> new Triangle(v.get(0), v.get(1), v.get(2)));
     }
 }

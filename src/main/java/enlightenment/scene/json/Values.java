@@ -1,7 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.math.BigDecimal;
 import java.math.BigInteger;
@@ -121,12 +121,12 @@ final class Values {
     }
 
     /** An exact position; the origin after a problem. */
-    Point point(JsonValue v, Place place) {
+    ExactPoint point(JsonValue v, Place place) {
         JsonValue.Arr a = array(v, place, 3, "a position [x, y, z]");
         if (a == null) {
-            return Point.ORIGIN;
+            return ExactPoint.ORIGIN;
         }
-        return new Point(
+        return new ExactPoint(
                 exact(a.get(0), place.child(0)), exact(a.get(1), place.child(1)), exact(a.get(2), place.child(2)));
     }
 

@@ -10,7 +10,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.light.Light;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.ClassicShading;
@@ -28,7 +28,7 @@ class SurveyTest {
     private static SceneBuilder flat(int side) {
         return Scene.builder()
                 .size(side, side)
-                .camera(new Camera.Orthographic(Point.of(0, 0, -1), Point.of(0, 0, 0), Vec3.Y, 2));
+                .camera(new Camera.Orthographic(ExactPoint.of(0, 0, -1), ExactPoint.of(0, 0, 0), Vec3.Y, 2));
     }
 
     private static Survey survey(Scene scene, Block block) {
@@ -181,11 +181,11 @@ class SurveyTest {
         // A ball light above a floor, half of it behind a screen's edge.
         Scene scene = Scene.builder()
                 .size(8, 8)
-                .camera(new Camera.Orthographic(Point.of(0, 3, 0), Point.of(0, 0, 0), Vec3.Z, 0.25))
+                .camera(new Camera.Orthographic(ExactPoint.of(0, 3, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 0.25))
                 .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 10))
                 .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), TestScenes.matte(1, 1, 1))
                 .object(TestScenes.rectangle(0, 5, -9, 0, 5, 9, 9, 5, 9, 9, 5, -9), TestScenes.matte(1, 1, 1))
-                .light(new Light.Sphere(Point.of(0, 10, 0), 1, DisplayRgb.WHITE))
+                .light(new Light.Sphere(ExactPoint.of(0, 10, 0), 1, DisplayRgb.WHITE))
                 .build();
         Block block = new Block(0, 0, 8, 8);
         Survey survey = survey(scene, block);

@@ -15,7 +15,7 @@ import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
@@ -124,7 +124,7 @@ final class RandomScenes {
     }
 
     private Camera camera() {
-        Point o = point();
+        ExactPoint o = point();
         Vec3 up = vector();
         Vec3 right = vector();
         switch (random.nextInt(4)) {
@@ -141,7 +141,7 @@ final class RandomScenes {
     }
 
     private Light light() {
-        Point o = point();
+        ExactPoint o = point();
         Vec3 u = vector();
         Vec3 v = vector();
         switch (random.nextInt(3)) {
@@ -167,7 +167,7 @@ final class RandomScenes {
     }
 
     private Shape shape() {
-        Point o = point();
+        ExactPoint o = point();
         Vec3 u = vector();
         Vec3 v = vector();
         switch (random.nextInt(9)) {
@@ -264,10 +264,10 @@ final class RandomScenes {
         return new Vec3(number(), number(), number());
     }
 
-    private Point point() {
+    private ExactPoint point() {
         return random.nextBoolean()
-                ? Point.of(number(), number(), number())
-                : new Point(decimal(), decimal(), decimal());
+                ? ExactPoint.of(number(), number(), number())
+                : new ExactPoint(decimal(), decimal(), decimal());
     }
 
     private BigDecimal decimal() {

@@ -19,7 +19,7 @@ import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
@@ -46,8 +46,8 @@ class SceneReaderTest {
     @TempDir
     Path folder;
 
-    private static Point p(double x, double y, double z) {
-        return Point.of(x, y, z);
+    private static ExactPoint p(double x, double y, double z) {
+        return ExactPoint.of(x, y, z);
     }
 
     private static Texture plain(int r, int g, int b) {
@@ -78,7 +78,7 @@ class SceneReaderTest {
         Material ink = Material.Matte.of(plain(1, 2, 3));
         assertEquals(
                 List.of(
-                        object("ball", new Sphere(Point.of("-2", "1.1", "4"), 1.5, 200), matte),
+                        object("ball", new Sphere(ExactPoint.of("-2", "1.1", "4"), 1.5, 200), matte),
                         object("wall", new Rectangle(p(-6, -6, 8), p(-6, 6, 8), p(6, 6, 8), p(6, -6, 8)), chrome),
                         object("dish", new Disk(p(0, 0, 5), new Vec3(0, 2, 0), 2.5), glass),
                         object("rod", new Cylinder(p(1, 0, 0), p(1, 2, 0), 0.3, false), tiles),
@@ -119,10 +119,10 @@ class SceneReaderTest {
         assertEquals(List.of(), s.lights());
         assertEquals(Optional.empty(), s.animation());
         assertEquals(
-                SceneObject.of(Sphere.of(Point.ORIGIN, 1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)),
+                SceneObject.of(Sphere.of(ExactPoint.ORIGIN, 1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)),
                 s.objects().get(0));
         assertEquals(
-                new Cone(Point.ORIGIN, p(0, 1, 0), 1, 0, true),
+                new Cone(ExactPoint.ORIGIN, p(0, 1, 0), 1, 0, true),
                 s.objects().get(1).shape());
     }
 

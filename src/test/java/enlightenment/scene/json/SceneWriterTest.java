@@ -9,7 +9,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Sphere;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.scene.Animation;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
@@ -31,11 +31,11 @@ class SceneWriterTest {
     Path folder;
 
     private static SceneBuilder scene() {
-        return Scene.builder().camera(new Camera.Isometric(Point.ORIGIN, 5));
+        return Scene.builder().camera(new Camera.Isometric(ExactPoint.ORIGIN, 5));
     }
 
     private static Sphere ball() {
-        return Sphere.of(Point.of("0.1", "0", "1e5"), 0.1);
+        return Sphere.of(ExactPoint.of("0.1", "0", "1e5"), 0.1);
     }
 
     @Test
@@ -175,7 +175,8 @@ class SceneWriterTest {
         for (String x : new String[] {"1e-500", "1e400", "1e-2000000000", "1." + "1".repeat(2000)}) {
             refused(
                     "/objects/0/center/1",
-                    scene().object(Sphere.of(Point.of("0", x, "0"), 1), black).build());
+                    scene().object(Sphere.of(ExactPoint.of("0", x, "0"), 1), black)
+                            .build());
         }
     }
 

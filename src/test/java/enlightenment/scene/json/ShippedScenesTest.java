@@ -15,7 +15,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.Point;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderDefaults;
@@ -42,8 +42,8 @@ class ShippedScenesTest {
         return new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), pupilRadius);
     }
 
-    private static Point p(double x, double y, double z) {
-        return Point.of(x, y, z);
+    private static ExactPoint p(double x, double y, double z) {
+        return ExactPoint.of(x, y, z);
     }
 
     private static Material matte(int r, int g, int b) {
@@ -109,7 +109,7 @@ class ShippedScenesTest {
         for (int frame : new int[] {0, 1, 37, 200, 400}) {
             Scene s = SceneReader.read(file, frame);
             assertEquals(
-                    new Sphere(Point.of("" + BigDecimal.valueOf(frame - 200, 2), "3.5", "4"), 0.75, 0),
+                    new Sphere(ExactPoint.of("" + BigDecimal.valueOf(frame - 200, 2), "3.5", "4"), 0.75, 0),
                     s.objects().get(2).shape());
             double rotation = 0.9 * frame;
             assertEquals(rotation, ((Sphere) s.objects().get(0).shape()).rotation(), Math.ulp(rotation));

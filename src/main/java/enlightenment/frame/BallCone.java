@@ -1,0 +1,117 @@
+package enlightenment.frame;
+
+import enlightenment.numeric.Scale;
+
+/**
+ * How a ball is seen from a point: the round cone around it. A mutable work object, one per thread.
+ *
+ * <p>With s = radius/distance: cosθmax = √((D − r)(D + r))/D and 1 − cosθmax = s²/(1 + cosθmax), which are right to a few
+ * units in the last place at every distance (numerics, "Sphere light").
+ */
+public class BallCone {
+    /** Bounds the roundings of {@link #misses} and {@link #isHiddenBy}, with room to spare. */
+    private static final double TEST_ERROR = Scale.gamma(64);
+
+    /** The apex: where the ball is seen from. */
+    public double x;
+
+    public double y;
+    public double z;
+
+    /** The direction to the middle of the ball, of length 1; (0, 0, 0) at the middle itself. */
+    public double wx;
+
+    public double wy;
+    public double wz;
+
+    /** The distance to the middle. */
+    public double distance;
+
+    /** The ball's radius. */
+    public double radius;
+
+    /** Sine and cosine of the cone's half angle, and 1 − cosine. Meaningless where {@link #inside} holds. */
+    public double sine;
+
+    public double cosine;
+    public double oneMinusCosine;
+
+    /** Whether the apex lies in the ball, so that there is no cone. */
+    public boolean inside;
+
+    /** A cone to be {@link #set} before use. */
+    public BallCone() {}
+
+    /** Looks from (x, y, z) at the ball around (ballX, ballY, ballZ). */
+    public final void set(
+            double ballX, double ballY, double ballZ, double ballRadius, double px, double py, double pz) {
+        double dx = ballX - px;
+        double dy = ballY - py;
+        double dz = ballZ - pz;
+        double d = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double inverse = d == 0 ? 0 : 1 / d;
+        x = px;
+        y = py;
+        z = pz;
+        radius = ballRadius;
+        distance = d;
+        wx = dx * inverse;
+        wy = dy * inverse;
+        wz = dz * inverse;
+        inside = !(d > ballRadius);
+        if (!inside) {
+            sine = ballRadius * inverse;
+            cosine = Math.sqrt((d - ballRadius) * (d + ballRadius)) * inverse;
+            oneMinusCosine = sine * sine / (1 + cosine);
+        }
+    }
+
+    /**
+     * Whether another ball surely keeps clear of every segment from the apex to this ball's points: it lies behind the
+     * apex, beyond this ball, or its centre is farther than its radius from the cone's side
+     * (across·cosθ − along·sinθ &gt; radius, compared squared). False where in doubt.
+     */
+    public final boolean misses(double cx, double cy, double cz, double otherRadius) {
+        if (inside) {
+            return false;
+        }
+        double dx = cx - x;
+        double dy = cy - y;
+        double dz = cz - z;
+        double end = distance + radius;
+        double along = dx * wx + dy * wy + dz * wz;
+        double slack = otherRadius * (1 + TEST_ERROR) + TEST_ERROR * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + end);
+        if (along < -slack || along - slack > end) {
+            return true;
+        }
+        double cc = dx * dx + dy * dy + dz * dz;
+        double reach = slack + along * sine;
+        double across2 = cc - along * along - TEST_ERROR * cc;
+        return reach < 0 || across2 * cosine * cosine > reach * reach * (1 + TEST_ERROR);
+    }
+
+    /**
+     * Whether another ball surely hides this one wholly: it is nearer, and its own cone contains this one:
+     * cos of the angle between the axes &gt; cos(θother − θ), θother &gt; θ. False where in doubt.
+     */
+    public final boolean isHiddenBy(double cx, double cy, double cz, double otherRadius) {
+        if (inside) {
+            return false;
+        }
+        double dx = cx - x;
+        double dy = cy - y;
+        double dz = cz - z;
+        double cc = dx * dx + dy * dy + dz * dz;
+        double r = otherRadius * (1 - TEST_ERROR);
+        double tangent = cc - r * r;
+        double nearest = distance - radius;
+        if (!(tangent > TEST_ERROR * cc) || !(tangent < nearest * nearest * (1 - TEST_ERROR))) {
+            return false;
+        }
+        double inverse = 1 / Math.sqrt(cc);
+        double otherSine = r * inverse;
+        double otherCosine = Math.sqrt(tangent) * inverse;
+        double along = (dx * wx + dy * wy + dz * wz) * inverse;
+        return otherSine > sine && along > otherCosine * cosine + otherSine * sine + TEST_ERROR;
+    }
+}

@@ -1,0 +1,29 @@
+package enlightenment.numeric;
+
+import java.math.BigDecimal;
+import java.math.BigInteger;
+
+/** Exact decimals and powers of two. */
+public final class Decimals {
+    /** The binary logarithm of ten, for estimates. */
+    private static final double BITS_PER_DIGIT = 3.3219280948873626;
+
+    private Decimals() {}
+
+    /** v·2^k, exactly. */
+    public static BigDecimal timesPowerOfTwo(BigDecimal v, int k) {
+        // 2^-k = 5^k / 10^k has a finite decimal expansion, so the division is exact too.
+        return k >= 0
+                ? v.multiply(new BigDecimal(BigInteger.TWO.pow(k)))
+                : v.multiply(new BigDecimal(BigInteger.valueOf(5).pow(-k), -k));
+    }
+
+    /** The binary exponent of the number's absolute value, wrong by a few at most; that of zero is the least int. */
+    public static int exponent(BigDecimal v) {
+        if (v.signum() == 0) {
+            return Integer.MIN_VALUE;
+        }
+        double bits = v.unscaledValue().bitLength() - v.scale() * BITS_PER_DIGIT;
+        return (int) Math.floor(bits);
+    }
+}

@@ -1,0 +1,420 @@
+package enlightenment.primitive;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Angles;
+import enlightenment.numeric.Products;
+import enlightenment.numeric.Scale;
+
+/**
+ * A cylinder, a cone or a frustum: what lies between two planes and within one lateral surface around an axis.
+ *
+ * <p>Everything is measured from the foot of the perpendicular from a reference point (the centre of the narrower end)
+ * to the ray's line, not from the ray's origin: with f = o − reference and m = f × d, the foot is F = (d × m)/d², so
+ * that no error grows with the distance of the origin, other than the one rounding of f. The ray's stretch within the
+ * two planes and its stretch within the lateral surface are intervals of the same parameter; their intersection is the
+ * solid, and the face that is hit is whichever bound won. So there is no hole at a rim, and inside and outside are the
+ * same code.
+ *
+ * <p>Faces: {@link #LATERAL}, {@link #BASE}, {@link #TOP}.
+ */
+public abstract sealed class AxialPrimitive extends Primitive permits CylinderPrimitive, ConePrimitive {
+    /** The face around the axis. */
+    public static final int LATERAL = 0;
+
+    /** The face that closes the base. */
+    public static final int BASE = 1;
+
+    /** The face that closes the other end. */
+    public static final int TOP = 2;
+
+    private static final double TWO_PI = 2 * Math.PI;
+
+    /** Bounds the roundings of a squared reach and of what is compared with it. */
+    private static final double PADDING = 1 + Scale.gamma(16);
+
+    private final Vec3 base;
+    private final Vec3 top;
+    private final double baseRadius;
+    private final double topRadius;
+    private final boolean capped;
+
+    /** The reference point: the centre of the narrower end. */
+    final double cx;
+
+    final double cy;
+    final double cz;
+
+    /** The axis from the reference point to the centre of the wider end, times a power of two. */
+    final double ax;
+
+    final double ay;
+    final double az;
+
+    /** The inverse of that power of two. */
+    final double unit;
+
+    /** The length of the axis with that power of two. */
+    final double length;
+
+    /** The axis without the power of two times the axis with it: F·A of a point at the wider end. */
+    final double extent;
+
+    final double narrowRadius;
+    final double wideRadius;
+
+    /** What the radius gains per unit of length along the axis: at least 0. */
+    final double slope;
+
+    /** No point is farther than the root of this from the reference point. */
+    final double reachSquared;
+
+    private final boolean narrowIsTop;
+
+    /** The coordinate axis that the axis is parallel to, or -1. */
+    private final int aligned;
+
+    /** The axis without a power of two, and with length 1. */
+    private final Vec3 axis;
+
+    private final Vec3 unitAxis;
+
+    /** The lateral normal is tiltAcross parts away from the axis and tiltAlong parts towards the narrower end. */
+    private final double tiltAcross;
+
+    private final double tiltAlong;
+
+    /** Where the texture's seam lies, and the direction that it grows to there: a basis across the axis. */
+    private final Vec3 seam;
+
+    private final Vec3 east;
+
+    /** @param towardsTop from base to top, more precisely than by their difference */
+    AxialPrimitive(Vec3 base, Vec3 top, Vec3 towardsTop, double baseRadius, double topRadius, boolean capped) {
+        super(
+                Math.max(base.maxAbs(), top.maxAbs()) + Math.max(baseRadius, topRadius),
+                Math.min(Math.max(baseRadius, topRadius), towardsTop.maxAbs()));
+        this.base = base;
+        this.top = top;
+        this.baseRadius = baseRadius;
+        this.topRadius = topRadius;
+        this.capped = capped;
+        narrowIsTop = topRadius < baseRadius;
+        Vec3 narrow = narrowIsTop ? top : base;
+        // A difference, so that no zero becomes negative.
+        axis = narrowIsTop ? Vec3.ZERO.minus(towardsTop) : towardsTop;
+        narrowRadius = Math.min(baseRadius, topRadius);
+        wideRadius = Math.max(baseRadius, topRadius);
+        double gain = wideRadius - narrowRadius;
+        // The forms are homogeneous in the axis; this scale keeps them in range for needles and for wafers.
+        int exponent = Math.max(axis.exponent(), Scale.exponent(gain));
+        Vec3 scaled = axis.scaledBy(-exponent);
+        unit = Math.scalb(1.0, exponent);
+        cx = narrow.x();
+        cy = narrow.y();
+        cz = narrow.z();
+        ax = scaled.x();
+        ay = scaled.y();
+        az = scaled.z();
+        length = scaled.length();
+        extent = axis.dot(scaled);
+        slope = gain / axis.length();
+        reachSquared = (axis.lengthSquared() + wideRadius * wideRadius) * PADDING;
+        aligned = Disks.alignedAxis(axis);
+        unitAxis = Disks.unit(axis);
+        Vec3 slant = new Vec3(axis.length(), gain, 0).normalized();
+        tiltAcross = slant.x();
+        tiltAlong = slant.y();
+        seam = Disks.seam(unitAxis);
+        east = seam.cross(narrowIsTop ? unitAxis.negated() : unitAxis);
+    }
+
+    /** The centre of the base. */
+    public Vec3 base() {
+        return base;
+    }
+
+    /** The centre of the other end; a cone's apex. */
+    public Vec3 top() {
+        return top;
+    }
+
+    public double baseRadius() {
+        return baseRadius;
+    }
+
+    public double topRadius() {
+        return topRadius;
+    }
+
+    /** From base to top. */
+    final Vec3 towardsTop() {
+        return narrowIsTop ? Vec3.ZERO.minus(axis) : axis;
+    }
+
+    /** Whether disks close the ends. */
+    public boolean isCapped() {
+        return capped;
+    }
+
+    @Override
+    double nearestOrdinary(Ray ray, double tMax) {
+        return crossing(ray, tMax, null);
+    }
+
+    /**
+     * The nearest crossing, or {@link #MISS}.
+     *
+     * @param hit gets side, face and {@link Hit#along} of the crossing, unless null
+     */
+    abstract double crossing(Ray ray, double tMax, Hit hit);
+
+    /** Whether a ray that starts here on the outside: it never returns, for the primitive is convex. */
+    final boolean leavesOutside(Ray ray) {
+        return ray.start == this && ray.startSide == Ray.OUTSIDE;
+    }
+
+    /**
+     * Cuts the stretch within the lateral surface with that between the planes, and takes the first bound that counts.
+     *
+     * @param foot the ray parameter of the foot F; the other parameters are relative to it
+     * @param lo the lower end of the stretch within the lateral surface
+     * @param hi its upper end
+     * @param h F·A
+     * @param e d·A
+     */
+    final double cut(Ray ray, double tMax, Hit hit, double foot, double lo, double hi, double h, double e) {
+        boolean started = ray.start == this;
+        double near = Double.NEGATIVE_INFINITY;
+        double far = Double.POSITIVE_INFINITY;
+        if (e > 0) {
+            near = -h / e;
+            far = (extent - h) / e;
+        } else if (e < 0) {
+            near = (extent - h) / e;
+            far = -h / e;
+        } else if (!started && !(h >= 0 && h <= extent)) {
+            return MISS;
+        }
+        if (!capped) {
+            return cutOpen(ray, tMax, hit, foot, lo, hi, near, far);
+        }
+        if (!started) {
+            boolean lateral = lo >= near;
+            if (!((lateral ? lo : near) <= Math.min(hi, far))) {
+                return MISS;
+            }
+            double t = lateral ? foot + lo : planeParameter(ray, foot + near, e > 0);
+            if (t >= ray.tMin) {
+                return found(hit, t, tMax, lateral ? lo : Double.NaN, Ray.OUTSIDE, lateral ? LATERAL : end(e > 0));
+            }
+        }
+        boolean lateral = hi <= far;
+        double t = lateral ? foot + hi : planeParameter(ray, foot + far, e < 0);
+        double along = lateral ? hi : Double.NaN;
+        if (started && !(t >= ray.tMin)) {
+            // The exit is never lost: where rounding puts it before the start, it is the start.
+            t = ray.tMin;
+            along = t - foot;
+        }
+        return t >= ray.tMin ? found(hit, t, tMax, along, Ray.INSIDE, lateral ? LATERAL : end(e < 0)) : MISS;
+    }
+
+    private double cutOpen(Ray ray, double tMax, Hit hit, double foot, double lo, double hi, double near, double far) {
+        boolean started = ray.start == this;
+        if (!started && lo >= near && lo <= far && lo <= hi && foot + lo >= ray.tMin) {
+            return found(hit, foot + lo, tMax, lo, Ray.OUTSIDE, LATERAL);
+        }
+        double exit = started ? Math.max(hi, ray.tMin - foot) : hi;
+        if (exit >= near && exit <= far && (started || lo <= hi) && (started || foot + exit >= ray.tMin)) {
+            return found(hit, Math.max(foot + exit, ray.tMin), tMax, exit, Ray.INSIDE, LATERAL);
+        }
+        return MISS;
+    }
+
+    /** Where the ray meets an end's plane: by the expression that any plane across a coordinate axis is met with. */
+    private double planeParameter(Ray ray, double t, boolean narrow) {
+        return switch (aligned) {
+            case 0 -> ((narrow ? cx : wide().x()) - ray.ox) / ray.dx;
+            case 1 -> ((narrow ? cy : wide().y()) - ray.oy) / ray.dy;
+            case 2 -> ((narrow ? cz : wide().z()) - ray.oz) / ray.dz;
+            default -> t;
+        };
+    }
+
+    /** The face that closes the narrower or the wider end. */
+    private int end(boolean narrow) {
+        return narrow == narrowIsTop ? TOP : BASE;
+    }
+
+    /** @param along the crossing's parameter relative to the foot; not a number where the ray crosses an end's plane */
+    private static double found(Hit hit, double t, double tMax, double along, int side, int face) {
+        if (!(t <= tMax)) {
+            return MISS;
+        }
+        if (hit != null) {
+            hit.along = along;
+            hit.side = side;
+            hit.face = face;
+        }
+        return t;
+    }
+
+    private Vec3 wide() {
+        return narrowIsTop ? base : top;
+    }
+
+    @Override
+    void completeOrdinary(Ray ray, double t, Hit hit) {
+        crossing(ray, Double.MAX_VALUE, hit);
+        double fx = ray.ox - cx;
+        double fy = ray.oy - cy;
+        double fz = ray.oz - cz;
+        double mx = Products.difference(fy, ray.dz, fz, ray.dy);
+        double my = Products.difference(fz, ray.dx, fx, ray.dz);
+        double mz = Products.difference(fx, ray.dy, fy, ray.dx);
+        if (hit.face == LATERAL) {
+            completeLateral(ray, mx, my, mz, hit);
+        } else {
+            completeEnd(ray, mx, my, mz, hit);
+        }
+    }
+
+    private void completeLateral(Ray ray, double mx, double my, double mz, Hit hit) {
+        // The crossing relative to the reference point: F + along·d.
+        double px = Math.fma(hit.along, ray.dx, Products.difference(ray.dy, mz, ray.dz, my) / ray.dd);
+        double py = Math.fma(hit.along, ray.dy, Products.difference(ray.dz, mx, ray.dx, mz) / ray.dd);
+        double pz = Math.fma(hit.along, ray.dz, Products.difference(ray.dx, my, ray.dy, mx) / ray.dd);
+        double ex = unitAxis.x();
+        double ey = unitAxis.y();
+        double ez = unitAxis.z();
+        double wx = Products.difference(py, ez, pz, ey);
+        double wy = Products.difference(pz, ex, px, ez);
+        double wz = Products.difference(px, ey, py, ex);
+        double radial = Math.sqrt(wx * wx + wy * wy + wz * wz);
+        // On a flat cone the distance from the axis says best where along the axis the point is, on others the height.
+        double fraction = slope > 1
+                ? (radial - narrowRadius) / (wideRadius - narrowRadius)
+                : Products.dot(px, py, pz, ax, ay, az) / extent;
+        fraction = Watertight.clamp01(fraction);
+        double r = Math.fma(wideRadius - narrowRadius, fraction, narrowRadius);
+        if (radial > 0) {
+            hit.setNormal(
+                    Products.difference(ey, wz, ez, wy),
+                    Products.difference(ez, wx, ex, wz),
+                    Products.difference(ex, wy, ey, wx));
+        } else {
+            // At the very apex every lateral direction is as good.
+            hit.setNormal(seam.x(), seam.y(), seam.z());
+        }
+        hit.setPoint(
+                Math.fma(r, hit.nx, Math.fma(fraction, axis.x(), cx)),
+                Math.fma(r, hit.ny, Math.fma(fraction, axis.y(), cy)),
+                Math.fma(r, hit.nz, Math.fma(fraction, axis.z(), cz)));
+        if (tiltAlong > 0) {
+            hit.setNormal(
+                    Math.fma(tiltAcross, hit.nx, -tiltAlong * ex),
+                    Math.fma(tiltAcross, hit.ny, -tiltAlong * ey),
+                    Math.fma(tiltAcross, hit.nz, -tiltAlong * ez));
+        }
+    }
+
+    private void completeEnd(Ray ray, double mx, double my, double mz, Hit hit) {
+        boolean narrow = (hit.face == TOP) == narrowIsTop;
+        double sign = narrow ? -1 : 1;
+        hit.nx = sign * unitAxis.x();
+        hit.ny = sign * unitAxis.y();
+        hit.nz = sign * unitAxis.z();
+        Vec3 center = narrow ? new Vec3(cx, cy, cz) : wide();
+        if (hit.along == hit.along) {
+            // The ray leaves where it starts: that point, put into the plane.
+            Vec3 p = new Vec3(ray.ox, ray.oy, ray.oz).minus(center);
+            Vec3 q = p.minus(unitAxis.times(p.dot(unitAxis)));
+            hit.setPoint(center.x() + q.x(), center.y() + q.y(), center.z() + q.z());
+            return;
+        }
+        double e = Products.dot(ray.dx, ray.dy, ray.dz, ax, ay, az);
+        // The moment about the centre of this end; the line meets the end's plane at A × moment / (d·A) from there.
+        double kx = narrow ? mx : Math.fma(unit, Products.difference(ray.dy, az, ray.dz, ay), mx);
+        double ky = narrow ? my : Math.fma(unit, Products.difference(ray.dz, ax, ray.dx, az), my);
+        double kz = narrow ? mz : Math.fma(unit, Products.difference(ray.dx, ay, ray.dy, ax), mz);
+        hit.setPoint(
+                center.x() + Products.difference(ay, kz, az, ky) / e,
+                center.y() + Products.difference(az, kx, ax, kz) / e,
+                center.z() + Products.difference(ax, ky, ay, kx) / e);
+    }
+
+    @Override
+    public void textureCoordinates(Hit hit) {
+        if (hit.face != LATERAL) {
+            boolean atTop = hit.face == TOP;
+            Vec3 p = hit.point().minus(atTop ? top : base);
+            double r = atTop ? topRadius : baseRadius;
+            Disks.textureCoordinates(hit, p, east, atTop ? seam.negated() : seam, r);
+            return;
+        }
+        Vec3 p = hit.point().minus(base);
+        double turn = Angles.atan2(p.dot(east), p.dot(seam)) / TWO_PI;
+        hit.u = turn < 0 ? turn + 1 : turn;
+        Vec3 q = hit.point().minus(new Vec3(cx, cy, cz));
+        double fraction = Products.dot(q.x(), q.y(), q.z(), ax, ay, az) / extent;
+        hit.v = Watertight.clamp01(narrowIsTop ? fraction : 1 - fraction);
+    }
+
+    @Override
+    public Bounds bounds() {
+        return Disks.bounds(base, unitAxis, baseRadius).union(Disks.bounds(top, unitAxis, topRadius));
+    }
+
+    @Override
+    public SupportSurface support(int face) {
+        return switch (face) {
+            case BASE -> SupportSurface.Plane.ofDisk(base, unitAxis, baseRadius);
+            case TOP -> SupportSurface.Plane.ofDisk(top, unitAxis, topRadius);
+            default -> new SupportSurface.Lateral(base, top, towardsTop(), baseRadius, topRadius);
+        };
+    }
+
+    @Override
+    public boolean isSolid() {
+        return capped;
+    }
+
+    @Override
+    public boolean contains(double x, double y, double z) {
+        double px = x - cx;
+        double py = y - cy;
+        double pz = z - cz;
+        double h = Products.accurateDot(px, py, pz, ax, ay, az);
+        if (!capped || !(h >= 0 && h <= extent)) {
+            return false;
+        }
+        double wx = Products.difference(py, az, pz, ay);
+        double wy = Products.difference(pz, ax, px, az);
+        double wz = Products.difference(px, ay, py, ax);
+        return Products.distanceSquaredMinus(wx, wy, wz, Math.fma(slope, h, narrowRadius * length)) <= 0;
+    }
+
+    @Override
+    public int faceCount() {
+        return 3;
+    }
+
+    @Override
+    public double[] parameters() {
+        return new double[] {
+            base.x(),
+            base.y(),
+            base.z(),
+            top.x(),
+            top.y(),
+            top.z(),
+            baseRadius,
+            topRadius,
+            capped ? 1 : 0,
+            towardsTop().x(),
+            towardsTop().y(),
+            towardsTop().z()
+        };
+    }
+}

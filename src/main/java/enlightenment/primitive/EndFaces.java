@@ -1,0 +1,83 @@
+package enlightenment.primitive;
+
+import java.util.Arrays;
+
+/**
+ * The faces that a light lies on: a lamp in a ceiling's plane, a bulb on a wall. A shadow ray that ends on the light ends on
+ * them too, and is not blocked by them there, just as it is not blocked by the surface that it starts on: whether rounding puts
+ * their crossing before the light or behind it means nothing. A crossing of them anywhere else blocks. Immutable once made.
+ */
+public final class EndFaces {
+    private Primitive[] primitives = {};
+    private int[] ids = {};
+    private int[] faces = {};
+    private boolean[] isFlat = {};
+    private double[] tolerances = {};
+
+    /** No faces yet. */
+    public EndFaces() {}
+
+    /**
+     * Adds a face while a scene is compiled.
+     *
+     * @param primitive the face's primitive
+     * @param id its number
+     * @param face which of its faces
+     * @param tolerance how far the face and the light are apart at most, by rounding: a length in the frame
+     */
+    public void add(Primitive primitive, int id, int face, double tolerance) {
+        int n = ids.length;
+        primitives = Arrays.copyOf(primitives, n + 1);
+        ids = Arrays.copyOf(ids, n + 1);
+        faces = Arrays.copyOf(faces, n + 1);
+        isFlat = Arrays.copyOf(isFlat, n + 1);
+        tolerances = Arrays.copyOf(tolerances, n + 1);
+        primitives[n] = primitive;
+        ids[n] = id;
+        faces[n] = face;
+        isFlat[n] = primitive.support(face).isFlat();
+        tolerances[n] = tolerance;
+    }
+
+    public boolean isEmpty() {
+        return ids.length == 0;
+    }
+
+    /** Whether a face of a primitive is one of these. */
+    public boolean has(int id, int face) {
+        for (int k = 0; k < ids.length; k++) {
+            if (ids[k] == id && faces[k] == face) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether any face of the primitive is one of these. */
+    boolean concerns(Primitive p) {
+        for (Primitive q : primitives) {
+            if (q == p) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Whether a crossing is the end of the segment and nothing in its way.
+     *
+     * @param ray the segment's ray, which ends at {@link Ray#tEnd}
+     * @param hit the crossing, completed
+     */
+    boolean isEnd(Ray ray, Hit hit) {
+        for (int k = 0; k < faces.length; k++) {
+            if (primitives[k] == hit.primitive && faces[k] == hit.face) {
+                // A line meets a plane once, and it meets this one in the light. A round face it may meet before as
+                // well.
+                double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
+                return isFlat[k] || (ray.tEnd - hit.t) * across <= tolerances[k];
+            }
+        }
+        return false;
+    }
+}

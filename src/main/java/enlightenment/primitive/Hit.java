@@ -1,0 +1,88 @@
+package enlightenment.primitive;
+
+import enlightenment.math.Vec3;
+
+/**
+ * Where a ray meets a surface. A mutable result object: it is filled in once the closest crossing is known, never for a
+ * surface that was merely tested, and hot loops reuse one instance.
+ */
+public final class Hit {
+    /** The ray parameter of the crossing. */
+    public double t;
+
+    /** The crossing point, projected onto the surface: within a few units in the last place of it. */
+    public double px;
+
+    public double py;
+    public double pz;
+
+    /** The unit normal that points to {@link Ray#OUTSIDE}. */
+    public double nx;
+
+    public double ny;
+    public double nz;
+
+    /** The side that the ray arrives on: {@link Ray#OUTSIDE} where it enters a solid, {@link Ray#INSIDE} where it leaves. */
+    public int side;
+
+    /** Which face of the primitive; its meaning is the primitive's. */
+    public int face;
+
+    /** The primitive that was hit. */
+    public Primitive primitive;
+
+    /** Texture coordinates, 0..1: u to the right, v downwards; set by {@link Primitive#textureCoordinates}. */
+    public double u;
+
+    public double v;
+
+    /** Work space of a primitive between finding its crossing and completing the hit. */
+    double along;
+
+    /** An empty result. */
+    public Hit() {}
+
+    /** Makes this the same as another result. */
+    public void set(Hit o) {
+        t = o.t;
+        px = o.px;
+        py = o.py;
+        pz = o.pz;
+        nx = o.nx;
+        ny = o.ny;
+        nz = o.nz;
+        side = o.side;
+        face = o.face;
+        primitive = o.primitive;
+        u = o.u;
+        v = o.v;
+        along = o.along;
+    }
+
+    public Vec3 point() {
+        return new Vec3(px, py, pz);
+    }
+
+    public Vec3 normal() {
+        return new Vec3(nx, ny, nz);
+    }
+
+    /** Sets the point to where a ray starts. */
+    public void setOrigin(Ray ray) {
+        setPoint(ray.ox, ray.oy, ray.oz);
+    }
+
+    void setPoint(double x, double y, double z) {
+        px = x;
+        py = y;
+        pz = z;
+    }
+
+    /** Sets the normal to the direction (x, y, z), normalised here. */
+    void setNormal(double x, double y, double z) {
+        double s = 1 / Math.sqrt(x * x + y * y + z * z);
+        nx = x * s;
+        ny = y * s;
+        nz = z * s;
+    }
+}

@@ -1,0 +1,125 @@
+package enlightenment.primitive;
+
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Products;
+
+/** The plane of a flat primitive: the distance to it, and what a hit on it says. */
+final class Plane {
+    private final Vec3 a;
+    private final Vec3 lost;
+
+    /** The normal, with a largest component in [1, 2) or near it. */
+    final Vec3 n;
+
+    /** Its squared length. */
+    final double nn;
+
+    /** What gives the share of {@code right} and of {@code up} in an offset from a, by a dot product. */
+    private final Vec3 toU;
+
+    private final Vec3 toV;
+
+    /** The axis that the plane is perpendicular to, or -1. */
+    final int axis;
+
+    /** The coordinate on that axis, the same for every vertex. */
+    private final double coordinate;
+
+    /**
+     * The plane through a and the further vertices, which is seen from the outside where up × right points.
+     *
+     * @param lost that direction where rounding put the vertices into one line; null where it did not
+     */
+    Plane(Vec3 lost, Vec3 a, Vec3 up, Vec3 right, Vec3... others) {
+        this.a = a;
+        this.lost = lost;
+        if (lost != null) {
+            n = lost;
+            nn = lost.lengthSquared();
+            toU = Vec3.ZERO;
+            toV = Vec3.ZERO;
+            axis = -1;
+            coordinate = 0;
+            return;
+        }
+        // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike. Powers of two are taken out
+        // of
+        // the edges first, which is exact: the fourth power of a tiny size could vanish.
+        int e = -up.exponent();
+        int f = -right.exponent();
+        Vec3 u = up.scaledBy(e);
+        Vec3 r = right.scaledBy(f);
+        Vec3 m = u.cross(r);
+        int g = -m.exponent();
+        n = m.scaledBy(g);
+        nn = n.lengthSquared();
+        double inverse = 1 / nn;
+        toU = n.cross(u).times(inverse).scaledBy(f + g);
+        toV = r.cross(n).times(inverse).scaledBy(e + g);
+        axis = axis(a, others);
+        coordinate = axis < 0 ? 0 : a.component(axis);
+    }
+
+    /** The normal if rounding put the vertices into one line, or null. */
+    Vec3 lost() {
+        return lost;
+    }
+
+    private static int axis(Vec3 a, Vec3... others) {
+        for (int k = 0; k < 3; k++) {
+            boolean flat = true;
+            for (Vec3 v : others) {
+                flat &= v.component(k) == a.component(k);
+            }
+            if (flat) {
+                return k;
+            }
+        }
+        return -1;
+    }
+
+    /** The ray parameter at which the ray's line meets the plane; infinite or NaN where they are parallel. */
+    double distance(Ray ray) {
+        if (axis == 0) {
+            return (coordinate - ray.ox) / ray.dx;
+        }
+        if (axis == 1) {
+            return (coordinate - ray.oy) / ray.dy;
+        }
+        if (axis == 2) {
+            return (coordinate - ray.oz) / ray.dz;
+        }
+        return Products.accurateDot(n.x(), n.y(), n.z(), a.x() - ray.ox, a.y() - ray.oy, a.z() - ray.oz)
+                / Products.accurateDot(n.x(), n.y(), n.z(), ray.dx, ray.dy, ray.dz);
+    }
+
+    /** Fills the hit's point, normal, side and face for a crossing at t. */
+    void complete(Ray ray, double t, Hit hit) {
+        double x = Math.fma(t, ray.dx, ray.ox);
+        double y = Math.fma(t, ray.dy, ray.oy);
+        double z = Math.fma(t, ray.dz, ray.oz);
+        if (axis < 0) {
+            double off = Products.accurateDot(n.x(), n.y(), n.z(), x - a.x(), y - a.y(), z - a.z()) / nn;
+            hit.setPoint(Math.fma(-off, n.x(), x), Math.fma(-off, n.y(), y), Math.fma(-off, n.z(), z));
+            hit.setNormal(n.x(), n.y(), n.z());
+        } else {
+            // The coordinate of a named plane is assigned, not computed, so that coincident planes tie exactly.
+            hit.setPoint(axis == 0 ? coordinate : x, axis == 1 ? coordinate : y, axis == 2 ? coordinate : z);
+            hit.nx = axis == 0 ? Math.signum(n.x()) : 0;
+            hit.ny = axis == 1 ? Math.signum(n.y()) : 0;
+            hit.nz = axis == 2 ? Math.signum(n.z()) : 0;
+        }
+        double towards = Products.accurateDot(n.x(), n.y(), n.z(), ray.dx, ray.dy, ray.dz);
+        hit.side = towards < 0 ? Ray.OUTSIDE : Ray.INSIDE;
+        hit.face = 0;
+    }
+
+    /** Sets u and v so that the point a + u·right + (1 − v)·up is the hit's point. */
+    void textureCoordinates(Hit hit) {
+        double x = hit.px - a.x();
+        double y = hit.py - a.y();
+        double z = hit.pz - a.z();
+        hit.u = Watertight.clamp01(Products.dot(toU.x(), toU.y(), toU.z(), x, y, z));
+        hit.v = Watertight.clamp01(1 - Products.dot(toV.x(), toV.y(), toV.z(), x, y, z));
+    }
+}

@@ -1,0 +1,205 @@
+package enlightenment.primitive;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+
+/**
+ * A shape placed in a frame: plain doubles, ready to be intersected. Immutable, safe for any number of threads.
+ *
+ * <p>Subclasses implement the core of each operation for ordinary magnitudes. This class guards them: where a ray or a
+ * primitive is so large or so small that intermediate results could overflow or underflow, both are first multiplied by
+ * powers of two, which is exact. The cores are built from operations that commute with powers of two, so the guard is
+ * invisible.
+ *
+ * <p>Rules of a crossing (numerics, "leaving a surface without an offset"): a crossing counts if its t is at least
+ * {@link Ray#tMin}. A ray that starts on this primitive ({@link Ray#start}) never meets it again if it is planar, nor if
+ * it is convex and the ray travels outside; if the ray travels inside a convex primitive it meets the far end of its
+ * interval, always.
+ */
+public abstract sealed class Primitive
+        permits SpherePrimitive,
+                RectanglePrimitive,
+                DiskPrimitive,
+                AxialPrimitive,
+                TorusPrimitive,
+                BoxPrimitive,
+                CubePrimitive,
+                TrianglePrimitive {
+
+    /** "No crossing". */
+    public static final double MISS = Double.POSITIVE_INFINITY;
+
+    private final boolean extreme;
+
+    /**
+     * @param reach the largest absolute coordinate of any point of the primitive
+     * @param size its smallest characteristic length: a radius, an edge
+     */
+    Primitive(double reach, double size) {
+        extreme = Scale.exponent(reach) >= Ray.ORDINARY_EXPONENT || Scale.exponent(size) <= -Ray.ORDINARY_EXPONENT;
+    }
+
+    /** The nearest crossing with tMin &le; t &le; tMax, or {@link #MISS}. Right for rays and primitives of any size. */
+    public final double nearest(Ray ray, double tMax) {
+        if (extreme || ray.special) {
+            return nearestSpecial(ray, tMax);
+        }
+        return nearestOrdinary(ray, tMax);
+    }
+
+    /**
+     * Whether the ray meets this primitive, and if so, where: fills the hit completely, but for texture coordinates. With
+     * a direction of extreme length the hit's t may overflow; its point is right all the same.
+     */
+    public final boolean intersect(Ray ray, Hit hit) {
+        if (extreme || ray.special) {
+            return intersectSpecial(ray, hit);
+        }
+        return intersectOrdinary(ray, hit);
+    }
+
+    /** Fills the hit at a crossing that {@link #nearest} found: t, point, normal, side, face, primitive. */
+    public final void complete(Ray ray, double t, Hit hit) {
+        if (extreme || ray.special) {
+            intersectSpecial(ray, hit);
+            return;
+        }
+        hit.t = t;
+        hit.primitive = this;
+        completeOrdinary(ray, t, hit);
+    }
+
+    /** The side that the ray arrives on at the crossing t that {@link #nearest} found. */
+    public final int side(Ray ray, double t) {
+        Hit hit = new Hit();
+        complete(ray, t, hit);
+        return hit.side;
+    }
+
+    /** {@link #nearest} for ordinary magnitudes. */
+    abstract double nearestOrdinary(Ray ray, double tMax);
+
+    /** {@link #complete} for ordinary magnitudes: point, normal, side and face. */
+    abstract void completeOrdinary(Ray ray, double t, Hit hit);
+
+    /** Sets the texture coordinates of a hit on this primitive. */
+    public abstract void textureCoordinates(Hit hit);
+
+    /** A box that encloses the primitive, rounded outwards. */
+    public abstract Bounds bounds();
+
+    /** Whether the primitive encloses a volume. */
+    public boolean isSolid() {
+        return false;
+    }
+
+    /** Whether a ray that leaves the outside of the surface can never meet it again. */
+    public boolean isConvex() {
+        return true;
+    }
+
+    /** Whether the point lies in the closed volume; false for a primitive that encloses none. */
+    public boolean contains(double x, double y, double z) {
+        return false;
+    }
+
+    /** Whether the primitive is a part of a plane: a ray that leaves it never meets it again, on either side. */
+    public boolean isFlat() {
+        return false;
+    }
+
+    /** The surface that a face is cut out of; face is in 0..{@link #faceCount}−1. */
+    public abstract SupportSurface support(int face);
+
+    /** The number of faces that a hit can name: face is in 0..faceCount−1. */
+    public int faceCount() {
+        return 1;
+    }
+
+    /** This primitive with every coordinate and length times 2^k. */
+    abstract Primitive scaledBy(int k);
+
+    /** The numbers that define the primitive, in a fixed order: equal arrays and classes mean equal primitives. */
+    public abstract double[] parameters();
+
+    private boolean intersectOrdinary(Ray ray, Hit hit) {
+        double t = nearestOrdinary(ray, Double.MAX_VALUE);
+        if (t == MISS) {
+            return false;
+        }
+        hit.t = t;
+        hit.primitive = this;
+        completeOrdinary(ray, t, hit);
+        return true;
+    }
+
+    /** {@link #nearest} where this primitive may be one of several that the ray starts on. */
+    private double nearestSpecial(Ray ray, double tMax) {
+        Primitive start = ray.start;
+        int side = ray.startSide;
+        startHere(ray);
+        double t = extreme || ray.extreme ? nearestExtreme(ray, tMax) : nearestOrdinary(ray, tMax);
+        boolean ends = ray.endsOn(this, t);
+        ray.from(start, side);
+        // What is nearest is the end: nothing of this primitive lies before it.
+        return ends ? MISS : t;
+    }
+
+    private boolean intersectSpecial(Ray ray, Hit hit) {
+        Primitive start = ray.start;
+        int side = ray.startSide;
+        startHere(ray);
+        boolean met = extreme || ray.extreme ? intersectExtreme(ray, hit) : intersectOrdinary(ray, hit);
+        ray.from(start, side);
+        return met;
+    }
+
+    private void startHere(Ray ray) {
+        int side = ray.sideOf(this);
+        if (side != 0) {
+            ray.from(this, side);
+        }
+    }
+
+    private double nearestExtreme(Ray ray, double tMax) {
+        int k = -Math.max(Scale.exponent(bounds().maxAbs()), Scale.exponent(ray.maxAbsOrigin()));
+        int j = -Scale.exponent(ray.maxAbsDirection());
+        Primitive p = scaledBy(k);
+        Ray r = ray.scaledBy(k, j);
+        if (ray.start == this) {
+            r.from(p, ray.startSide);
+        }
+        double t = p.nearestOrdinary(r, tMax == Double.MAX_VALUE ? tMax : Ray.scaledParameter(tMax, k - j));
+        return t == MISS ? MISS : Math.min(Ray.scaledParameter(t, j - k), Double.MAX_VALUE);
+    }
+
+    private boolean intersectExtreme(Ray ray, Hit hit) {
+        int k = -Math.max(Scale.exponent(bounds().maxAbs()), Scale.exponent(ray.maxAbsOrigin()));
+        int j = -Scale.exponent(ray.maxAbsDirection());
+        Primitive p = scaledBy(k);
+        Ray r = ray.scaledBy(k, j);
+        if (ray.start == this) {
+            r.from(p, ray.startSide);
+        }
+        double t = p.nearestOrdinary(r, Double.MAX_VALUE);
+        if (t == MISS) {
+            return false;
+        }
+        p.completeOrdinary(r, t, hit);
+        hit.t = Ray.scaledParameter(t, j - k);
+        hit.primitive = this;
+        hit.setPoint(Scale.scalb(hit.px, -k), Scale.scalb(hit.py, -k), Scale.scalb(hit.pz, -k));
+        return true;
+    }
+
+    static double[] concat(Vec3... vs) {
+        double[] r = new double[3 * vs.length];
+        for (int i = 0; i < vs.length; i++) {
+            r[3 * i] = vs[i].x();
+            r[3 * i + 1] = vs[i].y();
+            r[3 * i + 2] = vs[i].z();
+        }
+        return r;
+    }
+}

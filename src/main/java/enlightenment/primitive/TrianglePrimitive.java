@@ -1,0 +1,93 @@
+package enlightenment.primitive;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Products;
+
+/**
+ * A triangle, tested by sheared edge functions whose signs are exact for the sheared vertices ({@link Watertight}):
+ * triangles that share edges and vertices leave no gap.
+ *
+ * <p>The normal that points to {@link Ray#OUTSIDE} is (b − a) × (c − a).
+ */
+public final class TrianglePrimitive extends Primitive {
+    private final Vec3 a;
+    private final Vec3 b;
+    private final Vec3 c;
+    private final Plane plane;
+
+    TrianglePrimitive(Vec3 a, Vec3 b, Vec3 c) {
+        this(null, a, b, c);
+    }
+
+    /** @param lost the normal where rounding put the corners into one line; null where it did not */
+    TrianglePrimitive(Vec3 lost, Vec3 a, Vec3 b, Vec3 c) {
+        super(
+                Math.max(a.maxAbs(), Math.max(b.maxAbs(), c.maxAbs())),
+                Math.min(
+                        b.minus(a).maxAbs(),
+                        Math.min(c.minus(a).maxAbs(), c.minus(b).maxAbs())));
+        this.a = a;
+        this.b = b;
+        this.c = c;
+        plane = new Plane(lost, a, b.minus(a), c.minus(a), b, c);
+    }
+
+    @Override
+    double nearestOrdinary(Ray ray, double tMax) {
+        if (ray.start == this) {
+            return MISS;
+        }
+        ray.shear();
+        double ax = Watertight.x(ray, a);
+        double ay = Watertight.y(ray, a);
+        double bx = Watertight.x(ray, b);
+        double by = Watertight.y(ray, b);
+        double cx = Watertight.x(ray, c);
+        double cy = Watertight.y(ray, c);
+        double e0 = Products.difference(ax, by, ay, bx);
+        double e1 = Products.difference(bx, cy, by, cx);
+        double e2 = Products.difference(cx, ay, cy, ax);
+        if (!Watertight.covers(e0, e1, e2)) {
+            return MISS;
+        }
+        double t = Watertight.settle(ray, plane.distance(ray), a, b, c, e0, e1, e2);
+        return t <= tMax ? t : MISS;
+    }
+
+    @Override
+    void completeOrdinary(Ray ray, double t, Hit hit) {
+        plane.complete(ray, t, hit);
+    }
+
+    /** The first vertex is the texture's lower left corner, the second its upper left, the third its lower right. */
+    @Override
+    public void textureCoordinates(Hit hit) {
+        plane.textureCoordinates(hit);
+    }
+
+    @Override
+    public Bounds bounds() {
+        return Bounds.of(a, b, c);
+    }
+
+    @Override
+    public boolean isFlat() {
+        return true;
+    }
+
+    @Override
+    public SupportSurface support(int face) {
+        return SupportSurface.Plane.of(plane.n, a, b, c);
+    }
+
+    @Override
+    Primitive scaledBy(int k) {
+        return new TrianglePrimitive(plane.lost(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k));
+    }
+
+    @Override
+    public double[] parameters() {
+        return concat(a, b, c);
+    }
+}

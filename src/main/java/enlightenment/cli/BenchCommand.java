@@ -65,7 +65,7 @@ final class BenchCommand extends Subcommand {
             complete = line(all, name, scene, RenderSettings.of(scene), repeats);
         }
         if (json != null) {
-            Target.write(json, BenchJson.of(all, machine, repeats));
+            OutputFile.write(json, BenchJson.of(all, machine, repeats));
         }
         return complete ? CliException.DONE : CliException.FAILED;
     }
@@ -76,7 +76,9 @@ final class BenchCommand extends Subcommand {
                     + " in it, not \"" + scenes + "\"");
         }
         try (Stream<Path> all = Files.list(scenes)) {
-            return all.filter(f -> Target.extension(f).equals(".json")).sorted().toList();
+            return all.filter(f -> OutputFile.extension(f).equals(".json"))
+                    .sorted()
+                    .toList();
         }
     }
 

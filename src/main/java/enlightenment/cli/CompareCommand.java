@@ -80,7 +80,7 @@ final class CompareCommand extends Subcommand {
         if (heatMap == null) {
             return;
         }
-        if (!Target.extension(heatMap).equals(".png")) {
+        if (!OutputFile.extension(heatMap).equals(".png")) {
             throw CliException.wrongUsage("--heatmap must name a file that ends in .png, not \"" + heatMap + "\"");
         }
         new OutputFiles()

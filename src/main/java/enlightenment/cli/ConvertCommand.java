@@ -26,7 +26,7 @@ final class ConvertCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        if (!Standard.is(output) && !Target.extension(output).equals(".json")) {
+        if (!Standard.is(output) && !OutputFile.extension(output).equals(".json")) {
             throw CliException.wrongUsage("OUT.json must name a file that ends in .json, not \"" + output + "\"");
         }
         if (!Standard.is(input) && !Files.exists(input)) {

@@ -14,7 +14,8 @@ public final class Main {
 
     /** Does what the arguments say and ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used. */
     public static void main(String[] args) {
-        Stop stop = new Stop(() -> System.err.println("enlightenment: stopped in the middle: nothing was written"));
+        ShutdownSignal stop = new ShutdownSignal(
+                () -> System.err.println("enlightenment: stopped in the middle: nothing was written"));
         if (args.length > 0 && STOPPABLE.contains(args[0])) {
             stop.listen();
         }
@@ -30,7 +31,7 @@ public final class Main {
 
     /** Does what the arguments say, within this process; gives the exit code. */
     static int run(String[] args, PrintStream out, PrintStream err) {
-        return run(args, new Terminal(out, err, new Stop()));
+        return run(args, new Terminal(out, err, new ShutdownSignal()));
     }
 
     static int run(String[] args, Terminal terminal) {

@@ -67,7 +67,7 @@ final class MergeCommand extends Subcommand {
         PngOptions png = new PngOptions(bits, merged.text());
         PictureOptions.write(result.image(), output, format, png, terminal);
         if (report != null) {
-            Target.write(report, ReportJson.of(result));
+            OutputFile.write(report, ReportJson.of(result));
         }
         if (stats) {
             PictureOptions.printStatistics(result.report(), output, terminal);

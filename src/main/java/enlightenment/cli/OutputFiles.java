@@ -88,7 +88,7 @@ final class OutputFiles {
         for (Named output : outputs) {
             Path folder = FilePlace.of(output.file).getParent();
             if (output.isChecked) {
-                Target.check(output.file);
+                OutputFile.check(output.file);
                 if (!Files.exists(output.file) && !Files.isWritable(folder)) {
                     throw CliException.failed(output.file + ": cannot be written: it is a link to where nothing can be"
                             + " written, " + folder);

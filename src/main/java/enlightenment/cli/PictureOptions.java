@@ -19,7 +19,7 @@ final class PictureOptions {
 
     /** Fails unless the picture's format is known and may have that depth; depth and format may be null. */
     static void check(Path output, String depth, String format) {
-        String extension = Target.extension(output);
+        String extension = OutputFile.extension(output);
         String file = "a .pfm file";
         if (Standard.is(output)) {
             file = "--format pfm";
@@ -74,7 +74,7 @@ final class PictureOptions {
     static int depth(Path output, String format, String depth) {
         boolean holdsFloats = Standard.is(output)
                 ? "pfm".equals(format)
-                : Target.extension(output).equals(".pfm");
+                : OutputFile.extension(output).equals(".pfm");
         return holdsFloats ? 0 : "16".equals(depth) ? 16 : 8;
     }
 

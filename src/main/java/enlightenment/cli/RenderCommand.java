@@ -83,7 +83,7 @@ final class RenderCommand extends Subcommand {
     private String part;
 
     private final LongSupplier clock;
-    private Companions companions;
+    private AovFiles companions;
     private SceneInput input;
 
     RenderCommand(Terminal terminal) {
@@ -121,11 +121,11 @@ final class RenderCommand extends Subcommand {
         PictureOptions.write(result.image(), output, format, options, terminal);
         companions.write(result.auxiliary(), options);
         if (report != null) {
-            Target.write(report, ReportJson.of(result));
+            OutputFile.write(report, ReportJson.of(result));
         }
         if (clusters != null) {
-            boolean csv = Target.extension(clusters).equals(".csv");
-            Target.write(clusters, csv ? ClusterDump.csv(result.clusters()) : ClusterDump.json(result.clusters()));
+            boolean csv = OutputFile.extension(clusters).equals(".csv");
+            OutputFile.write(clusters, csv ? ClusterDump.csv(result.clusters()) : ClusterDump.json(result.clusters()));
             if (!result.report().sampling().method().equals("cluster")) {
                 terminal.say(clusters + " is empty: so few samples per pixel were evenly spaced and made no clusters");
             }
@@ -148,7 +148,7 @@ final class RenderCommand extends Subcommand {
         if (!settings.method().equals("cluster")) {
             throw CliException.wrongUsage("--dump-clusters needs --method cluster; " + settings.method() + " has none");
         }
-        String extension = Target.extension(clusters);
+        String extension = OutputFile.extension(clusters);
         if (!extension.equals(".json") && !extension.equals(".csv")) {
             throw CliException.wrongUsage(
                     "--dump-clusters must name a file that ends in .json or .csv, not \"" + clusters + "\"");
@@ -185,7 +185,7 @@ final class RenderCommand extends Subcommand {
 
     private void checkPart() {
         OptionValues.part("--part", part);
-        if (!Target.extension(output).equals(".film")) {
+        if (!OutputFile.extension(output).equals(".film")) {
             throw CliException.wrongUsage(
                     "with --part, -o must name a file that ends in .film, not \"" + output + "\"");
         }
@@ -217,7 +217,7 @@ final class RenderCommand extends Subcommand {
             throw CliException.wrongUsage((aov != null ? "--aov writes files beside" : "--preview replaces")
                     + " the picture: -o must name a file, not standard output");
         }
-        companions = new Companions(aov, output);
+        companions = new AovFiles(aov, output);
         if (preview != null) {
             OptionValues.number("--preview", preview, LEAST_PREVIEW, MOST_PREVIEW);
             if (Files.exists(output) && !Files.isRegularFile(output) && !Files.isDirectory(output)) {

@@ -249,7 +249,7 @@ final class ServerCommand extends Subcommand {
         PngOptions png = new PngOptions("16".equals(depth) ? 16 : 8, text);
         PictureOptions.write(result.image(), output, format, png, terminal);
         if (report != null) {
-            Target.write(report, ReportJson.of(result));
+            OutputFile.write(report, ReportJson.of(result));
         }
         if (stats) {
             PictureOptions.printStatistics(result.report(), output, terminal);

@@ -12,9 +12,9 @@ import java.io.PrintStream;
  * @param err messages and progress
  * @param stop tells when the user wants a render to end
  */
-record Terminal(InputStream in, PrintStream out, PrintStream err, Stop stop) {
+record Terminal(InputStream in, PrintStream out, PrintStream err, ShutdownSignal stop) {
     /** Without input. */
-    Terminal(PrintStream out, PrintStream err, Stop stop) {
+    Terminal(PrintStream out, PrintStream err, ShutdownSignal stop) {
         this(InputStream.nullInputStream(), out, err, stop);
     }
 

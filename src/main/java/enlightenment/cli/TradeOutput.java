@@ -48,10 +48,10 @@ final class TradeOutput {
     }
 
     void write(TradeResult result) throws IOException {
-        Target.write(folder.resolve(FIGURES), TradeJson.of(result));
-        Target.write(folder.resolve(SUMMARY), TradeSummary.of(result));
+        OutputFile.write(folder.resolve(FIGURES), TradeJson.of(result));
+        OutputFile.write(folder.resolve(SUMMARY), TradeSummary.of(result));
         List<Chart> charts = charts(result);
-        Target.write(folder.resolve(PAGE), TradePage.of(result, context(), charts));
+        OutputFile.write(folder.resolve(PAGE), TradePage.of(result, context(), charts));
         Verdict headline = Verdict.headline(result);
         terminal.show(headline.sentence());
         headline.best()
@@ -76,7 +76,7 @@ final class TradeOutput {
         List<Chart> charts = TradeCharts.of(result);
         for (Chart chart : charts) {
             ImageFiles.writePng(chart.image(), folder.resolve(chart.name() + ".png"));
-            Target.write(folder.resolve(chart.name() + ".svg"), chart.svg());
+            OutputFile.write(folder.resolve(chart.name() + ".svg"), chart.svg());
         }
         return charts;
     }

@@ -44,7 +44,7 @@ public final class Tracer {
 
     private final int[] allLights;
 
-    private final Contacts contacts;
+    private final CoincidentHits contacts;
 
     /** The light that the last {@link #trace} met, or null. */
     public CompiledLight light;
@@ -55,7 +55,7 @@ public final class Tracer {
     public Tracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
-        contacts = new Contacts(scene);
+        contacts = new CoincidentHits(scene);
         closest = new Closest(scene.kind, counters.tests);
         candidates = new BvhQuery(scene.kind, counters.tests);
         allIds = scene.bvh == null ? count(scene.primitives.length) : new int[0];

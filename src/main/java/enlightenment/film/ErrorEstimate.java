@@ -1,6 +1,6 @@
 package enlightenment.film;
 
-import enlightenment.film.Remainder.Curve;
+import enlightenment.film.VarianceDecay.Curve;
 import java.util.Arrays;
 import java.util.List;
 
@@ -9,7 +9,7 @@ import java.util.List;
  *
  * <p>Pixels with the same number of samples, a power of two, are judged together: the sums A and B over their two figures
  * ({@link FilmTile#halves}, {@link FilmTile#quarters}) give the sum of their variances, A times a share that depends on B/A
- * ({@link Remainder}).
+ * ({@link VarianceDecay}).
  *
  * <p>The interval has three parts. What the shares may be, the least and the most that was found for such a ratio on scenes of
  * many kinds; the ratio itself taken as uncertain as its pixels say. Chance: a sum of squares of which few are great errs by
@@ -164,7 +164,7 @@ public final class ErrorEstimate {
         Level[] levels = new Level[LEVELS];
         Arrays.setAll(levels, k -> new Level());
         Level pooled = new Level();
-        int least = Remainder.leastPooled(differences);
+        int least = VarianceDecay.leastPooled(differences);
         for (int i = 0; i < first.length; i++) {
             if (counts[i] > 0) {
                 int k = level(counts[i]);
@@ -223,11 +223,11 @@ public final class ErrorEstimate {
         void judge(int level, Level of, boolean differences) {
             double ratio = of.ratio();
             double off = of.uncertainty();
-            share = Remainder.share(Curve.MIDDLE, level, ratio, differences);
+            share = VarianceDecay.share(Curve.MIDDLE, level, ratio, differences);
             // Of two samples the share grows with the ratio, of more it falls.
             double up = level == 1 ? off : -off;
-            least = Math.min(Remainder.share(Curve.LEAST, level, ratio - up, differences), share);
-            most = Math.max(Remainder.share(Curve.MOST, level, ratio + up, differences), share);
+            least = Math.min(VarianceDecay.share(Curve.LEAST, level, ratio - up, differences), share);
+            most = Math.max(VarianceDecay.share(Curve.MOST, level, ratio + up, differences), share);
         }
     }
 

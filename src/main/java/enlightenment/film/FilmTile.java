@@ -159,12 +159,12 @@ public final class FilmTile {
 
     /**
      * The first figure that the pixel tells of its error: {@link SampleSpread#halves}, or for a single sample
-     * {@link Neighbours#single}; of differences as {@link Remainder#ofDifferences} weighs them.
+     * {@link Neighbours#single}; of differences as {@link VarianceDecay#ofDifferences} weighs them.
      */
     public float halves(int column, int row) {
         int pixel = pixel(column, row);
         double first = counts[pixel] == 1 ? neighbours().single(column, row) : spreads[2 * pixel];
-        return (float) (known == null ? first : first * Remainder.ofDifferences(counts[pixel], ofLight(pixel)));
+        return (float) (known == null ? first : first * VarianceDecay.ofDifferences(counts[pixel], ofLight(pixel)));
     }
 
     /**

@@ -22,9 +22,9 @@ final class TradeFolder {
     private static final String KEPT = "measured.txt";
 
     private final Path folder;
-    private final Journal journal;
+    private final TradeJournal journal;
 
-    private TradeFolder(Path folder, Journal journal) {
+    private TradeFolder(Path folder, TradeJournal journal) {
         this.folder = folder;
         this.journal = journal;
     }
@@ -43,7 +43,7 @@ final class TradeFolder {
         Path identity = folder.resolve(IDENTITY);
         Path runs = folder.resolve(RUNS);
         if (!Files.exists(identity) || !Files.exists(runs)) {
-            Journal journal = Journal.create(runs);
+            TradeJournal journal = TradeJournal.create(runs);
             WholeFile.write(identity, String.join("\n", settings.identity()) + "\n");
             return new TradeFolder(folder, journal);
         }
@@ -52,7 +52,7 @@ final class TradeFolder {
                     "output", folder + " holds a trade already: --resume goes on with it, or name another folder");
         }
         checkIdentity(folder, settings, "resume");
-        return new TradeFolder(folder, Journal.open(runs));
+        return new TradeFolder(folder, TradeJournal.open(runs));
     }
 
     /**
@@ -70,7 +70,7 @@ final class TradeFolder {
         if (Files.exists(folder.resolve(IDENTITY))) {
             checkIdentity(folder, settings, "evaluate");
         }
-        TradeFolder stored = new TradeFolder(folder, Journal.open(folder.resolve(RUNS)));
+        TradeFolder stored = new TradeFolder(folder, TradeJournal.open(folder.resolve(RUNS)));
         checkRuns(folder, stored.journal.runs(), settings.base());
         return stored;
     }
@@ -141,7 +141,7 @@ final class TradeFolder {
         return folder.resolve(name);
     }
 
-    Journal journal() {
+    TradeJournal journal() {
         return journal;
     }
 }

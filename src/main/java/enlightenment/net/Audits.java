@@ -75,7 +75,7 @@ final class Audits {
         }
 
         /** Whether the member's vote would tell something. */
-        boolean canBeVotedOnBy(Member member) {
+        boolean canBeVotedOnBy(WorkerState member) {
             return voteOf(member.origin) == null && (member.isServer() || !isDisputed());
         }
     }

@@ -30,8 +30,8 @@ final class Coordinator {
     private final TileBoard board;
     private final Audits audits;
     private final Dispatcher dispatcher;
-    private final Map<Long, Member> members = new LinkedHashMap<>();
-    private final Map<ContentHash, Member> byProcess = new HashMap<>();
+    private final Map<Long, WorkerState> members = new LinkedHashMap<>();
+    private final Map<ContentHash, WorkerState> byProcess = new HashMap<>();
     private final Set<Origin.Peer> expelled = new HashSet<>();
     private final Deque<Snapshot.Note> notes = new ArrayDeque<>();
     private final long started;
@@ -73,7 +73,7 @@ final class Coordinator {
         } else if (event instanceof Event.Left left) {
             leave(members.get(left.worker()), left.reason());
         } else if (event instanceof Event.Misbehaved misbehaved) {
-            Member member = members.get(misbehaved.worker());
+            WorkerState member = members.get(misbehaved.worker());
             if (member != null) {
                 expel(member.origin, misbehaved.reason());
             }
@@ -97,11 +97,11 @@ final class Coordinator {
             actions.add(new Action.Refuse(event.worker(), "this machine was expelled: it gave wrong results"));
             return;
         }
-        Member before = event.process() == null ? null : byProcess.get(event.process());
+        WorkerState before = event.process() == null ? null : byProcess.get(event.process());
         if (before != null) {
             hangUp(before, "the same worker has a newer connection");
         }
-        Member member = new Member(event, now);
+        WorkerState member = new WorkerState(event, now);
         members.put(member.worker, member);
         if (member.process != null) {
             byProcess.put(member.process, member);
@@ -111,7 +111,7 @@ final class Coordinator {
         note(member.name + " joined with " + member.threads + " threads");
     }
 
-    private void leave(Member member, String reason) {
+    private void leave(WorkerState member, String reason) {
         if (member == null) {
             return;
         }
@@ -125,7 +125,7 @@ final class Coordinator {
         note(member.name + " left: " + reason);
     }
 
-    private void hangUp(Member member, String reason) {
+    private void hangUp(WorkerState member, String reason) {
         actions.add(new Action.HangUp(member.worker, reason));
         leave(member, reason);
     }
@@ -146,7 +146,7 @@ final class Coordinator {
     }
 
     private void hear(Event.Heard event) {
-        Member member = members.get(event.worker());
+        WorkerState member = members.get(event.worker());
         if (member == null) {
             return;
         }
@@ -163,7 +163,7 @@ final class Coordinator {
     }
 
     private void deliver(Event.Delivered event) {
-        Member member = members.get(event.worker());
+        WorkerState member = members.get(event.worker());
         if (member == null) {
             return;
         }
@@ -179,7 +179,7 @@ final class Coordinator {
         actions.add(new Action.Acknowledge(member.worker, tile));
     }
 
-    private void count(Member member, Event.Delivered event) {
+    private void count(WorkerState member, Event.Delivered event) {
         int tile = event.tile();
         Audits.Open open = audits.open(tile);
         boolean isAudit = open != null && open.lease != null && open.lease.member == member;
@@ -207,7 +207,7 @@ final class Coordinator {
         }
     }
 
-    private void credit(Member member, TileData data, boolean isAudit) {
+    private void credit(WorkerState member, TileData data, boolean isAudit) {
         long took = Math.max(now - member.progress, 0);
         dispatcher.delivered(member, took / (double) CoordinatorSettings.SECOND);
         member.progress = now;
@@ -220,7 +220,7 @@ final class Coordinator {
     }
 
     /** The member owes the tile no more, in whatever lease of it. */
-    private void discharge(Member member, int tile) {
+    private void discharge(WorkerState member, int tile) {
         for (Lease lease : List.copyOf(member.leases.values())) {
             if (lease.clear(tile)) {
                 lease.renewed = now;
@@ -250,7 +250,7 @@ final class Coordinator {
         }
         note("machine " + machine + " expelled: " + reason);
         actions.add(new Action.Expel(machine, reason));
-        for (Member member : List.copyOf(members.values())) {
+        for (WorkerState member : List.copyOf(members.values())) {
             if (member.origin.equals(machine)) {
                 note(member.name + " is of that machine");
                 actions.add(new Action.Refuse(member.worker, reason));
@@ -267,7 +267,7 @@ final class Coordinator {
     private void expire() {
         dispatcher.measure();
         long stall = Math.max(settings.stallNanos(), STALL_FACTOR * longestTile);
-        for (Member member : List.copyOf(members.values())) {
+        for (WorkerState member : List.copyOf(members.values())) {
             if (!member.isServer() && now - member.heard >= settings.silenceNanos()) {
                 hangUp(member, "silent for " + (now - member.heard) / 1_000_000 + " ms");
                 continue;
@@ -288,7 +288,7 @@ final class Coordinator {
     }
 
     /** The member lives and delivers nothing: others get its tiles, but its own results are welcome whenever they come. */
-    private void stall(Member member, long time) {
+    private void stall(WorkerState member, long time) {
         note(member.name + " delivers nothing; its tiles go to others");
         member.resting = true;
         member.restsUntil = now + (time << Math.min(member.stalls, MOST_DOUBLINGS));
@@ -304,7 +304,7 @@ final class Coordinator {
     /** What votes differ on only the server can decide; it must join as a worker if it has not. */
     private void callServer() {
         Integer disputed = audits.firstDisputed();
-        if (disputed != null && members.values().stream().noneMatch(Member::isServer)) {
+        if (disputed != null && members.values().stream().noneMatch(WorkerState::isServer)) {
             actions.add(new Action.CallLocal(disputed));
         }
     }
@@ -333,7 +333,7 @@ final class Coordinator {
 
     /** The leases that the coordinator believes the worker to hold. */
     Set<Long> leasesOf(long worker) {
-        Member member = members.get(worker);
+        WorkerState member = members.get(worker);
         return member == null ? Set.of() : Set.copyOf(member.leases.keySet());
     }
 
@@ -351,7 +351,7 @@ final class Coordinator {
             TileBoard board,
             Audits audits,
             Dispatcher dispatcher,
-            List<Member> members,
+            List<WorkerState> members,
             Set<Origin.Peer> expelled,
             List<Snapshot.Note> notes,
             long duplicates,

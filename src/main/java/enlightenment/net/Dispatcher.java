@@ -25,13 +25,13 @@ final class Dispatcher {
     private final CoordinatorSettings settings;
     private final TileBoard board;
     private final Audits audits;
-    private final Collection<Member> members;
+    private final Collection<WorkerState> members;
     private final Consumer<Action> actions;
 
     /** Members with threads to spare, and members that should get a lease before they have; first come, first served. */
-    private final Set<Member> idle = new LinkedHashSet<>();
+    private final Set<WorkerState> idle = new LinkedHashSet<>();
 
-    private final Set<Member> hungry = new LinkedHashSet<>();
+    private final Set<WorkerState> hungry = new LinkedHashSet<>();
 
     private long leasesGranted;
 
@@ -45,7 +45,7 @@ final class Dispatcher {
             CoordinatorSettings settings,
             TileBoard board,
             Audits audits,
-            Collection<Member> members,
+            Collection<WorkerState> members,
             Consumer<Action> actions) {
         this.settings = settings;
         this.board = board;
@@ -55,7 +55,7 @@ final class Dispatcher {
     }
 
     /** The member's leases have changed. */
-    void changed(Member member) {
+    void changed(WorkerState member) {
         int leases = member.workLeases();
         boolean usable = !member.isStalled();
         if (usable && leases < MOST_LEASES && member.owed() < member.threads) {
@@ -71,7 +71,7 @@ final class Dispatcher {
     }
 
     /** Whether half of its only lease is done. */
-    private static boolean isNearItsEnd(Member member) {
+    private static boolean isNearItsEnd(WorkerState member) {
         Lease work = null;
         for (Lease lease : member.leases.values()) {
             work = lease.kind == Lease.Kind.AUDIT ? work : lease;
@@ -79,7 +79,7 @@ final class Dispatcher {
         return work != null && work.owed() <= Math.max(member.threads, (work.last - work.first) / 2);
     }
 
-    void left(Member member) {
+    void left(WorkerState member) {
         idle.remove(member);
         hungry.remove(member);
     }
@@ -89,7 +89,7 @@ final class Dispatcher {
         knownSpeed = 0;
         knownWeight = 0;
         unknownWeight = 0;
-        for (Member member : members) {
+        for (WorkerState member : members) {
             if (member.speed.isKnown()) {
                 knownSpeed += member.speed.perSecond();
                 knownWeight += member.weight;
@@ -100,7 +100,7 @@ final class Dispatcher {
     }
 
     /** The member has delivered a tile, this long after the one before. */
-    void delivered(Member member, double afterSeconds) {
+    void delivered(WorkerState member, double afterSeconds) {
         double before = member.speed.isKnown() ? member.speed.perSecond() : 0;
         boolean wasKnown = member.speed.isKnown();
         member.speed.delivered(afterSeconds);
@@ -145,7 +145,7 @@ final class Dispatcher {
             return;
         }
         for (Audits.Open open : audits.someWaiting(AUDITS_LOOKED_AT)) {
-            Member auditor = firstAble(open, idle);
+            WorkerState auditor = firstAble(open, idle);
             auditor = auditor == null ? firstAble(open, hungry) : auditor;
             if (auditor != null) {
                 audits.lease(open, grant(auditor, open.tile, open.tile + 1, Lease.Kind.AUDIT, now));
@@ -153,8 +153,8 @@ final class Dispatcher {
         }
     }
 
-    private static Member firstAble(Audits.Open open, Set<Member> candidates) {
-        for (Member member : candidates) {
+    private static WorkerState firstAble(Audits.Open open, Set<WorkerState> candidates) {
+        for (WorkerState member : candidates) {
             if (!member.hasAudit() && open.canBeVotedOnBy(member)) {
                 return member;
             }
@@ -164,7 +164,7 @@ final class Dispatcher {
 
     /** Whether anybody who is connected could vote on the tile, now or later. */
     boolean canBeVotedOn(Audits.Open open) {
-        for (Member member : members) {
+        for (WorkerState member : members) {
             if (!member.isStalled() && open.canBeVotedOnBy(member)) {
                 return true;
             }
@@ -172,11 +172,11 @@ final class Dispatcher {
         return false;
     }
 
-    private void serveFree(Set<Member> candidates, long now) {
+    private void serveFree(Set<WorkerState> candidates, long now) {
         if (board.free() == 0 || candidates.isEmpty()) {
             return;
         }
-        for (Member member : new ArrayList<>(candidates)) {
+        for (WorkerState member : new ArrayList<>(candidates)) {
             if (board.free() == 0) {
                 return;
             }
@@ -188,7 +188,7 @@ final class Dispatcher {
     }
 
     /** How many tiles the member should get, at least one. */
-    int size(Member member) {
+    int size(WorkerState member) {
         double speed = member.speedOr(unitSpeed());
         double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;
         double wanted = member.threads;
@@ -202,7 +202,7 @@ final class Dispatcher {
         return (int) Math.max(1, Math.min(wanted, most));
     }
 
-    private Lease grant(Member member, int first, int last, Lease.Kind kind, long now) {
+    private Lease grant(WorkerState member, int first, int last, Lease.Kind kind, long now) {
         long id = Hash.of(settings.seed(), ++leasesGranted);
         Lease lease = new Lease(id, member, first, last, kind, now);
         if (member.leases.isEmpty()) {
@@ -219,7 +219,7 @@ final class Dispatcher {
      */
     private boolean help(long now) {
         Lease late = latest(now);
-        Member helper = late == null ? null : firstOtherThan(late.member);
+        WorkerState helper = late == null ? null : firstOtherThan(late.member);
         if (helper == null) {
             return false;
         }
@@ -244,8 +244,8 @@ final class Dispatcher {
         return true;
     }
 
-    private Member firstOtherThan(Member member) {
-        for (Member candidate : idle) {
+    private WorkerState firstOtherThan(WorkerState member) {
+        for (WorkerState candidate : idle) {
             if (candidate != member) {
                 return candidate;
             }
@@ -255,7 +255,7 @@ final class Dispatcher {
 
     /**
      * The first tile from {@code from} on that the holder has not begun, as it begins as many as it has threads. Audits do
-     * not count, here as in {@link Member#owed()}: so only who has more than it can begin loses tiles by this, nobody
+     * not count, here as in {@link WorkerState#owed()}: so only who has more than it can begin loses tiles by this, nobody
      * becomes idle by it, and two members cannot pass a tile to and fro.
      */
     private static int firstNotBegun(Lease lease, int from) {
@@ -274,7 +274,7 @@ final class Dispatcher {
         return Math.max(tile, from);
     }
 
-    private int sizeOfHelp(Member helper) {
+    private int sizeOfHelp(WorkerState helper) {
         double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;
         double inTime = Math.max(helper.threads - helper.owed(), helper.speedOr(unitSpeed()) * seconds);
         return (int) Math.max(1, Math.min(inTime, board.undone()));
@@ -284,7 +284,7 @@ final class Dispatcher {
     private Lease latest(long now) {
         Lease latest = null;
         double longest = -1;
-        for (Member member : members) {
+        for (WorkerState member : members) {
             Lease copyable = lastCopyable(member);
             if (copyable == null) {
                 continue;
@@ -300,7 +300,7 @@ final class Dispatcher {
         return latest;
     }
 
-    private static Lease lastCopyable(Member member) {
+    private static Lease lastCopyable(WorkerState member) {
         Lease last = null;
         for (Lease lease : member.leases.values()) {
             last = lease.single > 0 ? lease : last;
@@ -309,7 +309,7 @@ final class Dispatcher {
     }
 
     /** The members that have nothing to do, for the status. */
-    List<Member> idle() {
+    List<WorkerState> idle() {
         return List.copyOf(idle);
     }
 }

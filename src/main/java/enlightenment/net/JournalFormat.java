@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.zip.CRC32C;
 
 /**
- * The bytes of a {@link Journal}. Most significant byte first.
+ * The bytes of a {@link CheckpointJournal}. Most significant byte first.
  *
  * <p>A header of 56 bytes, twice: magic (8), job hash (32), number of tiles (4), sign (8), CRC32C of these (4). Then records:
  * the sign (8), length of the body (4), CRC32C of both (4), body, CRC32C of the body (4).
@@ -89,7 +89,7 @@ final class JournalFormat {
         while (into.hasRemaining()) {
             int read = file.read(into, position);
             if (read < 0) {
-                throw new Journal.JournalException("the checkpoint became shorter while it was read");
+                throw new CheckpointJournal.JournalException("the checkpoint became shorter while it was read");
             }
             position += read;
         }

@@ -3,7 +3,7 @@ package enlightenment.net;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 
-/** One entry of a {@link Journal}. A later one about the same tile or machine overrules an earlier one. */
+/** One entry of a {@link CheckpointJournal}. A later one about the same tile or machine overrules an earlier one. */
 sealed interface JournalRecord {
     /** A tile was made by the server or a machine; {@code data} are its sums. */
     record Kept(int tile, Origin origin, byte[] data) implements JournalRecord {
@@ -80,7 +80,7 @@ sealed interface JournalRecord {
     /**
      * The record that a body is. Its checksum was right, so a body that makes no sense was written by another version.
      *
-     * @throws Journal.JournalException if it makes no sense
+     * @throws CheckpointJournal.JournalException if it makes no sense
      */
     static JournalRecord decode(byte[] body, int tiles) throws IOException {
         ByteBuffer in = ByteBuffer.wrap(body);
@@ -112,7 +112,7 @@ sealed interface JournalRecord {
     }
 
     private static IOException senseless(byte kind) {
-        return new Journal.JournalException(
+        return new CheckpointJournal.JournalException(
                 "the checkpoint has a record of kind " + kind + " that makes no sense to this version");
     }
 }

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 
 /**
- * Reads the records of a {@link Journal}. Where one is damaged, the next one is looked for: by the sign that every record
+ * Reads the records of a {@link CheckpointJournal}. Where one is damaged, the next one is looked for: by the sign that every record
  * begins with and by its checksums.
  */
 final class JournalScan {

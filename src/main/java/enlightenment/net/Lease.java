@@ -14,7 +14,7 @@ final class Lease {
     }
 
     final long id;
-    final Member member;
+    final WorkerState member;
     final int first;
     final int last;
     final Kind kind;
@@ -31,7 +31,7 @@ final class Lease {
     private final BitSet owed;
     private int owedCount;
 
-    Lease(long id, Member member, int first, int last, Kind kind, long now) {
+    Lease(long id, WorkerState member, int first, int last, Kind kind, long now) {
         this.id = id;
         this.member = member;
         this.first = first;

@@ -16,7 +16,7 @@ final class ServerConnection {
     private final RenderServer server;
     private final Socket plain;
     private final long opened = System.nanoTime();
-    private volatile Link link;
+    private volatile MessageChannel link;
     private volatile Message.Hello hello;
     private volatile Message.Ready ready;
     private volatile String closedBecause = "";
@@ -33,7 +33,7 @@ final class ServerConnection {
     void run() {
         String reason = "";
         try {
-            Link made = open();
+            MessageChannel made = open();
             link = made;
             if (shakeHands(made)) {
                 while (listen(made)) {
@@ -58,15 +58,15 @@ final class ServerConnection {
         }
     }
 
-    private Link open() throws IOException {
+    private MessageChannel open() throws IOException {
         plain.setTcpNoDelay(true);
         Socket socket =
                 server.secrets().tls() == null ? plain : server.secrets().tls().over(plain, null);
-        return new Link(plain, socket, server.options().timing, "connection " + id);
+        return new MessageChannel(plain, socket, server.options().timing, "connection " + id);
     }
 
     private void end(String why) {
-        Link mine = link;
+        MessageChannel mine = link;
         String here = mine == null ? closedBecause : mine.reason();
         String reason = here.isEmpty() ? why : here;
         close(reason);
@@ -74,7 +74,7 @@ final class ServerConnection {
     }
 
     /** Whether a worker of ours is at the other side; it has been told the reason if not. */
-    private boolean shakeHands(Link on) throws IOException {
+    private boolean shakeHands(MessageChannel on) throws IOException {
         Message first = on.receive();
         if (!(first instanceof Message.Hello worker)) {
             throw new ProtocolException(first == null ? "nothing was said" : "no hello");
@@ -111,7 +111,7 @@ final class ServerConnection {
         return isAdmitted(on, worker);
     }
 
-    private boolean isAdmitted(Link on, Message.Hello worker) {
+    private boolean isAdmitted(MessageChannel on, Message.Hello worker) {
         if (!server.admit(this)) {
             refuse("the server has as many workers as it can have", true);
             return false;
@@ -143,7 +143,7 @@ final class ServerConnection {
     }
 
     /** Hears one message; false at the end. After the last word was said the rest is let pass until the other side closes. */
-    private boolean listen(Link on) throws IOException {
+    private boolean listen(MessageChannel on) throws IOException {
         Message message = on.receive();
         if (message instanceof Message.Bye bye) {
             throw new IOException(bye.reason());
@@ -154,7 +154,7 @@ final class ServerConnection {
         return message != null;
     }
 
-    private void hear(Link on, Message message) throws IOException {
+    private void hear(MessageChannel on, Message message) throws IOException {
         if (message instanceof Message.Heartbeat beat) {
             if (isJoined) {
                 server.handle(new Event.Heard(id, Set.copyOf(beat.leases())));
@@ -176,7 +176,7 @@ final class ServerConnection {
         }
     }
 
-    private void deliver(Link on, Message.Result result) {
+    private void deliver(MessageChannel on, Message.Result result) {
         ServerJob job = server.job();
         if (!isJoined) {
             // It worked for an earlier incarnation of this server: there is nothing to wait for.
@@ -236,7 +236,7 @@ final class ServerConnection {
     }
 
     void sayLast(Message message) {
-        Link mine = link;
+        MessageChannel mine = link;
         if (mine == null) {
             close("");
         } else {
@@ -245,7 +245,7 @@ final class ServerConnection {
     }
 
     void close(String reason) {
-        Link mine = link;
+        MessageChannel mine = link;
         if (mine != null) {
             mine.close(reason);
             return;

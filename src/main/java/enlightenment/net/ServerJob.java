@@ -27,7 +27,7 @@ final class ServerJob implements Closeable {
     private final ContentHash[] kept;
 
     private Restored restored = Restored.NOTHING;
-    private Journal journal;
+    private CheckpointJournal journal;
     private Set<Origin.Peer> alreadyExpelled = Set.of();
 
     ServerJob(TiledRender render, JobContent content, Consumer<String> log) {
@@ -59,7 +59,7 @@ final class ServerJob implements Closeable {
     void open(Path checkpoint, List<String> pardoned) throws IOException {
         Restored.Builder builder = new Restored.Builder();
         List<String> wrong = new ArrayList<>();
-        journal = Journal.open(checkpoint, hash(), tiles(), System.nanoTime(), entry -> {
+        journal = CheckpointJournal.open(checkpoint, hash(), tiles(), System.nanoTime(), entry -> {
             if (entry instanceof JournalRecord.Kept kept) {
                 String problem = film.problem(kept.tile(), kept.data()).orElse(null);
                 if (problem != null) {

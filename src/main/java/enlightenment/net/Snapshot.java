@@ -74,7 +74,7 @@ record Snapshot(
         double speed = parts.dispatcher().totalSpeed();
         double left = board.undone() + parts.audits().openCount();
         List<Worker> workers = new ArrayList<>();
-        for (Member member : parts.members()) {
+        for (WorkerState member : parts.members()) {
             workers.add(worker(member, now));
         }
         return new Snapshot(
@@ -100,7 +100,7 @@ record Snapshot(
         return speed > 0 ? OptionalDouble.of(left / speed) : OptionalDouble.empty();
     }
 
-    private static Worker worker(Member member, long now) {
+    private static Worker worker(WorkerState member, long now) {
         return new Worker(
                 member.worker,
                 member.name,

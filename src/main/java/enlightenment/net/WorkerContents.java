@@ -5,11 +5,11 @@ import java.io.IOException;
 
 /** Fetches what a job needs, by hash; nothing is kept whose hash is another. */
 final class WorkerContents {
-    private final Link link;
+    private final MessageChannel link;
     private final WorkerJobs jobs;
     private long fetched;
 
-    WorkerContents(Link link, WorkerJobs jobs) {
+    WorkerContents(MessageChannel link, WorkerJobs jobs) {
         this.link = link;
         this.jobs = jobs;
     }

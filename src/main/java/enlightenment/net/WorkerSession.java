@@ -23,7 +23,7 @@ final class WorkerSession {
     private final WorkerOptions options;
     private final WorkerJobs jobs;
     private final BooleanSupplier cancelled;
-    private volatile Link link;
+    private volatile MessageChannel link;
     private volatile RenderPool pool;
     private volatile boolean wasWelcome;
     private volatile boolean isOver;
@@ -66,7 +66,7 @@ final class WorkerSession {
             plain.setTcpNoDelay(true);
             return talk(plain);
         } catch (IOException e) {
-            Link mine = link;
+            MessageChannel mine = link;
             String reason = mine == null || mine.reason().isEmpty() ? describe(e) : "the server " + mine.reason();
             return new End(jobs.failure() != null || e instanceof Tls.UntrustedException, false, reason);
         } finally {
@@ -95,7 +95,7 @@ final class WorkerSession {
             certificate = Tls.shown(secured);
             over = secured;
         }
-        Link on = new Link(plain, over, options.timing, "worker").begin();
+        MessageChannel on = new MessageChannel(plain, over, options.timing, "worker").begin();
         link = on;
         byte[] nonce = new byte[Handshake.NONCE_BYTES];
         RANDOM.nextBytes(nonce);
@@ -154,7 +154,7 @@ final class WorkerSession {
                 last == null ? "the server closed the connection" : "the server says what makes no sense now");
     }
 
-    private End work(Link on, Message.Welcome welcome) throws IOException {
+    private End work(MessageChannel on, Message.Welcome welcome) throws IOException {
         on.trust();
         wasWelcome = true;
         heartbeatMillis = welcome.heartbeatMillis();
@@ -235,7 +235,7 @@ final class WorkerSession {
     }
 
     private void tick(long now) {
-        Link on = link;
+        MessageChannel on = link;
         if (cancelled.getAsBoolean() || jobs.failure() != null) {
             if (on == null || on.isLastSaid()) {
                 closeSocket();

@@ -5,7 +5,7 @@
  * enlightenment.net.RenderParts} does the same by files, for job arrays.
  *
  * <p>Everything that decides is free of clocks, sockets and threads, so that it can be simulated: {@code Coordinator} (who
- * renders what), {@code WorkerCore} (what a worker holds and owes), {@code Journal} (what survives), {@code Frames} and
+ * renders what), {@code WorkerCore} (what a worker holds and owes), {@code CheckpointJournal} (what survives), {@code Frames} and
  * {@code Message} (what is said), {@code Handshake} (who may say it). docs/distributed-protocol.md describes the protocol.
  */
 package enlightenment.net;

@@ -1,7 +1,7 @@
 package enlightenment.shading;
 
+import enlightenment.compiled.CoincidentHits;
 import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.Contacts;
 import enlightenment.compiled.RayCounters;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
@@ -11,7 +11,7 @@ import enlightenment.primitive.Ray;
  * Follows a ray through glass: keeps the list of solids that it is inside of, bends it at true borders and lets it pass
  * where one solid merely lies inside another that outranks it.
  *
- * <p>Surfaces that coincide up to rounding ({@link Contacts}) are one event: first everything that is left is left, then
+ * <p>Surfaces that coincide up to rounding ({@link CoincidentHits}) are one event: first everything that is left is left, then
  * everything that is entered is entered, and the ray is bent once, from the medium before to the medium after. What is
  * opaque comes between leaving and entering. So the picture does not depend on which of the surfaces rounding puts first.
  */
@@ -23,7 +23,7 @@ final class GlassTracer {
     private final RayCounters counters;
     private final MediumStack inside;
     private final MediumStack saved;
-    private final Contacts contacts;
+    private final CoincidentHits contacts;
     private final Hit other = new Hit();
     private final Hit nextHit = new Hit();
     private final Ray back = new Ray();
@@ -45,7 +45,7 @@ final class GlassTracer {
         this.counters = counters;
         inside = new MediumStack(scene);
         saved = new MediumStack(scene);
-        contacts = new Contacts(scene);
+        contacts = new CoincidentHits(scene);
     }
 
     /** Starts a camera ray: finds out which solids it starts in. */

@@ -58,7 +58,7 @@ public final class SparkCommand extends Subcommand {
 
     /** Called by spark-submit; ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used. */
     public static void main(String[] args) {
-        Stop stop = new Stop();
+        ShutdownSignal stop = new ShutdownSignal();
         stop.listen();
         int code;
         try {
@@ -141,7 +141,7 @@ public final class SparkCommand extends Subcommand {
         PngOptions png = new PngOptions("16".equals(depth) ? 16 : 8, PictureOptions.text(scene, text));
         ImageFiles.write(result.image(), output, png);
         if (report != null) {
-            Target.write(report, ReportJson.of(result));
+            OutputFile.write(report, ReportJson.of(result));
         }
         if (!result.complete()) {
             terminal.say("stopped: " + output + " is not complete");

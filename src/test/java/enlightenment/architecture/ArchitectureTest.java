@@ -121,7 +121,7 @@ class ArchitectureTest {
             .that()
             .resideOutsideOfPackage("enlightenment.file")
             .and()
-            .doNotHaveSimpleName("Journal")
+            .haveSimpleNameNotEndingWith("Journal")
             .should()
             .callMethodWhere(
                     target(nameMatching("write|writeString|newOutputStream|newBufferedWriter|newByteChannel|copy|move|"

@@ -19,10 +19,10 @@ import java.util.Set;
  */
 record CliRun(int code, String out, String err) {
     static CliRun of(Object... args) {
-        return of(new Stop(), args);
+        return of(new ShutdownSignal(), args);
     }
 
-    static CliRun of(Stop stop, Object... args) {
+    static CliRun of(ShutdownSignal stop, Object... args) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         String[] texts = new String[args.length];

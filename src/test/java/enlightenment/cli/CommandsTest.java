@@ -199,7 +199,7 @@ class CommandsTest {
     private static String told(Throwable t) {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         PrintStream print = new PrintStream(err, true);
-        assertEquals(1, new Failures(new Terminal(print, print, new Stop())).report(t));
+        assertEquals(1, new Failures(new Terminal(print, print, new ShutdownSignal())).report(t));
         return err.toString(StandardCharsets.UTF_8);
     }
 }

@@ -132,7 +132,7 @@ class MergeCommandTest {
 
     @Test
     void aPartThatIsStoppedHoldsWhatIsDone() {
-        Stop stop = new Stop();
+        ShutdownSignal stop = new ShutdownSignal();
         stop.request();
         Path file = folder.resolve("stopped.film");
         CliRun run = CliRun.of(stop, "render", scene, "-o", file, "--part", "1/2", "--progress", "none");

@@ -74,7 +74,7 @@ class OutputFilesTest {
         PrintStream nowhere = new PrintStream(new ByteArrayOutputStream());
         Set<String> found = new TreeSet<>();
         for (String command : Commands.NAMES) {
-            Subcommand made = Commands.create(command, new Terminal(nowhere, nowhere, new Stop()));
+            Subcommand made = Commands.create(command, new Terminal(nowhere, nowhere, new ShutdownSignal()));
             CommandLine line = Commands.line(made);
             line.getCommandSpec().args().stream()
                     .filter(OutputFilesTest::mayBeAFile)
@@ -295,7 +295,7 @@ class OutputFilesTest {
         }
         assertEquals(1, left(out).size());
         // A start is enough, whatever becomes of it: this one is told to stop before it begins.
-        Stop stop = new Stop();
+        ShutdownSignal stop = new ShutdownSignal();
         stop.request();
         assertEquals(1, CliRun.of(stop, args).code());
         assertEquals(List.of(), left(out));

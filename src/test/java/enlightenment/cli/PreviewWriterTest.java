@@ -19,7 +19,7 @@ class PreviewWriterTest {
 
     private final ByteArrayOutputStream err = new ByteArrayOutputStream();
     private final Terminal terminal =
-            new Terminal(null, new PrintStream(err, true, StandardCharsets.UTF_8), new Stop());
+            new Terminal(null, new PrintStream(err, true, StandardCharsets.UTF_8), new ShutdownSignal());
     private final List<Image> written = Collections.synchronizedList(new ArrayList<>());
     private long now;
 

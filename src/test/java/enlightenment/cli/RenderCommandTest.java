@@ -240,7 +240,7 @@ class RenderCommandTest {
     @Test
     void aRenderStoppedBeforeItBeganWritesNothing() throws IOException {
         Files.writeString(picture, "precious");
-        Stop stop = new Stop();
+        ShutdownSignal stop = new ShutdownSignal();
         stop.request();
         CliRun run = CliRun.of(stop, "render", scene, "-o", picture);
         assertEquals(
@@ -265,8 +265,8 @@ class RenderCommandTest {
         // write.
         Path target = Files.createDirectory(folder.resolve("r.json"));
         Files.writeString(target.resolve("inside"), "");
-        IOException e =
-                org.junit.jupiter.api.Assertions.assertThrows(IOException.class, () -> Target.write(target, "text"));
+        IOException e = org.junit.jupiter.api.Assertions.assertThrows(
+                IOException.class, () -> OutputFile.write(target, "text"));
         assertTrue(e.getMessage().startsWith("cannot write " + target + ": "), e.getMessage());
         assertEquals(2, files(), "the part is gone");
     }

@@ -145,7 +145,7 @@ class RenderExtrasTest {
     @Timeout(300)
     void previewsAreWholePicturesAndBecomeFiner() throws IOException {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        Terminal terminal = new Terminal(null, new PrintStream(err, true), new Stop());
+        Terminal terminal = new Terminal(null, new PrintStream(err, true), new ShutdownSignal());
         AtomicLong minutes = new AtomicLong();
         List<Image> previews = new ArrayList<>();
         RenderCommand command = new RenderCommand(terminal, () -> {

@@ -35,7 +35,10 @@ class StandardStreamsTest {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Terminal terminal = new Terminal(
-                new ByteArrayInputStream(in), new PrintStream(out, true), new PrintStream(err, true), new Stop());
+                new ByteArrayInputStream(in),
+                new PrintStream(out, true),
+                new PrintStream(err, true),
+                new ShutdownSignal());
         String[] texts = CliRun.quiet(Stream.of(args).map(Object::toString).toArray(String[]::new));
         int code = Main.run(texts, terminal);
         return new Run(code, out.toByteArray(), err.toString(StandardCharsets.UTF_8));

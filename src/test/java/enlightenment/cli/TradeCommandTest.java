@@ -322,7 +322,7 @@ class TradeCommandTest {
 
     @Test
     void whoStopsItAtOnceIsToldHowToGoOn() {
-        Stop stop = new Stop();
+        ShutdownSignal stop = new ShutdownSignal();
         stop.request();
         CliRun run = CliRun.of(stop, "trade", scene, "-o", out, "--progress", "none");
         assertEquals(1, run.code());

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * The interval holds the true error in 95 of 100 pictures, whatever they show and however many samples they have: functions whose
- * truth is known, of kinds that the curves in {@link Remainder} were not fitted to.
+ * truth is known, of kinds that the curves in {@link VarianceDecay} were not fitted to.
  */
 class IntervalTest {
     private static final int WIDTH = 48;

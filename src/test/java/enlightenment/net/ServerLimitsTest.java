@@ -62,7 +62,7 @@ class ServerLimitsTest {
         try (ServerSocket listening = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
                 RawPeer server = new RawPeer(listening.getLocalPort());
                 Socket socket = listening.accept();
-                Link link = new Link(socket, socket, Farm.QUICK, "test").begin()) {
+                MessageChannel link = new MessageChannel(socket, socket, Farm.QUICK, "test").begin()) {
             link.trust();
             server.send(answer);
             return new WorkerContents(link, jobs).fetch(new Message.Job(wanted, 1, List.of(wanted)));

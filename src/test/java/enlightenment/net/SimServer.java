@@ -92,7 +92,7 @@ final class SimServer {
         connected.clear();
         if (power) {
             // A journal loses its end only: what follows a bad record is cut off.
-            long forced = world.now - Journal.FORCE_EVERY_NANOS;
+            long forced = world.now - CheckpointJournal.FORCE_EVERY_NANOS;
             while (!journal.isEmpty() && last().time - forced > 0 && world.chance(0.7)) {
                 journal.remove(journal.size() - 1);
             }

@@ -42,12 +42,12 @@ public final class Chart {
 
     /** As dots: twice as many along each side as the chart has units, for fine screens. */
     public Image image() {
-        int width = SHARPER * Look.WIDTH;
-        int height = SHARPER * Look.HEIGHT;
+        int width = SHARPER * ChartTheme.WIDTH;
+        int height = SHARPER * ChartTheme.HEIGHT;
         BufferedImage canvas = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = canvas.createGraphics();
         g.scale(SHARPER, SHARPER);
-        chart.paint(g, Look.WIDTH, Look.HEIGHT);
+        chart.paint(g, ChartTheme.WIDTH, ChartTheme.HEIGHT);
         g.dispose();
         float[] rgb = new float[3 * width * height];
         int i = 0;
@@ -77,8 +77,8 @@ public final class Chart {
         context.setPrecision(DECIMALS);
         context.setComment(null);
         SVGGraphics2D g = new SVGGraphics2D(context, false);
-        g.setSVGCanvasSize(new Dimension(Look.WIDTH, Look.HEIGHT));
-        chart.paint(g, Look.WIDTH, Look.HEIGHT);
+        g.setSVGCanvasSize(new Dimension(ChartTheme.WIDTH, ChartTheme.HEIGHT));
+        chart.paint(g, ChartTheme.WIDTH, ChartTheme.HEIGHT);
         StringWriter text = new StringWriter();
         g.stream(text, true);
         return text.toString();

@@ -38,7 +38,7 @@ final class SweepChart {
     private static Chart errors(SweepResult result, int threads) {
         String name = result.sweep().name();
         String title = name + " with " + result.method() + ": what each notch costs and buys";
-        XYChart chart = Look.chart(
+        XYChart chart = ChartTheme.chart(
                 title,
                 "time for the picture in seconds by the clock, " + threads + (threads == 1 ? " thread" : " threads"),
                 "error (RMSE, 1 = black against white)");
@@ -47,7 +47,7 @@ final class SweepChart {
         double[] x = points.stream().mapToDouble(p -> p.wall().median()).toArray();
         double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
         series(chart, name, x, y, 0);
-        Look.logarithmic(chart, x, y);
+        ChartTheme.logarithmic(chart, x, y);
         chart.getStyler().setLegendVisible(false);
         double lift =
                 Math.pow(chart.getStyler().getYAxisMax() / chart.getStyler().getYAxisMin(), LIFT);
@@ -60,7 +60,7 @@ final class SweepChart {
 
     private static Chart threads(SweepResult result) {
         String title = "threads with " + result.method() + ": time against threads";
-        XYChart chart = Look.chart(title, "threads", "time for the picture in seconds by the clock");
+        XYChart chart = ChartTheme.chart(title, "threads", "time for the picture in seconds by the clock");
         double[] x =
                 result.points().stream().mapToDouble(SweepResult.Point::value).toArray();
         double[] y =
@@ -71,20 +71,20 @@ final class SweepChart {
         }
         series(chart, "measured", x, y, 0);
         XYSeries line = chart.addSeries("if all threads helped alike", x, ideal);
-        line.setMarker(SeriesMarkers.NONE).setLineColor(Look.QUIET).setLineStyle(Look.dashes());
-        chart.getStyler().setYAxisMin(0.0).setYAxisMax(1.15 * Look.highest(y));
+        line.setMarker(SeriesMarkers.NONE).setLineColor(ChartTheme.QUIET).setLineStyle(ChartTheme.dashes());
+        chart.getStyler().setYAxisMin(0.0).setYAxisMax(1.15 * ChartTheme.highest(y));
         chart.getStyler().setXAxisMin(x[0] - 0.5).setXAxisMax(x[x.length - 1] + 0.5);
         chart.getStyler()
                 .setXAxisTickLabelsFormattingFunction(
-                        v -> Look.isNear(v, Math.rint(v)) ? Look.number(Math.rint(v)) : " ");
-        chart.getStyler().setYAxisTickLabelsFormattingFunction(Look::number);
+                        v -> ChartTheme.isNear(v, Math.rint(v)) ? ChartTheme.number(Math.rint(v)) : " ");
+        chart.getStyler().setYAxisTickLabelsFormattingFunction(ChartTheme::number);
         chart.getStyler().setLegendPosition(Styler.LegendPosition.InsideNE);
         return new Chart(name(result.sweep()), title + ". The numbers are in the table below.", chart);
     }
 
     private static void series(XYChart chart, String name, double[] x, double[] y, int i) {
         XYSeries series = chart.addSeries(name, x, y);
-        series.setMarker(Look.marker(i)).setMarkerColor(Look.color(i));
-        series.setLineColor(Look.color(i)).setLineWidth(LINE);
+        series.setMarker(ChartTheme.marker(i)).setMarkerColor(ChartTheme.color(i));
+        series.setLineColor(ChartTheme.color(i)).setLineWidth(LINE);
     }
 }

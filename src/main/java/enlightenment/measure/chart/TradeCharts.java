@@ -101,7 +101,7 @@ public final class TradeCharts {
             ToDoubleFunction<Curve.Point> xOfPoint,
             Function<Curve, Optional<PowerLaw>> fit) {
         double variance = result.reference().variance();
-        XYChart chart = Look.chart(title, xTitle, "error (RMSE, 1 = black against white)");
+        XYChart chart = ChartTheme.chart(title, xTitle, "error (RMSE, 1 = black against white)");
         List<Double> allX = new ArrayList<>();
         List<Double> allY = new ArrayList<>();
         List<Curve> curves = shown(result);
@@ -136,7 +136,7 @@ public final class TradeCharts {
         }
         double[] x = allX.stream().mapToDouble(Double::doubleValue).toArray();
         double[] y = allY.stream().mapToDouble(Double::doubleValue).toArray();
-        Look.logarithmic(chart, x, y);
+        ChartTheme.logarithmic(chart, x, y);
         targets(chart, x, y);
         return Optional.of(new Chart(name, title + ". The numbers are in the tables below.", chart));
     }
@@ -170,15 +170,15 @@ public final class TradeCharts {
 
     private static void line(XYChart chart, String name, double[] x, double[] y, int i) {
         XYSeries series = chart.addSeries(name, x, y);
-        series.setMarker(Look.marker(i)).setMarkerColor(Look.color(i));
-        series.setLineColor(Look.color(i)).setLineWidth(LINE);
+        series.setMarker(ChartTheme.marker(i)).setMarkerColor(ChartTheme.color(i));
+        series.setLineColor(ChartTheme.color(i)).setLineWidth(LINE);
     }
 
     /** Every run on its own: how far they lie apart is what chance and neighbours do. */
     private static void dots(XYChart chart, String name, double[] x, double[] y, int i) {
         XYSeries series = chart.addSeries(name, x, y);
         series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
-        series.setMarker(i == 0 ? SeriesMarkers.PLUS : SeriesMarkers.CROSS).setMarkerColor(Look.color(i));
+        series.setMarker(i == 0 ? SeriesMarkers.PLUS : SeriesMarkers.CROSS).setMarkerColor(ChartTheme.color(i));
         series.setShowInLegend(false);
     }
 
@@ -191,7 +191,9 @@ public final class TradeCharts {
                     && target < chart.getStyler().getYAxisMax()) {
                 String name = Digits.samples(PERCENT * target) + " %";
                 XYSeries series = chart.addSeries(name, new double[] {left, right}, new double[] {target, target});
-                series.setMarker(SeriesMarkers.NONE).setLineColor(Look.QUIET).setLineStyle(Look.dashes());
+                series.setMarker(SeriesMarkers.NONE)
+                        .setLineColor(ChartTheme.QUIET)
+                        .setLineStyle(ChartTheme.dashes());
                 series.setShowInLegend(false);
                 // In the logarithm a little above the line, at the left end.
                 double place = left * Math.pow(right / left, 0.04);

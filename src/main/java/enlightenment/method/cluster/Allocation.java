@@ -49,7 +49,7 @@ final class Allocation {
     }
 
     /**
-     * Binary logarithm of the number of samples for a pixel that needs so much ({@link Needs}); one sample where nothing is
+     * Binary logarithm of the number of samples for a pixel that needs so much ({@link SampleDemand}); one sample where nothing is
      * needed at all, which is known of empty blocks only.
      *
      * @param dither the pixel's threshold, 0..1

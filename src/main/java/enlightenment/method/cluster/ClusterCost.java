@@ -151,7 +151,7 @@ public final class ClusterCost {
         }
     }
 
-    /** What the pixels of some blocks need, as {@link Needs} says it. */
+    /** What the pixels of some blocks need, as {@link SampleDemand} says it. */
     private static final class Needed {
         private static final int PIXELS = Block.SIDE * Block.SIDE;
 
@@ -182,7 +182,7 @@ public final class ClusterCost {
 
         /** Takes over what a block was found to need. */
         void set(int index, Block block, ClusterMethod method) {
-            Needs needs = method.needs();
+            SampleDemand needs = method.needs();
             int n = PIXELS * index;
             for (int j = 0; j < block.height(); j++) {
                 for (int i = 0; i < block.width(); i++) {

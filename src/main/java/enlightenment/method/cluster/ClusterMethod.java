@@ -44,7 +44,7 @@ public final class ClusterMethod implements TileMethod {
     private final Allocation allocation;
     private final ClassicShader shader;
     private final Survey survey;
-    private final Needs needs = new Needs();
+    private final SampleDemand needs = new SampleDemand();
     private final ClusterGuide guide;
     private final ClusterRecorder recorder;
     private final Ray ray = new Ray();
@@ -180,7 +180,7 @@ public final class ClusterMethod implements TileMethod {
         }
     }
 
-    Needs needs() {
+    SampleDemand needs() {
         return needs;
     }
 

@@ -12,7 +12,7 @@ final class Evidence {
     /** How much more a touching pixel tells than one that is further away. */
     private static final double NEAR = 8;
 
-    /** Of what others hide, how much a pixel needs: {@link Needs} counts an edge about six times what it leaves of variance. */
+    /** Of what others hide, how much a pixel needs: {@link SampleDemand} counts an edge about six times what it leaves of variance. */
     private static final double OF_QUIET = 6;
 
     /** The same of pixels whose corners differ; their own corners tell more about most of them. */
@@ -44,7 +44,7 @@ final class Evidence {
      * @param samePath whether it met what all the corners of its pixel met
      * @param lightPoints how many points of each light it took
      */
-    static double of(double[] color, boolean samePath, Needs needs, int pixel, int lightPoints) {
+    static double of(double[] color, boolean samePath, SampleDemand needs, int pixel, int lightPoints) {
         double squared = (color[0] * color[0] + color[1] * color[1] + color[2] * color[2]) / 3;
         // Where lights are partly hidden their noise is no news.
         if (!samePath) {
@@ -66,7 +66,7 @@ final class Evidence {
     }
 
     /** Lets what the other pixels hide raise the needs of each. */
-    void raise(Needs needs, Block block) {
+    void raise(SampleDemand needs, Block block) {
         if (sums[0] <= 0 && sums[1] <= 0) {
             return;
         }

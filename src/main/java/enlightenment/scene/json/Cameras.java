@@ -11,7 +11,7 @@ final class Cameras {
     private Cameras() {}
 
     /** The camera, or null after a problem. */
-    static Camera read(JsonValue v, Place place, Values values) {
+    static Camera read(JsonValue v, JsonPointer place, Values values) {
         Fields f = Fields.of(v, place, FAMILY, null, values);
         if (f == null) {
             return null;

@@ -17,11 +17,11 @@ import java.util.function.Supplier;
  */
 final class Fields {
     private final JsonValue.Obj object;
-    private final Place place;
+    private final JsonPointer place;
     private final Values values;
     private final int problemsBefore;
 
-    private Fields(JsonValue.Obj object, Place place, Values values, int problemsBefore) {
+    private Fields(JsonValue.Obj object, JsonPointer place, Values values, int problemsBefore) {
         this.object = object;
         this.place = place;
         this.values = values;
@@ -29,12 +29,12 @@ final class Fields {
     }
 
     /** A part with these keys; null after a problem where the value is no object. */
-    static Fields of(JsonValue v, Place place, Keys keys, Values values) {
+    static Fields of(JsonValue v, JsonPointer place, Keys keys, Values values) {
         return of(v, place, keys, List.of(), values);
     }
 
     /** A part with these keys; {@code planned} are keys that the format will have. */
-    static Fields of(JsonValue v, Place place, Keys keys, Collection<String> planned, Values values) {
+    static Fields of(JsonValue v, JsonPointer place, Keys keys, Collection<String> planned, Values values) {
         int before = values.problems().count();
         JsonValue.Obj o = values.object(v, place, keys.noun());
         if (o == null) {
@@ -50,7 +50,7 @@ final class Fields {
             String noun, Map<String, Keys> types, Collection<String> plannedTypes, Collection<String> plannedKeys) {}
 
     /** A part whose {@code "type"} says which keys it has; null after a problem where it has none. */
-    static Fields of(JsonValue v, Place place, Family family, String typeUnlessGiven, Values values) {
+    static Fields of(JsonValue v, JsonPointer place, Family family, String typeUnlessGiven, Values values) {
         int before = values.problems().count();
         JsonValue.Obj o = values.object(v, place, family.noun());
         if (o == null) {
@@ -94,7 +94,7 @@ final class Fields {
         }
     }
 
-    Place at(String key) {
+    JsonPointer at(String key) {
         return place.child(key);
     }
 
@@ -195,8 +195,8 @@ final class Fields {
             return maker.get();
         } catch (InvalidValueException e) {
             String key = e.key();
-            List<String> tokens = key.isEmpty() ? List.of() : Place.parse("/" + key);
-            values.problems().add(Place.nearest(object, tokens), place.descend(key), e.problem());
+            List<String> tokens = key.isEmpty() ? List.of() : JsonPointer.parse("/" + key);
+            values.problems().add(JsonPointer.nearest(object, tokens), place.descend(key), e.problem());
             return null;
         }
     }

@@ -14,7 +14,7 @@ final class Lights {
     private Lights() {}
 
     /** The lights that have no problems. */
-    static List<Light> read(JsonValue v, Place place, Values values) {
+    static List<Light> read(JsonValue v, JsonPointer place, Values values) {
         List<Light> lights = new ArrayList<>();
         JsonValue.Arr a = values.array(v, place, -1, "an array of lights");
         for (int i = 0; a != null && i < a.size(); i++) {

@@ -23,7 +23,7 @@ final class Materials {
     }
 
     /** Reads the part {@code materials}. */
-    void readNamed(JsonValue v, Place place) {
+    void readNamed(JsonValue v, JsonPointer place) {
         JsonValue.Obj o = values.object(v, place, "materials by their names");
         for (int i = 0; o != null && i < o.size(); i++) {
             named.put(o.key(i), inline(o.value(i), place.child(o.key(i))));
@@ -35,7 +35,7 @@ final class Materials {
     }
 
     /** A name or a material; null after a problem, here or where the material has its name. */
-    Material use(JsonValue v, Place place) {
+    Material use(JsonValue v, JsonPointer place) {
         if (v instanceof JsonValue.Str s) {
             Material material = named.get(s.text);
             if (material == null && !named.containsKey(s.text)) {
@@ -56,7 +56,7 @@ final class Materials {
         return null;
     }
 
-    private Material inline(JsonValue v, Place place) {
+    private Material inline(JsonValue v, JsonPointer place) {
         Fields f = Fields.of(v, place, FAMILY, null, values);
         if (f == null) {
             return null;

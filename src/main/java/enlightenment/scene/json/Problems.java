@@ -30,7 +30,7 @@ final class Problems {
         return count;
     }
 
-    void add(JsonValue at, Place place, String message) {
+    void add(JsonValue at, JsonPointer place, String message) {
         add(at.line, at.column, place.toString(), message);
     }
 

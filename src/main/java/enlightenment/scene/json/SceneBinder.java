@@ -32,7 +32,7 @@ final class SceneBinder {
 
     /** The scene at a frame, or as it is written; null after a problem. */
     Scene bind(JsonValue root, OptionalInt frame) {
-        Fields f = Fields.of(root, Place.ROOT, Vocabulary.SCENE, values);
+        Fields f = Fields.of(root, JsonPointer.ROOT, Vocabulary.SCENE, values);
         if (f == null) {
             return null;
         }

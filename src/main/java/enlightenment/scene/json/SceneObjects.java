@@ -48,7 +48,7 @@ final class SceneObjects {
     }
 
     /** The objects that have no problems. */
-    List<SceneObject> read(JsonValue v, Place place) {
+    List<SceneObject> read(JsonValue v, JsonPointer place) {
         JsonValue.Arr a = values.array(v, place, -1, "an array of objects");
         List<SceneObject> objects = new ArrayList<>(a == null ? 0 : a.size());
         for (int i = 0; a != null && i < a.size(); i++) {

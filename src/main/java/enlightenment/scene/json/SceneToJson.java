@@ -62,7 +62,7 @@ final class SceneToJson {
     }
 
     JsonValue json() {
-        Part root = new Part(Place.ROOT, targets);
+        JsonObjectBuilder root = new JsonObjectBuilder(JsonPointer.ROOT, targets);
         if (!scene.name().isEmpty()) {
             root.text("name", scene.name());
         }
@@ -89,13 +89,13 @@ final class SceneToJson {
         return root.json();
     }
 
-    private static void putUnlessEmpty(Part root, String key, Part part) {
+    private static void putUnlessEmpty(JsonObjectBuilder root, String key, JsonObjectBuilder part) {
         if (!part.isEmpty()) {
             root.put(key, part.json());
         }
     }
 
-    private static JsonValue camera(Camera camera, Part p) {
+    private static JsonValue camera(Camera camera, JsonObjectBuilder p) {
         p.text("type", camera.type());
         if (camera instanceof Camera.Window w) {
             p.point("eye", w.eye()).point("lowerLeft", w.lowerLeft()).point("upperLeft", w.upperLeft());
@@ -113,14 +113,14 @@ final class SceneToJson {
         return p.json();
     }
 
-    private static JsonValue shading(ClassicShading s, Part p) {
+    private static JsonValue shading(ClassicShading s, JsonObjectBuilder p) {
         p.text("model", "classic").number("ambient", s.ambient()).number("shadow", s.shadow());
         p.colorUnless(ClassicShading.DEFAULT.background(), "background", s.background());
         return p.wholeUnless(ClassicShading.DEFAULT.maxBounces(), "maxBounces", s.maxBounces())
                 .json();
     }
 
-    private static JsonValue render(RenderDefaults r, Part p) {
+    private static JsonValue render(RenderDefaults r, JsonObjectBuilder p) {
         if (!Vocabulary.METHODS.contains(r.method())) {
             throw SceneException.of(
                     "/render/method",
@@ -131,7 +131,7 @@ final class SceneToJson {
         return p.wholeUnless(0, "seed", r.seed()).json();
     }
 
-    private static JsonValue light(Light light, Part p) {
+    private static JsonValue light(Light light, JsonObjectBuilder p) {
         p.text("type", light.type());
         if (light instanceof Light.Sphere s) {
             p.point("center", s.center()).number("radius", s.radius());
@@ -143,13 +143,13 @@ final class SceneToJson {
         return p.color("color", light.color()).json();
     }
 
-    private Part textures() {
-        Part all = new Part(Place.ROOT.child("textures"), targets);
+    private JsonObjectBuilder textures() {
+        JsonObjectBuilder all = new JsonObjectBuilder(JsonPointer.ROOT.child("textures"), targets);
         textures.forEach((name, texture) -> all.put(name, texture(texture, all.child(name))));
         return all;
     }
 
-    private JsonValue texture(Texture texture, Part p) {
+    private JsonValue texture(Texture texture, JsonObjectBuilder p) {
         if (texture instanceof Texture.File f) {
             p.text("file", fileNames.apply(f.file()));
             if (f.filter() != Texture.Filter.BILINEAR) {
@@ -177,13 +177,13 @@ final class SceneToJson {
         };
     }
 
-    private Part materials() {
-        Part all = new Part(Place.ROOT.child("materials"), targets);
+    private JsonObjectBuilder materials() {
+        JsonObjectBuilder all = new JsonObjectBuilder(JsonPointer.ROOT.child("materials"), targets);
         scene.materials().forEach((name, material) -> all.put(name, material(material, all.child(name))));
         return all;
     }
 
-    private JsonValue material(Material material, Part p) {
+    private JsonValue material(Material material, JsonObjectBuilder p) {
         p.text("type", material.type());
         Texture color = material.color();
         if (color instanceof Texture.Solid s && (p.animated("color") || !textureNames.containsKey(color))) {
@@ -200,7 +200,7 @@ final class SceneToJson {
         return p.flagUnless(true, "receivesShadows", material.receivesShadows()).json();
     }
 
-    private JsonValue object(SceneObject object, Part p) {
+    private JsonValue object(SceneObject object, JsonObjectBuilder p) {
         if (!object.name().isEmpty()) {
             p.text("name", object.name());
         }
@@ -220,17 +220,17 @@ final class SceneToJson {
         return p.json();
     }
 
-    private JsonValue use(Material material, Part p, boolean animated) {
+    private JsonValue use(Material material, JsonObjectBuilder p, boolean animated) {
         String name = materialNames.get(material);
         return name == null || animated ? material(material, p) : new JsonValue.Str(0, 0, name);
     }
 
-    private static JsonValue animation(Animation animation, Part p) {
+    private static JsonValue animation(Animation animation, JsonObjectBuilder p) {
         p.whole("frames", animation.frames()).number("framesPerSecond", animation.framesPerSecond());
         List<JsonValue> tracks = new ArrayList<>();
         for (Animation.Track track : animation.tracks()) {
-            Part t = p.child("tracks", tracks.size());
-            Part keys = t.child("keys");
+            JsonObjectBuilder t = p.child("tracks", tracks.size());
+            JsonObjectBuilder keys = t.child("keys");
             // Not shortened: keys are equal only with all their digits.
             track.keys().forEach((frame, v) -> keys.put(frame.toString(), new JsonValue.Num(0, 0, v.toString())));
             tracks.add(t.text("target", track.target()).put("keys", keys.json()).json());

@@ -65,7 +65,7 @@ public final class SceneWriter {
         JsonValue root = JsonTree.parse(() -> new StringReader(json), problems);
         problems.throwIfAny();
         new Tracks(root, new Values(problems))
-                .read(((JsonValue.Obj) root).get("animation"), Place.ROOT.child("animation"));
+                .read(((JsonValue.Obj) root).get("animation"), JsonPointer.ROOT.child("animation"));
         problems.throwIfAny();
     }
 }

@@ -17,7 +17,7 @@ final class ShapeToJson {
     private ShapeToJson() {}
 
     /** Puts the shape's type and keys into an object's part. */
-    static void put(Shape shape, Part p) {
+    static void put(Shape shape, JsonObjectBuilder p) {
         p.text("type", shape.type());
         if (shape instanceof Sphere s) {
             p.point("center", s.center()).number("radius", s.radius()).numberUnless(0, "rotation", s.rotation());

@@ -41,7 +41,7 @@ final class Textures {
     }
 
     /** Reads the part {@code textures}. */
-    void readNamed(JsonValue v, Place place) {
+    void readNamed(JsonValue v, JsonPointer place) {
         JsonValue.Obj o = values.object(v, place, "textures by their names");
         for (int i = 0; o != null && i < o.size(); i++) {
             named.put(o.key(i), texture(o.value(i), place.child(o.key(i))));
@@ -53,7 +53,7 @@ final class Textures {
     }
 
     /** The colour of a material; null after a problem, here or where the texture has its name. */
-    Texture color(JsonValue v, Place place) {
+    Texture color(JsonValue v, JsonPointer place) {
         int before = values.problems().count();
         if (!(v instanceof JsonValue.Obj)) {
             DisplayRgb c = values.color(v, place, COLOR);
@@ -70,7 +70,7 @@ final class Textures {
         return null;
     }
 
-    private Texture texture(JsonValue v, Place place) {
+    private Texture texture(JsonValue v, JsonPointer place) {
         Fields f = Fields.of(v, place, FAMILY, "file", values);
         if (f == null) {
             return null;

@@ -37,7 +37,7 @@ final class Tracks {
     }
 
     /** The animation; null after a problem. */
-    Animation read(JsonValue v, Place place) {
+    Animation read(JsonValue v, JsonPointer place) {
         Fields f = Fields.of(v, place, Vocabulary.ANIMATION, values);
         if (f == null) {
             return null;
@@ -65,7 +65,7 @@ final class Tracks {
         JsonValue v = f.get("keys");
         JsonValue.Obj o = v == null ? null : values.object(v, f.at("keys"), "values by frames");
         for (int i = 0; o != null && i < o.size(); i++) {
-            Place place = f.at("keys").child(o.key(i));
+            JsonPointer place = f.at("keys").child(o.key(i));
             if (isFrame(o.key(i))) {
                 keys.put(Integer.parseInt(o.key(i)), values.exact(o.value(i), place));
             } else {
@@ -85,14 +85,14 @@ final class Tracks {
     }
 
     private void checkTarget(Fields f, String target) {
-        List<String> tokens = Place.parse(target);
+        List<String> tokens = JsonPointer.parse(target);
         if (tokens == null) {
             f.problem(
                     "target",
                     "must be a JSON pointer such as \"/objects/0/center/1\", not " + JsonValue.quoted(target));
             return;
         }
-        JsonValue found = Place.resolve(root, tokens);
+        JsonValue found = JsonPointer.resolve(root, tokens);
         if (!(found instanceof JsonValue.Num)) {
             String what = found == null ? "there is nothing" : "there is " + found.describe();
             f.problem("target", "must lead to a number of this file, but at " + JsonValue.quoted(target) + " " + what);
@@ -106,10 +106,10 @@ final class Tracks {
     /** Puts the numbers of a frame in place of those that are written. */
     static void apply(Animation animation, int frame, JsonValue root) {
         for (Animation.Track track : animation.tracks()) {
-            List<String> tokens = Place.parse(track.target());
+            List<String> tokens = JsonPointer.parse(track.target());
             String last = tokens.get(tokens.size() - 1);
-            JsonValue parent = Place.resolve(root, tokens.subList(0, tokens.size() - 1));
-            JsonValue old = Place.resolve(root, tokens);
+            JsonValue parent = JsonPointer.resolve(root, tokens.subList(0, tokens.size() - 1));
+            JsonValue old = JsonPointer.resolve(root, tokens);
             String text = valueAt(track.keys(), frame).toString();
             JsonValue number = new JsonValue.Num(old.line, old.column, text);
             if (parent instanceof JsonValue.Obj o) {

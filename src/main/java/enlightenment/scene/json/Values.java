@@ -26,16 +26,16 @@ final class Values {
     }
 
     /** A finite double, correctly rounded from the decimal; NaN after a problem. */
-    double number(JsonValue v, Place place) {
+    double number(JsonValue v, JsonPointer place) {
         return isNumber(v, place, "a number") ? Double.parseDouble(((JsonValue.Num) v).text) : Double.NaN;
     }
 
     /** An exact number that a double can hold; zero after a problem. */
-    BigDecimal exact(JsonValue v, Place place) {
+    BigDecimal exact(JsonValue v, JsonPointer place) {
         return isNumber(v, place, "a number") ? Numbers.exact(((JsonValue.Num) v).text) : BigDecimal.ZERO;
     }
 
-    private boolean isNumber(JsonValue v, Place place, String expected) {
+    private boolean isNumber(JsonValue v, JsonPointer place, String expected) {
         if (!(v instanceof JsonValue.Num n)) {
             problems.add(v, place, "must be " + expected + ", not " + v.describe());
             return false;
@@ -48,7 +48,7 @@ final class Values {
     }
 
     /** A whole number between two limits; the lower limit after a problem. */
-    long integer(JsonValue v, Place place, long min, long max) {
+    long integer(JsonValue v, JsonPointer place, long min, long max) {
         String expected = "a whole number in " + min + ".." + max;
         if (!isNumber(v, place, expected)) {
             return min;
@@ -66,7 +66,7 @@ final class Values {
     }
 
     /** true or false; false after a problem. */
-    boolean flag(JsonValue v, Place place) {
+    boolean flag(JsonValue v, JsonPointer place) {
         if (v instanceof JsonValue.Bool b) {
             return b.value;
         }
@@ -75,7 +75,7 @@ final class Values {
     }
 
     /** A text; null after a problem. */
-    String text(JsonValue v, Place place, String expected) {
+    String text(JsonValue v, JsonPointer place, String expected) {
         if (v instanceof JsonValue.Str s) {
             return s.text;
         }
@@ -84,7 +84,7 @@ final class Values {
     }
 
     /** One of some words; null after a problem. */
-    String word(JsonValue v, Place place, Collection<String> words, Collection<String> planned) {
+    String word(JsonValue v, JsonPointer place, Collection<String> words, Collection<String> planned) {
         if (!(v instanceof JsonValue.Str s)) {
             problems.add(v, place, "must be one of " + Suggestion.list(words) + ", not " + v.describe());
             return null;
@@ -103,7 +103,7 @@ final class Values {
     }
 
     /** An array of a certain length; null after a problem. */
-    JsonValue.Arr array(JsonValue v, Place place, int length, String expected) {
+    JsonValue.Arr array(JsonValue v, JsonPointer place, int length, String expected) {
         if (v instanceof JsonValue.Arr a && (length < 0 || a.size() == length)) {
             return a;
         }
@@ -112,7 +112,7 @@ final class Values {
     }
 
     /** An object that is some part of a scene; null after a problem. */
-    JsonValue.Obj object(JsonValue v, Place place, String noun) {
+    JsonValue.Obj object(JsonValue v, JsonPointer place, String noun) {
         if (v instanceof JsonValue.Obj o) {
             return o;
         }
@@ -121,7 +121,7 @@ final class Values {
     }
 
     /** An exact position; the origin after a problem. */
-    ExactPoint point(JsonValue v, Place place) {
+    ExactPoint point(JsonValue v, JsonPointer place) {
         JsonValue.Arr a = array(v, place, 3, "a position [x, y, z]");
         if (a == null) {
             return ExactPoint.ORIGIN;
@@ -131,7 +131,7 @@ final class Values {
     }
 
     /** Three doubles; zeros after a problem. */
-    Vec3 vector(JsonValue v, Place place, String expected) {
+    Vec3 vector(JsonValue v, JsonPointer place, String expected) {
         JsonValue.Arr a = array(v, place, 3, expected);
         if (a == null) {
             return Vec3.ZERO;
@@ -141,12 +141,12 @@ final class Values {
     }
 
     /** A colour without texture: a word ({@link #named}) or {@code [r, g, b]}; black after a problem. */
-    DisplayRgb color(JsonValue v, Place place) {
+    DisplayRgb color(JsonValue v, JsonPointer place) {
         return color(v, place, COLOR + ", or [r, g, b] with components in 0..1");
     }
 
     /** The same, where more than that is allowed and the message is to say so. */
-    DisplayRgb color(JsonValue v, Place place, String expected) {
+    DisplayRgb color(JsonValue v, JsonPointer place, String expected) {
         if (v instanceof JsonValue.Str s) {
             int rgb = named(s.text);
             if (rgb < 0) {
@@ -176,7 +176,7 @@ final class Values {
         return ColorNames.ALL.getOrDefault(text, -1);
     }
 
-    private double component(JsonValue.Arr a, int i, Place place) {
+    private double component(JsonValue.Arr a, int i, JsonPointer place) {
         double c = number(a.get(i), place.child(i));
         if (c < 0 || c > 1) {
             problems.add(a.get(i), place.child(i), "must be a colour component in 0..1, not " + c);

@@ -10,10 +10,10 @@ import org.junit.jupiter.api.Test;
 class EvidenceTest {
     private static final Block BLOCK = new Block(0, 0, 8, 8);
 
-    /** Needs of a block whose pixels are told these surprises; pixels of the first two columns have corners that differ. */
+    /** SampleDemand of a block whose pixels are told these surprises; pixels of the first two columns have corners that differ. */
     private static double[] raised(Block block, double[] surprise, double before) {
         Evidence evidence = new Evidence();
-        Needs needs = new Needs();
+        SampleDemand needs = new SampleDemand();
         evidence.begin();
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {

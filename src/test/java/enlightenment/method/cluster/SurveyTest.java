@@ -45,8 +45,8 @@ class SurveyTest {
         return survey;
     }
 
-    private static Needs needs(Survey survey, Block block) {
-        Needs needs = new Needs();
+    private static SampleDemand needs(Survey survey, Block block) {
+        SampleDemand needs = new SampleDemand();
         needs.of(survey, block);
         return needs;
     }
@@ -87,7 +87,7 @@ class SurveyTest {
         Block block = new Block(8, 8, 8, 8);
         Survey survey = survey(scene, block);
         assertEquals(1, survey.rays());
-        Needs needs = needs(survey, block);
+        SampleDemand needs = needs(survey, block);
         for (int k = 0; k < 64; k++) {
             assertEquals(0, needs.film[k] + needs.edge[k] + needs.light[k]);
         }
@@ -103,7 +103,7 @@ class SurveyTest {
                 .build();
         Block block = new Block(0, 0, 8, 8);
         Survey survey = survey(scene, block);
-        Needs needs = needs(survey, block);
+        SampleDemand needs = needs(survey, block);
         for (int k = 0; k < 64; k++) {
             assertEquals(0, needs.film[k]);
             assertEquals(0, needs.light[k]);
@@ -125,7 +125,7 @@ class SurveyTest {
                 survey.rgb[3 * k + c] = (5 + k % 9 * (c + 1) - k / 9 * 2) / 64.0;
             }
         }
-        Needs needs = needs(survey, block);
+        SampleDemand needs = needs(survey, block);
         for (int k = 0; k < 64; k++) {
             assertEquals(0, needs.film[k]);
         }
@@ -139,7 +139,7 @@ class SurveyTest {
             double bend = k % 9 * (k % 9) / 64.0;
             survey.rgb[3 * k] = survey.rgb[3 * k + 1] = survey.rgb[3 * k + 2] = bend;
         }
-        Needs needs = needs(survey, block);
+        SampleDemand needs = needs(survey, block);
         // Second differences are 2/64 everywhere: 0.1 + 0.003 of their squares.
         for (int k = 0; k < 64; k++) {
             assertEquals(0.103 / 1024, needs.film[k], 1e-12);
@@ -155,7 +155,7 @@ class SurveyTest {
                 .object(TestScenes.rectangle(edge, -2, 0, edge, 2, 0, 2, 2, 0, 2, -2, 0), TestScenes.matte(1, 1, 1))
                 .build();
         Block block = new Block(0, 0, 8, 8);
-        Needs needs = needs(survey(scene, block), block);
+        SampleDemand needs = needs(survey(scene, block), block);
         double most = 0;
         double least = 1;
         for (int j = 0; j < 8; j++) {

@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /** Files that will be written: checked before the work, so that an hour's render does not end in a wrong folder. */
-final class Target {
-    private Target() {}
+final class OutputFile {
+    private OutputFile() {}
 
     /** Fails unless the file can be written there, as far as can be told without trying. */
     static void check(Path file) {

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class JournalTest {
+class CheckpointJournalTest {
     private static final ContentHash JOB = ContentHash.of(new byte[] {1});
     private static final ContentHash OTHER = ContentHash.of(new byte[] {2});
     private static final int TILES = 10;
@@ -43,7 +43,7 @@ class JournalTest {
 
     private List<String> open(ContentHash job) throws IOException {
         List<String> found = new ArrayList<>();
-        Journal.open(file, job, TILES, 0, r -> found.add(text(r))).close();
+        CheckpointJournal.open(file, job, TILES, 0, r -> found.add(text(r))).close();
         return found;
     }
 
@@ -54,11 +54,11 @@ class JournalTest {
     }
 
     private static List<String> texts(List<JournalRecord> records) {
-        return records.stream().map(JournalTest::text).toList();
+        return records.stream().map(CheckpointJournalTest::text).toList();
     }
 
     private byte[] write() throws IOException {
-        try (Journal journal = Journal.open(file, JOB, TILES, 0, r -> {})) {
+        try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, 0, r -> {})) {
             for (JournalRecord record : RECORDS) {
                 journal.append(0, record);
             }
@@ -88,7 +88,7 @@ class JournalTest {
             int length = cut;
             int complete = (int) ends.stream().filter(end -> end <= length).count();
             List<String> found = new ArrayList<>();
-            try (Journal journal = Journal.open(file, JOB, TILES, 0, r -> found.add(text(r)))) {
+            try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, 0, r -> found.add(text(r)))) {
                 int good = complete == 0 ? JournalFormat.START : ends.get(complete - 1);
                 assertEquals(Math.max(cut - good, 0), journal.cutBytes(), "cut at " + cut);
                 journal.append(0, more);
@@ -129,7 +129,7 @@ class JournalTest {
                 String place = "bit " + bit + " of byte " + at;
                 assertEquals(texts(rest), open(JOB), place);
                 boolean isLast = lost == RECORDS.size() - 1;
-                try (Journal journal = Journal.open(file, JOB, TILES, 0, r -> {})) {
+                try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, 0, r -> {})) {
                     assertEquals(lost < 0 || isLast ? 0 : 1, journal.gaps(), place);
                     journal.append(0, RECORDS.get(0));
                 }
@@ -175,7 +175,7 @@ class JournalTest {
         List<byte[]> signs = new ArrayList<>();
         for (int i = 0; i < 2; i++) {
             Files.deleteIfExists(file);
-            try (Journal journal = Journal.open(file, JOB, TILES, 0, r -> {})) {
+            try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, 0, r -> {})) {
                 journal.append(0, new JournalRecord.Kept(0, Peers.machine("liar"), planted));
                 journal.append(0, new JournalRecord.Revoked(1));
             }
@@ -196,7 +196,7 @@ class JournalTest {
             damaged[at] ^= 4;
             damaged[JournalFormat.HEADER_BYTES + at] ^= 8;
             Files.write(file, damaged);
-            assertThrows(Journal.JournalException.class, () -> open(JOB), "byte " + at);
+            assertThrows(CheckpointJournal.JournalException.class, () -> open(JOB), "byte " + at);
             assertArrayEquals(damaged, Files.readAllBytes(file));
         }
     }
@@ -217,8 +217,8 @@ class JournalTest {
     void aCheckpointOfAnotherVersionIsRefusedByThatNameAndLeftAsItIs() throws IOException {
         byte[] old = Arrays.copyOf("ENLJRN01".getBytes(), 48);
         Files.write(file, old);
-        String message =
-                assertThrows(Journal.JournalException.class, () -> open(JOB)).getMessage();
+        String message = assertThrows(CheckpointJournal.JournalException.class, () -> open(JOB))
+                .getMessage();
         assertTrue(message.contains("is a checkpoint of another version"), message);
         assertArrayEquals(old, Files.readAllBytes(file));
     }
@@ -237,8 +237,8 @@ class JournalTest {
     @Test
     void theJournalOfAnotherJobIsRefusedWithBothHashes() throws IOException {
         byte[] whole = write();
-        String message =
-                assertThrows(Journal.JournalException.class, () -> open(OTHER)).getMessage();
+        String message = assertThrows(CheckpointJournal.JournalException.class, () -> open(OTHER))
+                .getMessage();
         assertTrue(message.contains(JOB.toString()), message);
         assertTrue(message.contains(OTHER.toString()), message);
         assertArrayEquals(whole, Files.readAllBytes(file));
@@ -248,17 +248,17 @@ class JournalTest {
     void aFileThatIsNoJournalIsNotTouched() throws IOException {
         byte[] letter = "Dear Ryan, here is the picture of the spheres that you wanted to see.".getBytes();
         Files.write(file, letter);
-        String message =
-                assertThrows(Journal.JournalException.class, () -> open(JOB)).getMessage();
+        String message = assertThrows(CheckpointJournal.JournalException.class, () -> open(JOB))
+                .getMessage();
         assertTrue(message.contains("is not a checkpoint"), message);
         assertArrayEquals(letter, Files.readAllBytes(file));
     }
 
     @Test
     void twoServersCannotHaveTheSameJournal() throws IOException {
-        Journal first = Journal.open(file, JOB, TILES, 0, r -> {});
+        CheckpointJournal first = CheckpointJournal.open(file, JOB, TILES, 0, r -> {});
         try (first) {
-            String message = assertThrows(Journal.JournalException.class, () -> open(JOB))
+            String message = assertThrows(CheckpointJournal.JournalException.class, () -> open(JOB))
                     .getMessage();
             assertTrue(message.contains("in use"), message);
         }
@@ -269,7 +269,7 @@ class JournalTest {
     void writesAreForcedAtMostEveryFifthOfASecond() throws IOException {
         long millis = 1_000_000;
         long start = Long.MAX_VALUE - 100 * millis;
-        try (Journal journal = Journal.open(file, JOB, TILES, start, r -> {})) {
+        try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, start, r -> {})) {
             journal.append(start + 199 * millis, RECORDS.get(0));
             assertTrue(journal.isDirty());
             journal.tick(start + 200 * millis - 1);
@@ -319,6 +319,6 @@ class JournalTest {
         byte[] expelled = new JournalRecord.Expelled(Peers.machine("x")).encode();
         byte[] server = Arrays.copyOf(expelled, 2);
         server[1] = Origin.SERVER_KIND;
-        assertThrows(Journal.JournalException.class, () -> JournalRecord.decode(server, TILES));
+        assertThrows(CheckpointJournal.JournalException.class, () -> JournalRecord.decode(server, TILES));
     }
 }

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** The runs of a trade in a file of comma-separated values, one line for each, written as soon as it has ended. */
-final class Journal {
+final class TradeJournal {
     private static final String HEADER =
             "kind,method,antialias,shadowSamples,threads,samples,seed,wallSeconds,cpuSeconds,"
                     + "samplesPerPixel,meanSquaredDifference,flip,estimatedError,estimatedLow,estimatedHigh,error";
@@ -19,19 +19,19 @@ final class Journal {
     private final Path file;
     private final List<TradeRun> runs = new ArrayList<>();
 
-    private Journal(Path file) {
+    private TradeJournal(Path file) {
         this.file = file;
     }
 
     /** Begins a new file. */
-    static Journal create(Path file) throws IOException {
+    static TradeJournal create(Path file) throws IOException {
         WholeFile.write(file, HEADER + "\n");
-        return new Journal(file);
+        return new TradeJournal(file);
     }
 
     /** Goes on with a file. A last line that an interruption cut short is dropped, from the file as well. */
-    static Journal open(Path file) throws IOException {
-        Journal journal = new Journal(file);
+    static TradeJournal open(Path file) throws IOException {
+        TradeJournal journal = new TradeJournal(file);
         String text = Files.readString(file);
         String whole = text.substring(0, text.lastIndexOf('\n') + 1);
         List<String> lines = whole.lines().toList();

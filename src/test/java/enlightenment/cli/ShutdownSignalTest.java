@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class StopTest {
+class ShutdownSignalTest {
     private static final int SIGTERM_EXIT = 128 + 15;
 
     @TempDir
@@ -130,14 +130,14 @@ class StopTest {
     @Test
     void whatIsNotBroughtToAnEndIsGivenUpWithAWord() throws InterruptedException {
         CountDownLatch said = new CountDownLatch(1);
-        Stop stop = new Stop(said::countDown, 0);
+        ShutdownSignal stop = new ShutdownSignal(said::countDown, 0);
         stop.run();
         assertEquals(0, said.getCount());
     }
 
     @Test
     void whatHasFinishedIsNotWaitedFor() {
-        Stop stop = new Stop();
+        ShutdownSignal stop = new ShutdownSignal();
         assertFalse(stop.getAsBoolean());
         stop.finished();
         stop.run();

@@ -6,30 +6,30 @@ import java.util.List;
 /**
  * Where in a document something is: a JSON pointer (RFC 6901) that is only spelled out when somebody asks.
  */
-final class Place {
-    static final Place ROOT = new Place(null, null, -1);
+final class JsonPointer {
+    static final JsonPointer ROOT = new JsonPointer(null, null, -1);
 
-    private final Place parent;
+    private final JsonPointer parent;
     private final String key;
     private final int index;
 
-    private Place(Place parent, String key, int index) {
+    private JsonPointer(JsonPointer parent, String key, int index) {
         this.parent = parent;
         this.key = key;
         this.index = index;
     }
 
-    Place child(String name) {
-        return new Place(this, name, -1);
+    JsonPointer child(String name) {
+        return new JsonPointer(this, name, -1);
     }
 
-    Place child(int i) {
-        return new Place(this, null, i);
+    JsonPointer child(int i) {
+        return new JsonPointer(this, null, i);
     }
 
     /** The place at a relative pointer without leading slash, such as {@code corners/2}; "" is here. */
-    Place descend(String relativePointer) {
-        Place p = this;
+    JsonPointer descend(String relativePointer) {
+        JsonPointer p = this;
         for (String token : relativePointer.isEmpty() ? new String[0] : relativePointer.split("/", -1)) {
             p = p.child(unescape(token));
         }

@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
  * The wish to end early. As a shutdown hook it hears SIGINT and SIGTERM, and holds the process until the work that goes on
  * has been brought to a good end, but not for ever.
  */
-final class Stop extends Thread implements BooleanSupplier {
+final class ShutdownSignal extends Thread implements BooleanSupplier {
     /** Long enough to write a picture to a slow disk, short enough for whoever waits at the keyboard. */
     private static final long PATIENCE_SECONDS = 30;
 
@@ -17,16 +17,16 @@ final class Stop extends Thread implements BooleanSupplier {
     private final CountDownLatch finished = new CountDownLatch(1);
     private volatile boolean requested;
 
-    Stop() {
+    ShutdownSignal() {
         this(() -> {});
     }
 
     /** @param giveUp called where the work has not come to an end when the process ends all the same */
-    Stop(Runnable giveUp) {
+    ShutdownSignal(Runnable giveUp) {
         this(giveUp, PATIENCE_SECONDS);
     }
 
-    Stop(Runnable giveUp, long patienceSeconds) {
+    ShutdownSignal(Runnable giveUp, long patienceSeconds) {
         super("stop");
         this.giveUp = giveUp;
         this.patienceSeconds = patienceSeconds;

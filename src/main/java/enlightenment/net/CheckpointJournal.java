@@ -18,7 +18,7 @@ import java.util.Arrays;
  * itself and no other: whoever reads looks for the next one. What was cut short ends the file: it is cut off when the journal
  * is opened again. Tiles that are lost so are simply rendered again.
  */
-final class Journal implements Closeable {
+final class CheckpointJournal implements Closeable {
     static final long FORCE_EVERY_NANOS = 200_000_000L;
 
     private final FileChannel file;
@@ -29,7 +29,7 @@ final class Journal implements Closeable {
     private long lastForce;
     private boolean dirty;
 
-    private Journal(
+    private CheckpointJournal(
             FileChannel file, FileLock lock, JournalFormat.Header header, JournalScan scan, long cutBytes, long now) {
         this.file = file;
         this.lock = lock;
@@ -60,7 +60,7 @@ final class Journal implements Closeable {
      * @param now the time in nanoseconds, of any origin
      * @throws JournalException if the file is no journal, belongs to another job or is in use
      */
-    static Journal open(Path path, ContentHash job, int tiles, long now, Reader reader) throws IOException {
+    static CheckpointJournal open(Path path, ContentHash job, int tiles, long now, Reader reader) throws IOException {
         FileChannel file =
                 FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         try {
@@ -74,7 +74,7 @@ final class Journal implements Closeable {
             file.truncate(scan.end());
             file.position(scan.end());
             file.force(true);
-            return new Journal(file, lock, header, scan, Math.max(length - scan.end(), 0), now);
+            return new CheckpointJournal(file, lock, header, scan, Math.max(length - scan.end(), 0), now);
         } catch (IOException | RuntimeException e) {
             file.close();
             throw e;

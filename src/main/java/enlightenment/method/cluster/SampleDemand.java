@@ -9,7 +9,7 @@ package enlightenment.method.cluster;
  * chosen for the least error at equal cost on shipped scenes (docs/cluster-sampler.md); the result changes by a few per cent if
  * they are doubled or halved.
  */
-final class Needs {
+final class SampleDemand {
     private static final double OF_EDGE = 2;
     private static final double OF_CURVATURE = 0.1;
     private static final double OF_TWIST = 0.3;

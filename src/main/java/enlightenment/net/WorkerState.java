@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** What the coordinator knows of a connected worker. */
-final class Member {
+final class WorkerState {
     final long worker;
     final ContentHash process;
     final Origin origin;
@@ -31,7 +31,7 @@ final class Member {
     int audits;
     long bytes;
 
-    Member(Event.Joined event, long now) {
+    WorkerState(Event.Joined event, long now) {
         worker = event.worker();
         process = event.process();
         origin = event.origin();

@@ -12,25 +12,25 @@ import java.util.Map;
 import java.util.NavigableSet;
 
 /** One part of a scene on its way to JSON: what {@link Fields} is on the way back. */
-final class Part {
-    private final Place place;
+final class JsonObjectBuilder {
+    private final JsonPointer place;
     private final NavigableSet<String> targets;
     private final Map<String, JsonValue> values = new LinkedHashMap<>();
 
     /**
      * @param targets the JSON pointers of animated numbers, which must be written as numbers at just these places
      */
-    Part(Place place, NavigableSet<String> targets) {
+    JsonObjectBuilder(JsonPointer place, NavigableSet<String> targets) {
         this.place = place;
         this.targets = targets;
     }
 
-    Part child(String key) {
-        return new Part(place.child(key), targets);
+    JsonObjectBuilder child(String key) {
+        return new JsonObjectBuilder(place.child(key), targets);
     }
 
-    Part child(String key, int index) {
-        return new Part(place.child(key).child(index), targets);
+    JsonObjectBuilder child(String key, int index) {
+        return new JsonObjectBuilder(place.child(key).child(index), targets);
     }
 
     /** Whether a value, or something inside of it, is animated. */
@@ -52,12 +52,12 @@ final class Part {
         return values.isEmpty();
     }
 
-    Part put(String key, JsonValue v) {
+    JsonObjectBuilder put(String key, JsonValue v) {
         values.put(wellFormed(key, key), v);
         return this;
     }
 
-    Part text(String key, String v) {
+    JsonObjectBuilder text(String key, String v) {
         return put(key, new JsonValue.Str(0, 0, wellFormed(v, key)));
     }
 
@@ -76,39 +76,39 @@ final class Part {
         return text;
     }
 
-    Part whole(String key, long v) {
+    JsonObjectBuilder whole(String key, long v) {
         return put(key, new JsonValue.Num(0, 0, Long.toString(v)));
     }
 
-    Part wholeUnless(long usual, String key, long v) {
+    JsonObjectBuilder wholeUnless(long usual, String key, long v) {
         return v == usual && !animated(key) ? this : whole(key, v);
     }
 
-    Part number(String key, double v) {
+    JsonObjectBuilder number(String key, double v) {
         return put(key, number(v));
     }
 
-    Part numberUnless(double usual, String key, double v) {
+    JsonObjectBuilder numberUnless(double usual, String key, double v) {
         return Double.compare(v, usual) == 0 && !animated(key) ? this : number(key, v);
     }
 
-    Part flagUnless(boolean usual, String key, boolean v) {
+    JsonObjectBuilder flagUnless(boolean usual, String key, boolean v) {
         return v == usual ? this : put(key, new JsonValue.Bool(0, 0, v));
     }
 
-    Part vector(String key, Vec3 v) {
+    JsonObjectBuilder vector(String key, Vec3 v) {
         return put(key, JsonValue.Arr.of(List.of(number(v.x()), number(v.y()), number(v.z()))));
     }
 
-    Part vectorUnless(Vec3 usual, String key, Vec3 v) {
+    JsonObjectBuilder vectorUnless(Vec3 usual, String key, Vec3 v) {
         return v.equals(usual) && !animated(key) ? this : vector(key, v);
     }
 
-    Part point(String key, ExactPoint p) {
+    JsonObjectBuilder point(String key, ExactPoint p) {
         return put(key, json(place.child(key), p));
     }
 
-    Part points(String key, ExactPoint... points) {
+    JsonObjectBuilder points(String key, ExactPoint... points) {
         List<JsonValue> items = new ArrayList<>();
         for (ExactPoint p : points) {
             items.add(json(place.child(key).child(items.size()), p));
@@ -116,15 +116,15 @@ final class Part {
         return put(key, JsonValue.Arr.of(items));
     }
 
-    Part color(String key, DisplayRgb c) {
+    JsonObjectBuilder color(String key, DisplayRgb c) {
         return put(key, color(c, animated(key)));
     }
 
-    Part colorUnless(DisplayRgb usual, String key, DisplayRgb c) {
+    JsonObjectBuilder colorUnless(DisplayRgb usual, String key, DisplayRgb c) {
         return c.equals(usual) && !animated(key) ? this : color(key, c);
     }
 
-    Part colors(String key, List<DisplayRgb> colors) {
+    JsonObjectBuilder colors(String key, List<DisplayRgb> colors) {
         boolean asNumbers = animated(key);
         return put(
                 key,
@@ -146,7 +146,7 @@ final class Part {
         return new JsonValue.Num(0, 0, Numbers.text(v));
     }
 
-    private static JsonValue json(Place place, ExactPoint p) {
+    private static JsonValue json(JsonPointer place, ExactPoint p) {
         List<JsonValue> items = new ArrayList<>(3);
         for (int k = 0; k < 3; k++) {
             items.add(exact(place.child(k), p.component(k)));
@@ -154,7 +154,7 @@ final class Part {
         return JsonValue.Arr.of(items);
     }
 
-    private static JsonValue exact(Place place, BigDecimal v) {
+    private static JsonValue exact(JsonPointer place, BigDecimal v) {
         long exponent = (long) v.precision() - v.scale();
         boolean hopeless = Math.abs(exponent) > 2L * Numbers.LARGEST_EXPONENT;
         String text = hopeless ? v.toString() : Numbers.text(v);

@@ -13,7 +13,7 @@ import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** How all charts look: large type, few lines, and colours that the colour-blind tell apart, each with a mark of its own. */
-final class Look {
+final class ChartTheme {
     static final int WIDTH = 900;
     static final int HEIGHT = 560;
 
@@ -44,7 +44,7 @@ final class Look {
     private static final double DECADE = 10;
     private static final double NEARLY = 1e-6;
 
-    private Look() {}
+    private ChartTheme() {}
 
     static Color color(int series) {
         return COLORS.get(series % COLORS.size());

@@ -11,7 +11,7 @@ import java.util.Arrays;
  * when they are hit; which of them is hit first means nothing, so they are treated as one. A mutable work object, one per
  * thread.
  */
-public final class Contacts {
+public final class CoincidentHits {
     /** Cosine of the angle beyond which two surfaces merely meet in an edge. */
     private static final double SAME_DIRECTION = 0.5;
 
@@ -26,7 +26,7 @@ public final class Contacts {
     private int size;
 
     /** No surfaces yet. */
-    public Contacts(CompiledScene scene) {
+    public CoincidentHits(CompiledScene scene) {
         this.scene = scene;
     }
 

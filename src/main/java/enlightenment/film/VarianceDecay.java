@@ -11,7 +11,7 @@ package enlightenment.film;
  * B/A is 2 and the share is 1, and never is it much more; straight edges in random places and directions have
  * V(1) : V(2) : V(4) : … = 1 : 0.294 : 0.0949 : 0.0321 : 0.0112. docs/cluster-sampler.md has the figures.
  */
-final class Remainder {
+final class VarianceDecay {
     /** Ratios B/A for which the curves are given; straight between them. */
     private static final double[] RATIO = {2, 2.3, 2.6, 3, 3.5, 4.2, 5, 6, 8};
 
@@ -57,7 +57,7 @@ final class Remainder {
     /** Numbers that are no power of two are worse than those of the next lower one; between the curve and independence. */
     private static final int OTHERS_LEVEL = 3;
 
-    private Remainder() {}
+    private VarianceDecay() {}
 
     /** Which of the three curves: what may be expected, or the least or the most that was found. */
     enum Curve {

@@ -17,7 +17,7 @@ import java.util.Deque;
  * own, which {@link #begin} starts. {@link #check}, called several times a second, ends the link where a deadline is missed: closing the plain socket
  * ends every read and write, whatever TLS is about.
  */
-final class Link implements Closeable {
+final class MessageChannel implements Closeable {
     private static final int BUFFER = 1 << 16;
     private static final long MILLI = 1_000_000L;
 
@@ -48,7 +48,7 @@ final class Link implements Closeable {
      * @param plain the socket itself
      * @param socket the same, or TLS over it
      */
-    Link(Socket plain, Socket socket, Timing timing, String name) throws IOException {
+    MessageChannel(Socket plain, Socket socket, Timing timing, String name) throws IOException {
         this.plain = plain;
         this.timing = timing;
         in = new BufferedInputStream(socket.getInputStream(), BUFFER);
@@ -58,7 +58,7 @@ final class Link implements Closeable {
     }
 
     /** Begins to send; until then messages wait. Whoever says nothing is worth no thread. */
-    Link begin() {
+    MessageChannel begin() {
         writer.start();
         return this;
     }

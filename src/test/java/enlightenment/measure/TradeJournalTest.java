@@ -11,7 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class JournalTest {
+class TradeJournalTest {
     private static final TradeRun ONE = SyntheticRuns.run("raytrace", 1.5, Long.MIN_VALUE, 1.0 / 3, 0.1);
     private static final TradeRun TWO = SyntheticRuns.run("cluster", 64, 7, 1e-9, 123.456);
 
@@ -21,30 +21,30 @@ class JournalTest {
     @Test
     void whatIsReadIsWhatWasWritten() throws IOException {
         Path file = folder.resolve("trade.csv");
-        Journal journal = Journal.create(file);
+        TradeJournal journal = TradeJournal.create(file);
         journal.add(ONE, 0);
         journal.add(TWO, 1e-10);
-        assertEquals(List.of(ONE, TWO), Journal.open(file).runs());
+        assertEquals(List.of(ONE, TWO), TradeJournal.open(file).runs());
     }
 
     @Test
     void aLineThatWasCutShortIsDroppedAndTheNextOneIsWhole() throws IOException {
         Path file = folder.resolve("trade.csv");
-        Journal.create(file).add(ONE, 0);
+        TradeJournal.create(file).add(ONE, 0);
         Files.writeString(file, Files.readString(file) + "ladder,cluster,4,10");
-        Journal again = Journal.open(file);
+        TradeJournal again = TradeJournal.open(file);
         again.add(TWO, 0);
-        assertEquals(List.of(ONE, TWO), Journal.open(file).runs());
+        assertEquals(List.of(ONE, TWO), TradeJournal.open(file).runs());
     }
 
     @Test
     void otherFilesAreRefusedWithThePlace() throws IOException {
         Path file = folder.resolve("trade.csv");
         Files.writeString(file, "a,b,c\n1,2,3\n");
-        assertThrows(IOException.class, () -> Journal.open(file));
-        Journal.create(file);
+        assertThrows(IOException.class, () -> TradeJournal.open(file));
+        TradeJournal.create(file);
         Files.writeString(file, Files.readString(file) + "ladder,cluster,four\n");
-        IOException e = assertThrows(IOException.class, () -> Journal.open(file));
+        IOException e = assertThrows(IOException.class, () -> TradeJournal.open(file));
         assertTrue(e.getMessage().startsWith(file + ":2: "), e.getMessage());
     }
 }

@@ -13,14 +13,14 @@ import java.util.Map;
 import java.util.Set;
 
 /** The further files beside a picture, {@code out.error.png} beside {@code out.png}. */
-final class Companions {
+final class AovFiles {
     private final Map<Auxiliary, Path> files = new EnumMap<>(Auxiliary.class);
 
     /**
      * @param words what {@code --aov} says, or null if it is not given
      * @param output the picture
      */
-    Companions(String words, Path output) {
+    AovFiles(String words, Path output) {
         if (words == null) {
             return;
         }
@@ -55,7 +55,7 @@ final class Companions {
     void write(Map<Auxiliary, Image> numbers, PngOptions options) throws IOException {
         for (Map.Entry<Auxiliary, Path> e : files.entrySet()) {
             Image raw = numbers.get(e.getKey());
-            if (Target.extension(e.getValue()).equals(".pfm")) {
+            if (OutputFile.extension(e.getValue()).equals(".pfm")) {
                 ImageFiles.writePfm(raw, e.getValue());
             } else {
                 AuxiliaryPicture picture = AuxiliaryPicture.of(e.getKey(), raw);

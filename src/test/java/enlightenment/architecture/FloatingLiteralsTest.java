@@ -167,14 +167,20 @@ class FloatingLiteralsTest {
             new Explained("method/cluster/ClusterMethod.java", "0.2", "share of light points"),
             new Explained("method/cluster/Lobe.java", "1.25", "factor on a variance"),
             new Explained(
-                    "method/cluster/Needs.java", "0.003", "ratio of variances of display-referred colours, measured"),
+                    "method/cluster/SampleDemand.java",
+                    "0.003",
+                    "ratio of variances of display-referred colours, measured"),
             new Explained(
-                    "method/cluster/Needs.java", "0.3", "ratio of variances of display-referred colours, measured"),
+                    "method/cluster/SampleDemand.java",
+                    "0.3",
+                    "ratio of variances of display-referred colours, measured"),
             new Explained(
-                    "method/cluster/Needs.java", "0.1", "ratio of variances of display-referred colours, measured"),
-            new Explained("method/cluster/Needs.java", "0x1p-13", "variance of display-referred colours"),
-            new Explained("method/cluster/Needs.java", "0x1p-27", "variance of display-referred colours"),
-            new Explained("method/cluster/Needs.java", "6", "1 + 4 + 1: variance of a second difference"),
+                    "method/cluster/SampleDemand.java",
+                    "0.1",
+                    "ratio of variances of display-referred colours, measured"),
+            new Explained("method/cluster/SampleDemand.java", "0x1p-13", "variance of display-referred colours"),
+            new Explained("method/cluster/SampleDemand.java", "0x1p-27", "variance of display-referred colours"),
+            new Explained("method/cluster/SampleDemand.java", "6", "1 + 4 + 1: variance of a second difference"),
             new Explained("method/cluster/RayCluster.java", "0.125", "share of a mixture"),
             new Explained("method/cluster/RayCluster.java", "0.25", "share of a mixture"),
             new Explained("method/cluster/RayCluster.java", "3", "ratio of variances that pays"));

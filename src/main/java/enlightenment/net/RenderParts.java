@@ -1,10 +1,10 @@
 package enlightenment.net;
 
-import enlightenment.render.FilmAssembly;
-import enlightenment.render.RenderOutline;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.RenderOutline;
+import enlightenment.engine.TiledRender;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
-import enlightenment.render.TiledRender;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;

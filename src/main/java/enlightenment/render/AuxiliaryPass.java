@@ -9,6 +9,7 @@ import enlightenment.numeric.Scale;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.Workers;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;

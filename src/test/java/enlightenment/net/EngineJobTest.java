@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.engine.TileMaker;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.render.TileMaker;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;

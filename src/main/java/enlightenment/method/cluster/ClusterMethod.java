@@ -95,7 +95,7 @@ public final class ClusterMethod implements TileMethod {
             Distribution proposal,
             double effort,
             double samples,
-            Consumer<List<ClusterRecord>> clusters) {
+            Consumer<List<ClusterStatistics>> clusters) {
         this.scene = scene;
         this.settings = settings;
         allocation = new Allocation(effort, samples);

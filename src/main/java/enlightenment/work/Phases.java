@@ -1,6 +1,6 @@
 package enlightenment.work;
 
-import java.lang.management.ManagementFactory;
+import enlightenment.machine.MachineFacts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -25,9 +25,9 @@ public final class Phases {
         event.phase = name;
         event.begin();
         Stopwatch wall = Stopwatch.started();
-        long cpu = processorTime();
+        long cpu = MachineFacts.processorNanos();
         T result = work.get();
-        phases.add(new Timing(name, wall.seconds(), Math.max(processorTime() - cpu, 0) * NANO));
+        phases.add(new Timing(name, wall.seconds(), Math.max(MachineFacts.processorNanos() - cpu, 0) * NANO));
         event.commit();
         return result;
     }
@@ -57,13 +57,6 @@ public final class Phases {
             work.run();
             return null;
         });
-    }
-
-    /** Processor time of the whole process in nanoseconds, 0 where the machine cannot tell. */
-    private static long processorTime() {
-        return ManagementFactory.getOperatingSystemMXBean() instanceof com.sun.management.OperatingSystemMXBean os
-                ? Math.max(os.getProcessCpuTime(), 0)
-                : 0;
     }
 
     /** What is over, in order. */

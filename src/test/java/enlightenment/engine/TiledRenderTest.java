@@ -6,6 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.film.FilmTile;
+import enlightenment.plan.RenderPlan;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -129,7 +135,7 @@ class TiledRenderTest {
     private static ColumnGrid grid(int width, int height, double samples) {
         return new ColumnGrid(
                 settings(Method.RAYTRACE).withSize(width, height),
-                new TilePlan(Method.RAYTRACE, 1, samples, "samples"));
+                new RenderPlan(Method.RAYTRACE, 1, samples, "samples"));
     }
 
     private static void assertCovers(int width, int height, ColumnGrid grid) {
@@ -138,7 +144,7 @@ class TiledRenderTest {
             RenderSettings.Crop place = grid.place(tile);
             pixels += (long) place.width() * place.height();
             assertTrue(TileBytes.length(place.width() * place.height(), 100) < 1 << 20);
-            assertEquals(0, place.x() % ColumnGrid.SIDE + place.y() % ColumnGrid.SIDE);
+            assertEquals(0, place.x() % FilmTile.BLOCK_SIDE + place.y() % FilmTile.BLOCK_SIDE);
         }
         assertEquals((long) width * height, pixels);
     }
@@ -163,7 +169,7 @@ class TiledRenderTest {
         RenderSettings settings = settings(Method.CLUSTER).withSize(800, 400).withAntialias(1);
         TiledRender usual = tiled(settings);
         // As if a hundred thousand rays per pixel were to come, where one does.
-        TilePlan plan = new TilePlan(usual.plan().method(), usual.plan().level(), 1e5, "samples");
+        RenderPlan plan = new RenderPlan(usual.plan().method(), usual.plan().level(), 1e5, "samples");
         TiledRender finer = TiledRender.planned(SCENE, settings, plan, file -> null);
         assertEquals(2_500, usual.tiles());
         assertEquals(5_000, finer.tiles());

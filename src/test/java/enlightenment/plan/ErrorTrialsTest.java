@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
+import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.util.List;

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.render.RenderReport;
+import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -39,6 +41,12 @@ class RoundsTest {
                 0);
     }
 
+    private static Rounds.Outcome outcome(RenderReport report) {
+        RenderReport.Sampling s = report.sampling();
+        return new Rounds.Outcome(
+                report.settings().method(), s.method(), s.plannedSamples(), s.errorHigh(), s.rounding());
+    }
+
     /** What all rounds took, and the number of the last. */
     private record End(double last, double all, int rounds, RenderReport report, String by) {}
 
@@ -55,7 +63,7 @@ class RoundsTest {
             assertTrue(k < 200, "there is no end to it");
             all += n;
             RenderReport report = report(budget, n, error.applyAsDouble(n), rounding);
-            OptionalDouble next = rounds.next(report, cost * n, cost * all);
+            OptionalDouble next = rounds.next(outcome(report), cost * n, cost * all);
             if (next.isEmpty()) {
                 return new End(n, all, k, report, by);
             }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.film.FilmTile;
+import enlightenment.render.TestScenes;
 import enlightenment.scene.RenderSettings;
 import java.util.HashSet;
 import java.util.List;

@@ -1,4 +1,4 @@
-package enlightenment.plan;
+package enlightenment.render;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;

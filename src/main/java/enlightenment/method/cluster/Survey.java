@@ -47,7 +47,7 @@ final class Survey {
     final long[] keys = new long[NODES];
     private final int[] asked = new int[NODES];
     private final int[] blocked = new int[NODES];
-    private final double[] energy = new double[NODES];
+    private final double[] contrast = new double[NODES];
     private final double[] spread = new double[NODES];
     private boolean spreads;
     private boolean empty;
@@ -92,7 +92,7 @@ final class Survey {
             keys[k] = keys[0];
             asked[k] = 0;
             blocked[k] = 0;
-            energy[k] = 0;
+            contrast[k] = 0;
             spread[k] = 0;
         }
     }
@@ -134,7 +134,7 @@ final class Survey {
         keys[k] = shader.pathKey();
         asked[k] += points;
         blocked[k] += shader.blockedShadowRays();
-        energy[k] = shader.visibilityContrast();
+        contrast[k] = shader.visibilityContrast();
         spread[k] = shader.colorVariance();
         spreads |= spread[k] > 0;
         askedInAll += points;
@@ -187,7 +187,7 @@ final class Survey {
 
     /**
      * The variance of the colour of one sample in pixel (i, j) that comes from the choice of its light point, if it takes
-     * one: that of its cosine, and the energy at stake times p (1 − p), where p is the share of hidden points around the pixel, with that of the
+     * one: that of its cosine, and the squared contrast of visibility times p (1 − p), where p is the share of hidden points around the pixel, with that of the
      * block counted in as so many more points.
      */
     double lightVariance(int i, int j) {
@@ -199,7 +199,7 @@ final class Survey {
             int node = node(i + (k & 1), j + (k >> 1));
             points += asked[node];
             hidden += blocked[node];
-            stake = Math.max(stake, energy[node]);
+            stake = Math.max(stake, contrast[node]);
             ofCosine += spread[node] / 4;
         }
         if (stake == 0) {
@@ -212,10 +212,10 @@ final class Survey {
 
     /** The variance of a corner's own colour for the same reason. */
     double lightNoise(int node) {
-        if (energy[node] == 0 || blocked[node] == 0 || blocked[node] == asked[node]) {
+        if (contrast[node] == 0 || blocked[node] == 0 || blocked[node] == asked[node]) {
             return 0;
         }
         double p = (double) blocked[node] / asked[node];
-        return energy[node] * p * (1 - p) / asked[node];
+        return contrast[node] * p * (1 - p) / asked[node];
     }
 }

@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.codec.PngWriter;
 import enlightenment.color.Srgb;
 
 /**

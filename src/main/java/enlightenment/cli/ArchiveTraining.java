@@ -1,7 +1,7 @@
 package enlightenment.cli;
 
-import enlightenment.scene.Method;
 import enlightenment.file.WholeFile;
+import enlightenment.scene.Method;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;

@@ -4,7 +4,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
 import enlightenment.image.Image;
-import enlightenment.image.Rounding;
+import enlightenment.picture.Rounding;
 import enlightenment.plan.RenderPlan;
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;

@@ -2,7 +2,7 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.image.Image;
-import enlightenment.image.Rounding;
+import enlightenment.picture.Rounding;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;

@@ -41,15 +41,15 @@ final class ColumnGrid {
         int across = (region.x() + region.width() - 1) / SIDE - firstColumn + 1;
         int blocksDown = (region.y() + region.height() - 1) / SIDE - region.y() / SIDE + 1;
         firstRow = region.y() / SIDE * SIDE;
-        int pieces = Math.max(wanted(region, plan) / across, 1);
+        int pieces = Math.max(tilesFor(region, plan) / across, 1);
         int blocks = Math.max((blocksDown + pieces - 1) / pieces, 1);
         rows = Math.min(blocks * SIDE, MOST_ROWS);
         down = (blocksDown * SIDE + rows - 1) / rows;
         tiles = Math.multiplyExact(across, down);
     }
 
-    /** How many tiles are wanted; there may be fewer blocks. */
-    private static int wanted(RenderSettings.Crop region, RenderPlan plan) {
+    /** How many tiles to cut; there may be fewer blocks. */
+    private static int tilesFor(RenderSettings.Crop region, RenderPlan plan) {
         double rays = (double) region.width() * region.height() * plan.samples();
         return (int) Math.max(FEWEST_TILES, Math.min(MOST_TILES, rays / RAYS_PER_TILE));
     }

@@ -16,9 +16,10 @@ public final class FilmTile {
     private static final int PER_PIXEL = 6;
     private static final int PER_KNOWN = 4;
 
-    /** So many samples are kept one by one, so many numbers of each. */
+    /** Up to this many samples of a pixel are kept one by one. */
     private static final int FEW = 2;
 
+    /** How many numbers are kept of each: place, red, green and blue. */
     static final int PER_SAMPLE = 5;
 
     public final int x;

@@ -1,7 +1,7 @@
 package enlightenment.plan;
 
 /**
- * Seeks the number of samples for which the error is as asked, from errors measured at a few numbers.
+ * Searches for the number of samples for which the error is as asked, from errors measured at a few numbers.
  *
  * <p>As a rule the error falls between n^−½ and 1/n. It falls far more steeply where a method has a fixed cost that is most
  * of n: then the numbers that are known to be too few and enough take over, and what is not known to be enough is not the
@@ -14,10 +14,10 @@ final class ErrorSearch {
     /** Numbers of samples this close need no telling apart. */
     private static final double SAME = 1.04;
 
-    /** The most that one step may take more samples than that before. */
+    /** The largest factor from one number of samples to the next. */
     private static final double LONGEST_STEP = 8;
 
-    /** And the least, if it was too few: smaller ones may stay on the same step of the error. */
+    /** And the smallest, if it was too few: smaller steps may stay on the same plateau of the error. */
     private static final double SHORTEST_STEP = 1.1;
 
     private static final double LEAST_SLOPE = 0.5;
@@ -33,7 +33,7 @@ final class ErrorSearch {
     private final double least;
     private final double most;
 
-    /** The greatest number that is too few and the least that is enough, with their errors. */
+    /** The largest number that is too few and the smallest that is enough, with their errors. */
     private double few;
 
     private double fewError;
@@ -75,7 +75,7 @@ final class ErrorSearch {
                 || lastError <= error && lastError >= error / CLOSE;
     }
 
-    /** Whether even the greatest number is too few, as far as can be told. */
+    /** Whether even the largest number is too few, as far as can be told. */
     private boolean isOutOfReach() {
         return !isFound() && few > 0 && StrictMath.pow(few / most, MOST_SLOPE) * fewError > error;
     }

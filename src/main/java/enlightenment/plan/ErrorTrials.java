@@ -14,7 +14,7 @@ import java.util.function.BooleanSupplier;
  * of what the render will: what they miss, the finished picture tells ({@link Rounds}).
  */
 final class ErrorTrials {
-    /** A trial looks at a sixteenth of the blocks; at more if these were fewer than so many, but not at more than an eighth. */
+    /** A trial renders a sixteenth of the blocks, or {@link #LEAST_BLOCKS} of them if that is more, but at most an eighth. */
     private static final double SHARE = 1.0 / 16;
 
     private static final double MOST_SHARE = 1.0 / 8;
@@ -34,7 +34,7 @@ final class ErrorTrials {
     /** Rounding that takes this share of the error leaves nothing that could be reached. */
     private static final double HOPELESS = 0.99;
 
-    /** Renders blocks with so many samples per pixel. */
+    /** Renders blocks with a number of samples per pixel. */
     @FunctionalInterface
     interface Sampler {
         void render(double samples, List<FilmTile> blocks);
@@ -86,11 +86,11 @@ final class ErrorTrials {
     }
 
     /**
-     * The number of samples for which the error is as asked, if it lies between these two; if not the greater one.
+     * The number of samples for which the error is as asked, if it lies between {@code least} and {@code most}; if not, the latter.
      *
      * @param first the number to begin with
      * @param planning what it costs to plan for another number, beside the trial, in samples per pixel of the whole render
-     * @return infinite where even the greatest number seems not to be enough, or it was stopped before it could be known
+     * @return infinite where even the largest number seems not to be enough, or it was stopped before it could be known
      */
     double search(double least, double first, double most, double planning) {
         ErrorSearch search = new ErrorSearch(asked, least, most);

@@ -14,7 +14,7 @@ final class Pace {
     static final double LEAST_TRIAL_TIME = 0.12;
     private static final double MOST_TRIAL_TIME = 0.4;
 
-    /** So many trials, unless too much of the budget is gone; and no more than this, even if a clock stands still. */
+    /** At least this many trials, unless too much of the budget is gone; and at most this many, even if a clock stands still. */
     private static final int LEAST_TRIALS = 4;
 
     private static final int MOST_TRIALS = 10_000;
@@ -27,7 +27,7 @@ final class Pace {
      */
     private static final double WARM = 2.5;
 
-    /** A trial that is faster than those before by less than this factor is no faster, and after so many of them it is enough. */
+    /** A trial counts as faster only by this factor; after {@link #CALM} trials that were not faster no more are made. */
     private static final double FASTER = 1.04;
 
     private static final int CALM = 3;

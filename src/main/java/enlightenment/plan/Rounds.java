@@ -16,7 +16,7 @@ public final class Rounds {
     /** What is aimed at, as a share of the error asked for: another round costs more than a few samples too many. */
     private static final double AIM = 0.95;
 
-    /** The least and the most that a round takes more than the one before. */
+    /** The smallest and the largest factor from one round to the next. */
     private static final double LEAST_FACTOR = 1.25;
 
     private static final double MOST_FACTOR = 8;
@@ -74,7 +74,7 @@ public final class Rounds {
         if (isMet(outcome) || !(n < most) || isEndless) {
             return OptionalDouble.empty();
         }
-        double next = wanted(n, outcome.errorHigh, aim);
+        double next = samplesFor(n, outcome.errorHigh, aim);
         if (outcome.used == Method.RAYTRACE && outcome.asked == Method.CLUSTER) {
             // The error of evenly spaced rays tells little of that of surveyed ones: it may be far smaller.
             next = Math.min(next, SamplePlans.FIRST_OF_CLUSTER);
@@ -125,7 +125,7 @@ public final class Rounds {
         return AIM * Math.sqrt(Math.max(asked * asked - rounding * rounding, 0));
     }
 
-    private double wanted(double n, double e, double aim) {
+    private double samplesFor(double n, double e, double aim) {
         double slope = ErrorSearch.USUAL_SLOPE;
         if (samples > 0 && n > samples) {
             double seen = StrictMath.log(error / e) / StrictMath.log(n / samples);

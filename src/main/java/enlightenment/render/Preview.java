@@ -61,11 +61,10 @@ final class Preview {
         }
     }
 
-    /** @param few the method's plan for so few samples, or null if it cannot do with so few */
+    /** @param few the method's plan for this number of samples, or null if that is too few for it */
     private void pass(double samples, RenderPlan few, RenderProgress progress, BooleanSupplier cancelled) {
         boolean own = few != null;
-        // Where the method cannot do with so few: evenly spaced rays, one light point each, if need be not in all
-        // pixels.
+        // Too few for the method: evenly spaced rays with one light sample each, if need be not in all pixels.
         RenderSettings how =
                 own ? settings : settings.withMethod(Method.RAYTRACE).withShadowSamples(1);
         RenderPlan plan = own ? few : new RenderPlan(Method.RAYTRACE, Math.max(samples, 1), samples, "preview");

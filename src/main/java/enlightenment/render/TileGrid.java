@@ -40,7 +40,7 @@ final class TileGrid {
         return step;
     }
 
-    /** The tile that is handed out after so many others, empty. */
+    /** The tile that is handed out after {@code turn} others, without samples yet. */
     FilmTile tile(int turn) {
         int index = (int) ((long) turn * stride % count);
         int left = (region.x() / size + index % across) * size;

@@ -11,15 +11,15 @@ import java.util.Arrays;
  * <p>q = α · even + (1 − α) · Σ share_k · lobe_k,
  *
  * <p>whose lobes are fitted to the rarer kind of point, be that the visible or the hidden ones: a shadow's share of the light
- * is one minus the light's. The even part keeps every weight at most 1/α, whatever the lobes miss.
+ * is one minus the light's. The even part (defensive sampling) keeps every weight at most 1/α, whatever the lobes miss.
  */
 final class ClusterProposal {
     private static final int MOST_LOBES = 2;
 
-    /** Fewer points than this are no ground for a fit. */
+    /** With fewer points than this nothing is fitted. */
     private static final int ENOUGH = 6;
 
-    /** Each of two lobes must have so many points to be told from chance. */
+    /** Each of two lobes must have this many points to be told from chance. */
     private static final int ENOUGH_FOR_TWO = 16;
 
     /** Rounds of assigning points to the nearer lobe and fitting again. */
@@ -28,7 +28,7 @@ final class ClusterProposal {
     /** Points on which the gain of a fit is judged. */
     private static final int JUDGES = 64;
 
-    /** A proposal must be expected to make the variance this much smaller: choosing costs, and evenness is lost. */
+    /** A proposal must be expected to divide the variance by this: sampling it costs, and stratification is lost. */
     private static final double WORTHWHILE = 3;
 
     private static final double EVEN_DENSITY = 1 / Math.PI;

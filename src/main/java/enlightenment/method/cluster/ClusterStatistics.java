@@ -3,8 +3,8 @@ package enlightenment.method.cluster;
 import enlightenment.sampling.RunningStatistics;
 
 /**
- * A ray cluster as the paper describes it: rays through one block of the picture that end on the same surface and light, and
- * one distribution for each coordinate of their three points. Only valid rays count: those whose light point is visible.
+ * The statistics of a ray cluster as the paper describes it: of rays through one block of the picture that end on the same
+ * surface and light, the distribution of each coordinate of their three points. Only valid rays count: those whose light point is visible.
  */
 public final class ClusterStatistics {
     /** Film point, surface point and light point have three coordinates each. */

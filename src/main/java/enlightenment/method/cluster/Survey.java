@@ -8,8 +8,9 @@ import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
 
 /**
- * The paper's evenly spaced rays: one through each corner of the block's pixels. They are no samples of the pixels; they say
- * where samples are needed, and between them the colour is interpolated, so that samples need only tell the difference.
+ * The paper's evenly spaced rays: one through each corner of the block's pixels. They are no samples of the pixels; they show
+ * where samples are needed, and the colour that is interpolated between them is a control variate: samples estimate only the
+ * difference.
  *
  * <p>A corner's ray is a pure function of scene, seed and corner, so that neighbouring blocks see the same at their border.
  */
@@ -23,7 +24,10 @@ final class Survey {
 
     private static final int MANY = 16;
 
-    /** The points around a pixel alone would miss what is rare; those of the block blur what is sharp. */
+    /**
+     * The points around a pixel alone would miss what is rare, those of the block alone would blur what is sharp: the block counts like
+     * this many points.
+     */
     private static final int BLOCK_POINTS = 32;
 
     /** Keeps the survey's random numbers apart from those of pixels, which have the same places. */
@@ -64,7 +68,7 @@ final class Survey {
         seed = Hash.of(settings.seed(), PURPOSE);
     }
 
-    /** Looks through all corners of a block. */
+    /** Follows a ray through each corner of the pixels of a block. */
     void take(Block target) {
         block = target;
         rays = 0;
@@ -84,7 +88,7 @@ final class Survey {
         }
     }
 
-    /** Where there is only the background, one corner stands for all. */
+    /** Where there is only the background, the ray of one corner stands for all. */
     private void lookForAll() {
         look(0, 0, 0);
         for (int k = 1; k < NODES; k++) {
@@ -97,7 +101,11 @@ final class Survey {
         }
     }
 
-    /** Looks again, at more points of the lights, through the corners where something may hide a light; round 1, 2, … */
+    /**
+     * Follows the rays again, with more light points, through the corners where something may hide a light.
+     *
+     * @param round 1, 2, …: each has random numbers of its own
+     */
     void takeMore(ClusterGuide observer, int round) {
         shader.lightPoints(MANY);
         shader.guide(observer);
@@ -187,8 +195,8 @@ final class Survey {
 
     /**
      * The variance of the colour of one sample in pixel (i, j) that comes from the choice of its light point, if it takes
-     * one: that of its cosine, and the squared contrast of visibility times p (1 − p), where p is the share of hidden points around the pixel, with that of the
-     * block counted in as so many more points.
+     * one: that of its cosine, and the contrast of visibility times p (1 − p), where p is the share of hidden points around the
+     * pixel, towards which that of the block counts like {@link #BLOCK_POINTS} points.
      */
     double lightVariance(int i, int j) {
         int points = 0;

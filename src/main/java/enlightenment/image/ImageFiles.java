@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
+import java.util.List;
 
 /**
  * Pictures on disk. A file that is written appears as a whole or not at all, and its bytes depend on nothing but the
@@ -18,31 +18,42 @@ public final class ImageFiles {
     private ImageFiles() {}
 
     /**
-     * Writes a picture in the format that the file's extension names: .png, or .pfm for exact floats.
+     * Writes a picture in the format that the file's extension names, one of {@link ImageFormat#written}.
      *
      * @param options only for PNG
      * @throws IllegalArgumentException if the extension is another one
      */
     public static void write(Image image, Path file, PngOptions options) throws IOException {
-        checkExtension(file);
-        if (extension(file).equals("png")) {
-            writePng(image, file, options);
-        } else {
-            writePfm(image, file);
+        ImageFormat format = writtenFormat(file);
+        WholeFile.write(file, out -> write(image, out, format, options));
+    }
+
+    /**
+     * Writes what a file of that format would hold to a stream, which stays open.
+     *
+     * @param options only for PNG
+     * @throws IllegalArgumentException if the format is none of {@link ImageFormat#written}
+     */
+    public static void write(Image image, OutputStream out, ImageFormat format, PngOptions options) throws IOException {
+        switch (format) {
+            case PNG -> PngWriter.write(image, out, options);
+            case PFM -> PfmFormat.write(image, out);
+            default -> throw new IllegalArgumentException("no " + format + " files are written");
         }
     }
 
     /**
-     * Nothing if {@link #write} knows the file's extension: for asking before a long render rather than after it.
+     * The format in which {@link #write(Image, Path, PngOptions)} writes a file: for asking before a long render rather
+     * than after it.
      *
-     * @throws IllegalArgumentException if it does not; the message lists what is known
+     * @throws IllegalArgumentException if the file's extension names none of {@link ImageFormat#written}; the message lists
+     *     them
      */
-    public static void checkExtension(Path file) {
-        String extension = extension(file);
-        if (!extension.equals("png") && !extension.equals("pfm")) {
-            throw new IllegalArgumentException("cannot tell how to write " + file
-                    + ": known are .png (8 or 16 bits per component) and .pfm (floats)");
-        }
+    public static ImageFormat writtenFormat(Path file) {
+        return ImageFormat.ofExtension(file)
+                .filter(ImageFormat::isWritten)
+                .orElseThrow(() -> new IllegalArgumentException("cannot tell how to write " + file
+                        + ": the name must end in " + ImageFormat.extensions(ImageFormat.written())));
     }
 
     /** Writes an 8-bit PNG file without comments. */
@@ -88,7 +99,8 @@ public final class ImageFiles {
      * maximum. Transparency, gamma and colour profiles are not applied.
      */
     public static Image read(Path file) throws IOException {
-        return decode(file, bytes -> PfmFormat.matches(bytes) ? PfmFormat.read(bytes) : toImage(decodeRaster(bytes)));
+        return decode(
+                file, bytes -> format(bytes) == ImageFormat.PFM ? PfmFormat.read(bytes) : toImage(decodeRaster(bytes)));
     }
 
     /** The integers of a PNG, JPEG or BMP file. */
@@ -97,17 +109,20 @@ public final class ImageFiles {
     }
 
     static Raster decodeRaster(byte[] bytes) throws IOException {
-        if (PngReader.matches(bytes)) {
-            return PngReader.read(bytes);
-        }
-        String format = ImageIoReader.formatOf(bytes);
-        if (format != null) {
-            return ImageIoReader.read(bytes, format);
-        }
-        if (PfmFormat.matches(bytes)) {
-            throw new IOException("a PFM file cannot be used here; PNG, JPEG and BMP can");
-        }
-        throw new IOException(bytes.length == 0 ? "it is empty" : "it is neither PNG, JPEG, BMP nor PFM");
+        ImageFormat format = format(bytes);
+        return switch (format) {
+            case PNG -> PngReader.read(bytes);
+            case JPEG, BMP -> ImageIoReader.read(bytes, format.word());
+            case PFM ->
+                throw new IOException(
+                        "a PFM file cannot be used here; " + ImageFormat.names(ImageFormat.textures(), "and") + " can");
+        };
+    }
+
+    private static ImageFormat format(byte[] bytes) throws IOException {
+        String formats = ImageFormat.names(List.of(ImageFormat.values()), "nor");
+        return ImageFormat.ofContent(bytes)
+                .orElseThrow(() -> new IOException(bytes.length == 0 ? "it is empty" : "it is neither " + formats));
     }
 
     private interface Decoder<T> {
@@ -144,13 +159,5 @@ public final class ImageFiles {
             }
         }
         return new Image(raster.width(), raster.height(), rgb);
-    }
-
-    /** In small letters and without the dot; empty if there is none. */
-    private static String extension(Path file) {
-        Path last = file.getFileName();
-        String name = last == null ? "" : last.toString();
-        int dot = name.lastIndexOf('.');
-        return dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
     }
 }

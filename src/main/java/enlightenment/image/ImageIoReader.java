@@ -18,15 +18,11 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 final class ImageIoReader {
     private ImageIoReader() {}
 
-    /** The name by which ImageIO knows this kind of file, or null if it is neither JPEG nor BMP. */
-    static String formatOf(byte[] file) {
-        if (file.length > 2 && (file[0] & 255) == 0xff && (file[1] & 255) == 0xd8) {
-            return "jpeg";
-        }
-        return file.length > 2 && file[0] == 'B' && file[1] == 'M' ? "bmp" : null;
-    }
-
-    /** Decodes a whole file. */
+    /**
+     * Decodes a whole file.
+     *
+     * @param format the name by which ImageIO knows this kind of file: jpeg or bmp
+     */
     static Raster read(byte[] file, String format) throws IOException {
         Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName(format);
         if (!readers.hasNext()) {

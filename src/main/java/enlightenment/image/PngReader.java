@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.zip.CRC32;
 
@@ -36,10 +35,6 @@ final class PngReader {
 
     private PngReader(byte[] file) {
         this.file = ByteBuffer.wrap(file);
-    }
-
-    static boolean matches(byte[] file) {
-        return file.length >= 8 && Arrays.equals(file, 0, 8, PngWriter.SIGNATURE, 0, 8);
     }
 
     /** Decodes a whole file, signature included. */

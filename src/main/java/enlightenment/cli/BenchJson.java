@@ -29,7 +29,7 @@ final class BenchJson {
         RenderSettings s = b.settings();
         json.writeStartObject();
         json.writeStringProperty("name", b.name());
-        json.writeStringProperty("method", s.method());
+        json.writeStringProperty("method", s.method().word());
         json.writeNumberProperty("width", s.width());
         json.writeNumberProperty("height", s.height());
         json.writeNumberProperty("antialias", s.antialias());

@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.json.JsonText;
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
 import tools.jackson.core.JsonGenerator;
@@ -41,7 +42,7 @@ final class ReportJson {
 
     private static void settings(JsonGenerator json, RenderSettings s) {
         json.writeObjectPropertyStart("settings");
-        json.writeStringProperty("method", s.method());
+        json.writeStringProperty("method", s.method().word());
         json.writeNumberProperty("width", s.width());
         json.writeNumberProperty("height", s.height());
         if (s.crop().isPresent()) {
@@ -55,7 +56,7 @@ final class ReportJson {
         s.budget().samples().ifPresent(n -> json.writeNumberProperty("samples", n));
         s.budget().error().ifPresent(e -> json.writeNumberProperty("error", e));
         s.budget().seconds().ifPresent(t -> json.writeNumberProperty("time", t));
-        if (s.method().equals("cluster")) {
+        if (s.method().has(Method.Setting.PROPOSAL)) {
             json.writeStringProperty("proposal", s.proposal());
         }
         json.writeNumberProperty("threads", s.threads());
@@ -65,7 +66,7 @@ final class ReportJson {
     private static void sampling(JsonGenerator json, RenderReport report) {
         RenderReport.Sampling s = report.sampling();
         json.writeObjectPropertyStart("sampling");
-        json.writeStringProperty("method", s.method());
+        json.writeStringProperty("method", s.method().word());
         json.writeStringProperty("decidedBy", s.decidedBy());
         json.writeNumberProperty("plannedSamples", s.plannedSamples());
         json.writeNumberProperty("samplesPerPixel", s.samplesPerPixel());

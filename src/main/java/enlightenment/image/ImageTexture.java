@@ -1,6 +1,5 @@
 package enlightenment.image;
 
-import enlightenment.color.Srgb;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;

@@ -1,11 +1,11 @@
-package enlightenment.color;
+package enlightenment.image;
 
 /** The sRGB transfer function (IEC 61966-2-1), component by component. */
-public final class Srgb {
+final class Srgb {
     private Srgb() {}
 
     /** Linear light 0..1 to the encoded (display-referred) value 0..1. */
-    public static double encode(double linear) {
+    static double encode(double linear) {
         if (linear <= 0.0031308) {
             return 12.92 * linear;
         }
@@ -14,7 +14,7 @@ public final class Srgb {
     }
 
     /** Encoded (display-referred) value 0..1 to linear light 0..1. */
-    public static double decode(double encoded) {
+    static double decode(double encoded) {
         return encoded <= 0.04045 ? encoded / 12.92 : StrictMath.pow((encoded + 0.055) / 1.055, 2.4);
     }
 }

@@ -79,7 +79,7 @@ final class PreviewWriter implements RenderProgress {
             writer.write(image);
         } catch (IOException e) {
             failed = true;
-            terminal.say("no more previews: " + Failures.describe(e));
+            terminal.say("no more previews: " + FileFailures.describe(e));
         }
         took = clock.getAsLong() - start;
     }

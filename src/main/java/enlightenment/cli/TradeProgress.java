@@ -20,10 +20,9 @@ final class TradeProgress implements TradeListener, AutoCloseable {
         this.bar = bar;
     }
 
-    /** The display of one of {@link ProgressDisplay#KINDS}. */
-    static TradeProgress of(String kind, PrintStream err) {
-        String chosen = ProgressDisplay.chosen(kind);
-        return new TradeProgress(err, chosen.equals("plain"), chosen.equals("bar") ? new TradeBar(err) : null);
+    /** @param kind any but {@link ProgressKind#AUTO} */
+    static TradeProgress of(ProgressKind kind, PrintStream err) {
+        return new TradeProgress(err, kind == ProgressKind.PLAIN, kind == ProgressKind.BAR ? new TradeBar(err) : null);
     }
 
     @Override

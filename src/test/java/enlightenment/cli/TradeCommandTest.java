@@ -70,10 +70,10 @@ class TradeCommandTest {
         assertNothingIsWrittenButWhatWasAnnounced(List.of(Sweep.parse("antialias=1..2")));
         assertTrue(run.outLines().get(0).startsWith("For an error of 0.0"), run.out());
         String command = run.outLines().get(1).strip();
-        assertTrue(command.startsWith("java -jar target/enlightenment.jar render " + scene), command);
+        assertTrue(command.startsWith("enlightenment render " + scene), command);
         // The scene's folder is a temporary one, so the words hold no spaces; the picture goes there as well.
         Path picture = folder.resolve("scene.png");
-        String[] words = command.replace("java -jar target/enlightenment.jar ", "")
+        String[] words = command.replace("enlightenment ", "")
                 .replace("-o scene.png", "-o " + picture + " --progress none")
                 .split(" ");
         assertEquals(0, CliRun.of((Object[]) words).code());

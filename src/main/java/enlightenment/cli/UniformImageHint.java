@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Locale;
 
 /** A picture of one colour is hardly what was meant: what may be the reason. */
-final class OneColor {
-    private OneColor() {}
+final class UniformImageHint {
+    private UniformImageHint() {}
 
     /** Says so if the whole picture has one colour, and there is a reason to be told. */
     static void tell(Scene scene, RenderSettings settings, RenderResult result, Terminal terminal) {

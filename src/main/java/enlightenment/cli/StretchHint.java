@@ -12,11 +12,11 @@ import java.util.Optional;
  * Pictures of another shape than the window that they show. All other cameras have no shape of their own: with another size
  * they show more or less at the sides.
  */
-final class Stretch {
+final class StretchHint {
     /** Less is not seen, and the shipped windows are not more exact. */
     private static final double UNSEEN = 0.01;
 
-    private Stretch() {}
+    private StretchHint() {}
 
     /** What is to be said of it, if the picture is stretched by more than its pixels make inevitable. */
     static Optional<String> of(Scene scene, RenderSettings settings) {

@@ -18,8 +18,8 @@ import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code enlightenment bench}: tells how fast this machine renders. */
-@Command(name = "bench", description = "Tells how fast this machine renders.", sortOptions = false)
+/** {@code enlightenment bench}: measures how fast this machine renders. */
+@Command(name = "bench", description = "Measures how fast this machine renders.", sortOptions = false)
 final class BenchCommand extends Subcommand {
     private static final double MILLION = 1e6;
     private static final String PAPER_SCENE = "fire-and-ice.json";

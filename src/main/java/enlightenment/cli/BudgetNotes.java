@@ -6,8 +6,8 @@ import enlightenment.scene.Budget;
 import java.util.function.Supplier;
 
 /**
- * Says what becomes of a budget: which number of samples a time has become, so that the picture can be made again, what cannot be
- * kept, and why a picture is rendered once more. Tells on all that it hears.
+ * Says what becomes of a budget: the number of samples that a time amounts to, so that the picture can be made again, what cannot
+ * be met, and why a picture is rendered once more. Passes everything on to the display.
  */
 final class BudgetNotes implements RenderProgress {
     private final RenderProgress display;

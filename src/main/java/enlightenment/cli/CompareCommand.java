@@ -1,13 +1,13 @@
 package enlightenment.cli;
 
 import enlightenment.image.Flip;
-import enlightenment.image.HeatMap;
 import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
+import enlightenment.picture.HeatMap;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -15,8 +15,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code enlightenment compare}: tells by how much one picture differs from another. */
-@Command(name = "compare", description = "Tells by how much one picture differs from another.", sortOptions = false)
+/** {@code enlightenment compare}: measures by how much one picture differs from another. */
+@Command(name = "compare", description = "Measures by how much one picture differs from another.", sortOptions = false)
 final class CompareCommand extends Subcommand {
     @Parameters(index = "0", paramLabel = "A", description = "the picture to judge: .png or .pfm")
     private Path test;
@@ -24,7 +24,7 @@ final class CompareCommand extends Subcommand {
     @Parameters(index = "1", paramLabel = "B", description = "the reference: .png or .pfm, of the same size")
     private Path reference;
 
-    @Option(names = "--heatmap", paramLabel = "OUT.png", description = "show where they differ (FLIP) in this picture")
+    @Option(names = "--heatmap", paramLabel = "OUT.png", description = "write a picture of where they differ (FLIP)")
     private Path heatMap;
 
     @Option(names = "--json", description = "print the figures as JSON")

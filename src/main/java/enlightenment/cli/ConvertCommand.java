@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** {@code enlightenment convert}: makes a scene file of an NFF file. */
-@Command(name = "convert", description = "Makes a scene file of a file in the Neutral File Format.")
+/** {@code enlightenment convert}: converts an NFF file to a scene file. */
+@Command(name = "convert", description = "Converts a file in the Neutral File Format to a scene file.")
 final class ConvertCommand extends Subcommand {
     @Parameters(index = "0", paramLabel = "IN.nff", description = "the file to read; - for standard input")
     private Path input;

@@ -18,10 +18,10 @@ import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
-/** {@code enlightenment inspect}: tells what a scene holds and what a render of it would do. */
+/** {@code enlightenment inspect}: shows what a scene holds and what a render of it would do. */
 @Command(
         name = "inspect",
-        description = "Tells what a scene holds and what a render of it would do.",
+        description = "Shows what a scene holds and what a render of it would do.",
         sortOptions = false)
 final class InspectCommand extends Subcommand {
     private static final int LONGEST_LINE = 10_000;

@@ -20,7 +20,7 @@ final class ServingOptions {
             paramLabel = "PORT",
             converter = WholeNumber.Port.class,
             description = "port to listen at (default: 6002); 0 for any that is free")
-    private int port = ServerOptions.PORT;
+    private int port = ServerOptions.DEFAULT_PORT;
 
     @Option(
             names = "--min-workers",
@@ -108,34 +108,34 @@ final class ServingOptions {
             throw CliException.wrongUsage("--pardon needs --checkpoint, which remembers who was expelled");
         }
         checkSecrets(terminal);
-        ServerOptions o = ServerOptions.DEFAULT
-                .withAddress(host, port)
-                .withWait(minWorkers, wait)
-                .withShares(shares.byHost())
-                .withPardoned(pardoned)
-                .withLog(terminal::say);
+        ServerOptions.Builder o = ServerOptions.builder()
+                .address(host, port)
+                .awaitWorkers(minWorkers, wait)
+                .shares(shares.byHost())
+                .pardoned(pardoned)
+                .log(terminal::say);
         if (token != null) {
-            o = o.withTokenFile(token);
+            o.tokenFile(token);
         }
         if (certificate != null) {
-            o = o.withTls(certificate, key);
+            o.tls(certificate, key);
         }
         if (tls != null) {
-            o = o.withTls(tls);
+            o.tls(tls);
         }
         if (statusPort != null) {
-            o = o.withStatusPort(statusPort);
+            o.statusPort(statusPort);
         }
         if (localThreads != null) {
-            o = o.withLocalThreads(localThreads);
+            o.localThreads(localThreads);
         }
         if (audit != null) {
-            o = o.withAuditRate(audit);
+            o.auditRate(audit);
         }
         if (checkpoint != null) {
-            o = o.withCheckpoint(checkpoint);
+            o.checkpoint(checkpoint);
         }
-        return o;
+        return o.build();
     }
 
     private void checkSecrets(Terminal terminal) throws IOException {
@@ -174,7 +174,7 @@ final class ServingOptions {
 
     static final class MinWorkers extends WholeNumber {
         MinWorkers() {
-            super(0, ServerOptions.MOST_WORKERS);
+            super(0, ServerOptions.MAX_WORKERS);
         }
     }
 

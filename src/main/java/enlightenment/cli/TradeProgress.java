@@ -3,7 +3,7 @@ package enlightenment.cli;
 import enlightenment.measure.TradeListener;
 import java.io.PrintStream;
 
-/** Progress of a trade: by its time, which is what its budget is. */
+/** Progress of a trade, measured in time, as its budget is. */
 final class TradeProgress implements TradeListener, AutoCloseable {
     private static final long PERIOD_NANOS = 2_000_000_000L;
     private static final double MILLI = 1000;

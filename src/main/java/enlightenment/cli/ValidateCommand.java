@@ -47,7 +47,7 @@ final class ValidateCommand extends Subcommand {
         return code;
     }
 
-    /** Reads the scene and puts it together, which also looks at its textures. */
+    /** Reads and compiles the scene, which also checks its textures. */
     private static Scene read(SceneInput input) {
         Scene scene = input.read(Optional.empty());
         try {

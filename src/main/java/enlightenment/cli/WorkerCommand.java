@@ -82,33 +82,33 @@ final class WorkerCommand extends Subcommand {
         if (pin != null && authorities != null) {
             throw CliException.wrongUsage("--pin and --tls-ca must not be given together");
         }
-        WorkerOptions o = WorkerOptions.DEFAULT.withLog(terminal::say);
+        WorkerOptions.Builder o = WorkerOptions.builder().log(terminal::say);
         if (threads != null) {
-            o = o.withThreads(threads);
+            o.threads(threads);
         }
         if (token != null && StandardStreams.isNamed(token)) {
-            o = typedToken(o);
+            typedToken(o);
         } else if (token != null) {
-            o = o.withTokenFile(token);
+            o.tokenFile(token);
         }
         if (authorities != null) {
-            o = o.withAuthorities(authorities);
+            o.authorities(authorities);
         }
         if (reconnect != null) {
-            o = o.withReconnect(reconnect);
+            o.reconnectSeconds(reconnect);
         }
         try {
-            return pin == null ? o : o.withPin(pin);
+            return pin == null ? o.build() : o.pin(pin).build();
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--pin " + e.problem());
         }
     }
 
     /** The first line of standard input, which {@code ssh} carries to where no file holds the token. */
-    private static WorkerOptions typedToken(WorkerOptions o) throws IOException {
+    private static void typedToken(WorkerOptions.Builder o) throws IOException {
         String line = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.ISO_8859_1)).readLine();
         try {
-            return o.withToken(line == null ? "" : line);
+            o.token(line == null ? "" : line);
         } catch (IllegalArgumentException e) {
             throw CliException.failed("the token on standard input: " + e.getMessage());
         }

@@ -1,12 +1,12 @@
 package enlightenment.image;
 
+import enlightenment.codec.RasterDecoder;
+import enlightenment.text.WordList;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Predicate;
-import java.util.stream.Collectors;
 
 /**
  * The kinds of picture files: the only list of them. {@link ImageFiles} reads all, and writes those that {@linkplain
@@ -17,34 +17,30 @@ import java.util.stream.Collectors;
  */
 public enum ImageFormat {
     /** Portable Network Graphics (W3C): lossless, the format of finished pictures. */
-    PNG(List.of("png"), List.of(8, 16), true, start -> begins(start, PngWriter.SIGNATURE)),
+    PNG(List.of("png"), List.of(8, 16), true, RasterDecoder.PNG),
 
     /** JPEG (ISO/IEC 10918). Two Java versions may decode the same file to components that differ by one step. */
-    JPEG(List.of("jpg", "jpeg"), List.of(8), false, start -> begins(start, (byte) 0xff, (byte) 0xd8, (byte) 0xff)),
+    JPEG(List.of("jpg", "jpeg"), List.of(8), false, RasterDecoder.JPEG),
 
     /** Windows bitmaps. */
-    BMP(List.of("bmp"), List.of(8), false, start -> begins(start, (byte) 'B', (byte) 'M')),
+    BMP(List.of("bmp"), List.of(8), false, RasterDecoder.BMP),
 
     /** P. Debevec's portable float map: every component bit by bit, for measuring and further work. */
-    PFM(List.of("pfm"), List.of(), true, PfmFormat::matches);
+    PFM(List.of("pfm"), List.of(), true, RasterDecoder.PFM);
 
     /** The number of bytes at the beginning of a file that {@link #ofContent} needs. */
-    public static final int SIGNATURE_LENGTH = 8;
+    public static final int SIGNATURE_LENGTH = RasterDecoder.SIGNATURE_LENGTH;
 
     private final List<String> extensions;
     private final List<Integer> depths;
     private final boolean written;
-    private final Predicate<byte[]> signature;
+    private final RasterDecoder decoder;
 
-    ImageFormat(List<String> extensions, List<Integer> depths, boolean written, Predicate<byte[]> signature) {
+    ImageFormat(List<String> extensions, List<Integer> depths, boolean written, RasterDecoder decoder) {
         this.extensions = extensions;
         this.depths = depths;
         this.written = written;
-        this.signature = signature;
-    }
-
-    private static boolean begins(byte[] file, byte... start) {
-        return file.length >= start.length && Arrays.equals(file, 0, start.length, start, 0, start.length);
+        this.decoder = decoder;
     }
 
     /** The formats that {@link ImageFiles} writes, the usual one first. */
@@ -74,23 +70,17 @@ public enum ImageFormat {
      * @param start the whole file or its first {@link #SIGNATURE_LENGTH} bytes; fewer if the file has fewer
      */
     public static Optional<ImageFormat> ofContent(byte[] start) {
-        return Arrays.stream(values()).filter(f -> f.signature.test(start)).findFirst();
+        return Arrays.stream(values()).filter(f -> f.decoder.matches(start)).findFirst();
     }
 
     /** Extensions for messages: {@code .png or .pfm}. */
     public static String extensions(List<ImageFormat> formats) {
-        return sentence(formats.stream().map(f -> "." + f.word()).toList(), "or");
+        return WordList.join(formats.stream().map(f -> "." + f.word()).toList(), "or");
     }
 
     /** Names for messages: {@code PNG, JPEG and BMP}, with the conjunction "and". */
     public static String names(List<ImageFormat> formats, String conjunction) {
-        return sentence(formats.stream().map(ImageFormat::name).toList(), conjunction);
-    }
-
-    private static String sentence(List<String> words, String conjunction) {
-        String last = words.get(words.size() - 1);
-        String others = words.stream().limit(words.size() - 1L).collect(Collectors.joining(", "));
-        return others.isEmpty() ? last : others + " " + conjunction + " " + last;
+        return WordList.join(formats.stream().map(ImageFormat::name).toList(), conjunction);
     }
 
     /** The format's name in small letters, which is its usual extension, too: {@code png}. */

@@ -3,6 +3,8 @@ package enlightenment.scene.json;
 import enlightenment.color.DisplayRgb;
 import enlightenment.image.ImageFormat;
 import enlightenment.material.Texture;
+import enlightenment.text.Plain;
+import enlightenment.text.Suggestion;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -64,7 +66,7 @@ final class Textures {
         }
         String there = Suggestion.of(name, named.keySet(), "there are");
         String none = "; the scene names no textures (/textures)";
-        f.problem("texture", "unknown texture " + JsonValue.quoted(name) + (named.isEmpty() ? none : there));
+        f.problem("texture", "unknown texture " + Plain.quoted(name) + (named.isEmpty() ? none : there));
         return null;
     }
 
@@ -111,7 +113,7 @@ final class Textures {
     private Path imageFile(Fields f, String written) {
         if (fileNames != null) {
             if (!fileNames.contains(written)) {
-                f.problem("file", "there is no image " + JsonValue.quoted(written));
+                f.problem("file", "there is no image " + Plain.quoted(written));
                 return null;
             }
             return Path.of(written);
@@ -120,10 +122,10 @@ final class Textures {
         try {
             file = folder.resolve(written).normalize();
         } catch (InvalidPathException e) {
-            f.problem("file", "is not a path: " + JsonValue.quoted(written));
+            f.problem("file", "is not a path: " + Plain.quoted(written));
             return null;
         }
-        String meant = JsonValue.quoted(written) + " (" + file + ")";
+        String meant = Plain.quoted(written) + " (" + file + ")";
         if (!Files.exists(file)) {
             f.problem("file", "there is no file " + meant);
         } else if (!Files.isRegularFile(file)) {

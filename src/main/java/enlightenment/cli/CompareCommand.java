@@ -68,7 +68,7 @@ final class CompareCommand extends Subcommand {
             ImageFiles.writePng(HeatMap.withScale(flip), heatMap, comments(flip, density));
         }
         Comparison comparison = new Comparison(test, reference, error, flip, density, limit);
-        terminal.out().print(json ? comparison.toJson() : comparison.toTable());
+        terminal.out().print(json ? ComparisonJson.of(comparison) : comparison.toTable());
         if (!comparison.passed()) {
             terminal.say("the RMSE is " + error.rmse() + ", larger than --max-rmse " + maxRmse);
             return CliException.FAILED;

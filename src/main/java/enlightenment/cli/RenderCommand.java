@@ -126,7 +126,7 @@ final class RenderCommand extends Subcommand {
         }
         if (clusters != null) {
             boolean csv = OutputFile.extension(clusters).equals(".csv");
-            OutputFile.write(clusters, csv ? ClusterDump.csv(result.clusters()) : ClusterDump.json(result.clusters()));
+            OutputFile.write(clusters, csv ? ClusterCsv.of(result.clusters()) : ClusterJson.of(result.clusters()));
             if (result.report().sampling().method() != Method.CLUSTER) {
                 terminal.say(clusters + " is empty: so few samples per pixel were evenly spaced and made no clusters");
             }

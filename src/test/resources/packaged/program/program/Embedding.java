@@ -76,7 +76,7 @@ public final class Embedding {
     private static void cancelled() {
         Scene scene = ball();
         RenderResult result = Renderer.render(scene, RenderSettings.of(scene), (done, total, soFar) -> {}, () -> true);
-        check(!result.isComplete(), "a render that was cancelled at once is complete");
+        check(!result.complete(), "a render that was cancelled at once is complete");
     }
 
     /** The first thing these say is what is missing, whatever they are called with. */

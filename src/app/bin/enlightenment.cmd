@@ -57,7 +57,15 @@ if defined LOCALAPPDATA set "E_ARCHIVE=%LOCALAPPDATA%\enlightenment\%E_PROGRAM%-
 if not defined E_ARCHIVE goto start
 if %E_MAJOR% GEQ 19 if "%~1"=="render" goto create
 if "%~1"=="setup" goto start
-if exist "%E_ARCHIVE%" set "E_USE=-XX:SharedArchiveFile="%E_ARCHIVE%""
+if not exist "%E_ARCHIVE%" goto start
+if %E_MAJOR% GEQ 19 goto use
+rem Before version 19 Java crashes on an archive that was cut short: setup says how long it is.
+set "E_SIZE="
+if exist "%E_ARCHIVE%.size" set /p E_SIZE=<"%E_ARCHIVE%.size"
+for %%I in ("%E_ARCHIVE%") do if not "%%~zI"=="%E_SIZE%" goto start
+
+:use
+set "E_USE=-XX:SharedArchiveFile="%E_ARCHIVE%""
 goto start
 
 :create

@@ -207,7 +207,8 @@ class LauncherIT {
 
     private Path archive() throws IOException {
         try (Stream<Path> files = Files.list(cache.resolve("enlightenment"))) {
-            List<Path> all = files.toList();
+            List<Path> all =
+                    files.filter(file -> file.toString().endsWith(".jsa")).toList();
             assertEquals(1, all.size(), all::toString);
             return all.get(0);
         }

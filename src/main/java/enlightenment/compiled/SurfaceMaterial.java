@@ -1,9 +1,9 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.image.ImageTexture;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.texture.ImageTexture;
 
 /** A material as shading reads it: plain fields, textures loaded. */
 public final class SurfaceMaterial {

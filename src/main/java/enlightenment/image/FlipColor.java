@@ -1,5 +1,8 @@
 package enlightenment.image;
 
+import enlightenment.codec.PngWriter;
+import enlightenment.codec.Srgb;
+
 /**
  * The colour spaces of ꟻLIP (section 4.1 of its paper): sRGB, the linear opponent space YCxCz that the eye's filters work
  * in, and CIELAB with Hunt's effect, in which differences are measured.

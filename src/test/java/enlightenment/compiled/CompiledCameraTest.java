@@ -50,7 +50,7 @@ class CompiledCameraTest {
     @Test
     void aWindowsRaysGoFromTheEyeThroughTheWindow() {
         ExactPoint eye = ExactPoint.of(1, 2, -3);
-        // A parallelogram that stands askew and not centred before the eye.
+        // A slanted parallelogram that is not centred before the eye.
         Vec3 lowerLeft = new Vec3(-2, 0, 1);
         Vec3 up = new Vec3(0.5, 3, 0.25);
         Vec3 right = new Vec3(4, 0.5, -1);

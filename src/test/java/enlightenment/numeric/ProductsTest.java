@@ -66,7 +66,7 @@ class ProductsTest {
             double[] a = {number(20), number(20), number(20)};
             double[] b = {number(20), number(20), number(20)};
             if (i % 2 == 0) {
-                // The last product all but cancels the others.
+                // The last product almost cancels the others.
                 b[2] = near(-(a[0] * b[0] + a[1] * b[1]) / a[2]);
             }
             BigDecimal exact = BigDecimal.ZERO;

@@ -61,18 +61,18 @@ class ForeignClientTest {
         Path picture = folder.resolve("picture.pfm");
         ImageFiles.writePfm(alone, picture);
         Path token = Files.writeString(folder.resolve("token"), " 0123456789abcdef\n");
-        ServerOptions options = Farm.options().withWait(1, 10_000);
-        options = isCropped ? options : options.withTokenFile(token);
+        ServerOptions.Builder options = Farm.options().awaitWorkers(1, 10_000);
+        options = isCropped ? options : options.tokenFile(token);
         try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
             Process client = client(farm.server.port(), isCropped ? "-" : token.toString(), picture);
-            Farm.until(() -> farm.server.isFinished() || !client.isAlive(), "it has ended");
+            Farm.until(() -> farm.server.round().isFinished() || !client.isAlive(), "it has ended");
             assertTrue(client.waitFor(60, TimeUnit.SECONDS));
             String said = Files.readString(folder.resolve("said"));
             assertEquals(0, client.exitValue(), said);
             RenderResult result = farm.result();
             assertTrue(result.complete());
             assertArrayEquals(Farm.png(alone), Farm.png(result.image()));
-            assertTrue(said.contains(farm.server.job().tiles() + " tiles made: the picture is done"), said);
+            assertTrue(said.contains(farm.server.round().job().tiles() + " tiles made: the picture is done"), said);
             assertTrue(farm.logHas("python (127.0.0.1) joined"), farm.log.toString());
         }
     }

@@ -90,7 +90,7 @@ class TorusTruthTest {
         assertTrue(tooShort < 500, tooShort + " chords collapsed");
     }
 
-    /** The least parameter difference of neighbouring crossings; 0 if the line all but touches the surface. */
+    /** The smallest parameter difference of neighbouring crossings; 0 if the line almost touches the surface. */
     private static double shortestChord(Scenario s) {
         TorusTruth truth = s.truth();
         if (truth.clearance() < 16 * U * s.distance()) {

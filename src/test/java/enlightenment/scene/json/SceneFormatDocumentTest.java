@@ -3,6 +3,7 @@ package enlightenment.scene.json;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.material.Texture;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,23 +29,15 @@ class SceneFormatDocumentTest {
     void everyKeyTypeAndWordIsExplained() throws IOException {
         String document = document();
         Stream<String> keys = Vocabulary.all().stream().flatMap(k -> k.all().stream());
-        Stream<String> words = Stream.of(
-                        Vocabulary.CAMERAS.keySet(),
-                        Vocabulary.OBJECTS.keySet(),
-                        Vocabulary.MATERIALS.keySet(),
-                        Vocabulary.LIGHTS.keySet(),
-                        Vocabulary.TEXTURES.keySet(),
-                        Vocabulary.PLANNED_OBJECTS,
-                        Vocabulary.PLANNED_MATERIALS,
-                        Vocabulary.PLANNED_LIGHT_KEYS,
-                        Vocabulary.PLANNED_SHADING_KEYS)
+        Stream<String> words = Vocabulary.families().stream()
+                .flatMap(f -> Stream.of(f.types(), f.plannedTypes(), f.plannedKeys()))
                 .flatMap(w -> w.stream());
         List<String> missing = Stream.concat(keys, words)
                 .distinct()
                 .filter(w -> !document.contains("`" + w + "`") && !document.contains("\"" + w + "\": "))
                 .toList();
         assertEquals(List.of(), missing);
-        Stream.of(Vocabulary.METHODS, Vocabulary.FILTERS, Vocabulary.ENCODINGS)
+        Stream.of(Vocabulary.METHODS, Fields.words(Texture.Filter.class), Fields.words(Texture.Encoding.class))
                 .flatMap(List::stream)
                 .forEach(w -> assertTrue(document.contains("`\"" + w + "\"`"), w));
     }

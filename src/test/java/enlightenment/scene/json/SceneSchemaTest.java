@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
+import enlightenment.material.Texture;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -119,37 +120,32 @@ class SceneSchemaTest {
 
     @Test
     void bothKnowTheSameTypesAndWords() {
-        Map.of(
-                        "camera", Vocabulary.CAMERAS,
-                        "object", Vocabulary.OBJECTS,
-                        "material", Vocabulary.MATERIALS,
-                        "light", Vocabulary.LIGHTS,
-                        "texture", Vocabulary.TEXTURES)
-                .forEach((family, types) -> {
-                    Set<String> refs = new TreeSet<>();
-                    TEXT.get("$defs")
-                            .get(family)
-                            .get("oneOf")
-                            .forEach(r -> refs.add(r.get("$ref").asString().substring("#/$defs/".length())));
-                    assertEquals(
-                            types.values().stream()
-                                    .map(Vocabulary.Keys::schemaName)
-                                    .collect(Collectors.toCollection(TreeSet::new)),
-                            refs);
-                    types.forEach((type, keys) -> assertEquals(
-                            type,
-                            property(keys.schemaName(), "type").get("const").asString()));
-                });
+        for (Family<?> family : Vocabulary.families()) {
+            Set<String> refs = new TreeSet<>();
+            TEXT.get("$defs")
+                    .get(family.name())
+                    .get("oneOf")
+                    .forEach(r -> refs.add(r.get("$ref").asString().substring("#/$defs/".length())));
+            assertEquals(
+                    family.keys().stream().map(Keys::schemaName).collect(Collectors.toCollection(TreeSet::new)), refs);
+            for (String type : family.types()) {
+                assertEquals(
+                        type,
+                        property(family.keys(type).schemaName(), "type")
+                                .get("const")
+                                .asString());
+            }
+        }
         assertEquals(
                 words(Vocabulary.METHODS), strings(property("render", "method").get("enum")));
         assertEquals(
                 words(Vocabulary.SHADING_MODELS),
                 strings(property("shading", "model").get("enum")));
         assertEquals(
-                words(Vocabulary.FILTERS),
+                words(Fields.words(Texture.Filter.class)),
                 strings(property("fileTexture", "filter").get("enum")));
         assertEquals(
-                words(Vocabulary.ENCODINGS),
+                words(Fields.words(Texture.Encoding.class)),
                 strings(property("fileTexture", "encoding").get("enum")));
     }
 

@@ -2,7 +2,7 @@ package enlightenment.texture;
 
 import enlightenment.codec.Raster;
 import enlightenment.codec.RasterFiles;
-import enlightenment.color.Srgb;
+import enlightenment.codec.Srgb;
 import enlightenment.image.ImageFormat;
 import java.io.IOException;
 import java.nio.ByteBuffer;

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Srgb;
+import enlightenment.codec.Srgb;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;

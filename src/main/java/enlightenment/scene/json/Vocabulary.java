@@ -31,7 +31,6 @@ final class Vocabulary {
 
     static final List<String> SHADING_MODELS = List.of("classic");
     static final List<String> PLANNED_SHADING_MODELS = List.of("physical");
-    static final List<String> METHODS = List.of("raytrace", "cluster");
 
     private Vocabulary() {}
 

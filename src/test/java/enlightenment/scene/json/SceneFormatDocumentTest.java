@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.material.Texture;
+import enlightenment.scene.Method;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -203,7 +204,7 @@ class SceneFormatDocumentTest {
     @Test
     void everyWordIsExplained() {
         Stream.of(
-                        Vocabulary.METHODS,
+                        Method.words(),
                         Vocabulary.SHADING_MODELS,
                         Fields.words(Texture.Filter.class),
                         Fields.words(Texture.Encoding.class))

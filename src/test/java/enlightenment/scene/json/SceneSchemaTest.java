@@ -9,6 +9,7 @@ import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import enlightenment.material.Texture;
+import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -141,8 +142,7 @@ class SceneSchemaTest {
                                 .asString());
             }
         }
-        assertEquals(
-                words(Vocabulary.METHODS), strings(property("render", "method").get("enum")));
+        assertEquals(words(Method.words()), strings(property("render", "method").get("enum")));
         assertEquals(
                 words(Vocabulary.SHADING_MODELS),
                 strings(property("shading", "model").get("enum")));

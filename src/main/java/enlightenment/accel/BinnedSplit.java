@@ -2,8 +2,8 @@ package enlightenment.accel;
 
 import java.util.Arrays;
 
-/** Finds where to cut a range of boxes: the cheapest border between equal bins of their centres, over all three axes. */
-final class BinnedCut {
+/** Finds the split of a range of boxes with the lowest surface area cost between equal bins of centroids, over all three axes. */
+final class BinnedSplit {
     private static final int BINS = 16;
 
     private final PrimitiveBoxes items;
@@ -19,11 +19,11 @@ final class BinnedCut {
     private int border;
     private double cost;
 
-    BinnedCut(PrimitiveBoxes items) {
+    BinnedSplit(PrimitiveBoxes items) {
         this.items = items;
     }
 
-    /** Looks for a cut of start..end−1 into two parts that are not empty; false if there is none. */
+    /** Looks for a split of start..end−1 into two parts that are not empty; false if there is none. */
     boolean find(int start, int end) {
         measure(start, end);
         fill(start, end);
@@ -36,12 +36,12 @@ final class BinnedCut {
         return cost < Double.POSITIVE_INFINITY;
     }
 
-    /** The expected work of the cut: area times number of items, summed over both parts. */
+    /** The surface area cost of the split: area times number of items, summed over both parts. */
     double cost() {
         return cost;
     }
 
-    /** The axis on which the centres of start..end−1 are spread the most. */
+    /** The axis with the largest extent of the centroids of start..end−1. */
     int widestAxis(int start, int end) {
         measure(start, end);
         int widest = 0;
@@ -69,7 +69,7 @@ final class BinnedCut {
         }
     }
 
-    /** The bin of item i on an axis; a quotient that overflowed still falls into the last bin. */
+    /** The bin of item i on an axis; the last one where the quotient overflows. */
     private int bin(int i, int a) {
         int k = (int) ((items.center(i, a) - lowest[a]) * scale[a]);
         return k < BINS ? k : BINS - 1;
@@ -113,7 +113,7 @@ final class BinnedCut {
         }
     }
 
-    /** Rearranges start..end−1 along the cut that was found, and says where the second part begins. */
+    /** Partitions start..end−1 by the split that was found; returns where the second part begins. */
     int partition(int start, int end) {
         int i = start;
         int j = end - 1;

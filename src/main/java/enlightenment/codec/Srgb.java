@@ -1,4 +1,4 @@
-package enlightenment.color;
+package enlightenment.codec;
 
 /** The sRGB transfer function (IEC 61966-2-1), component by component. */
 public final class Srgb {

@@ -1,12 +1,12 @@
 package enlightenment.primitive;
 
-/** The stretch of a line within the lateral surface of a cylinder or cone. */
-final class LateralStretch {
-    private LateralStretch() {}
+/** The interval of a line within the lateral surface of a cylinder or cone. */
+final class LateralInterval {
+    private LateralInterval() {}
 
     /**
-     * m·A = F·(d × A), the moment of the line about the axis, by the order of evaluation with the smaller bound. Given
-     * are the three products of each order; F carries roundings of its own, as large as those of the products.
+     * m·A = F·(d × A), the moment of the line about the axis, by whichever of the two forms has the smaller error bound. Given are
+     * the three products of each form; F carries roundings of its own, as large as those of the products.
      */
     static double axialMoment(double m1, double m2, double m3, double f1, double f2, double f3) {
         double boundM = Math.abs(m1) + Math.abs(m2) + Math.abs(m3);
@@ -15,7 +15,7 @@ final class LateralStretch {
     }
 
     /**
-     * The lower end of the stretch where aτ² + 2bτ + c ≤ 0 on the proper nappe; above {@link #upper} if there is none.
+     * The lower end of the interval where aτ² + 2bτ + c ≤ 0 on the proper nappe; above {@link #upper} if it is empty.
      *
      * @param s the root of b² − ac, at least 0
      * @param e d·A: its sign says which end of a line within the cone's directions is on the proper nappe
@@ -31,7 +31,7 @@ final class LateralStretch {
         return b > 0 ? q / a : c / q;
     }
 
-    /** The upper end of the stretch of {@link #lower}. */
+    /** The upper end of the interval of {@link #lower}. */
     static double upper(double a, double b, double c, double s, double e) {
         double q = b > 0 ? -b - s : -b + s;
         if (a < 0) {

@@ -16,6 +16,10 @@ import org.junit.jupiter.params.provider.FieldSource;
 /** What the tables of docs/numerics-tables.md must show: our column keeps the promises, the textbook's does not. */
 class ErrorTablesTest {
     static final List<String> KINDS = Subject.KINDS;
+    static final List<String> WITH_VECTORS =
+            KINDS.stream().filter(kind -> !Vectors.of(kind).isEmpty()).toList();
+    static final List<String> SOLIDS =
+            KINDS.stream().filter(kind -> !kind.equals("triangle")).toList();
 
     private static void checkOurs(ErrorTally tally, String what) {
         assertTrue(tally.decided > tally.rays / 2, what);
@@ -37,13 +41,11 @@ class ErrorTablesTest {
     }
 
     @ParameterizedTest
-    @FieldSource("KINDS")
+    @FieldSource("WITH_VECTORS")
     void oursIsRightOnTheShippedVectors(String kind) {
         ErrorTally tally = ErrorTables.vectors(kind);
-        if (tally.rays > 0) {
-            checkOurs(tally, kind);
-            assertTrue(tally.wrong[ErrorTally.NAIVE] > 0, kind);
-        }
+        checkOurs(tally, kind);
+        assertTrue(tally.wrong[ErrorTally.NAIVE] > 0, kind);
     }
 
     @Test
@@ -57,9 +59,9 @@ class ErrorTablesTest {
     }
 
     @ParameterizedTest
-    @FieldSource("KINDS")
+    @FieldSource("SOLIDS")
     void oursNeitherLosesAnExitNorHitsItself(String kind) {
-        for (double size : kind.equals("triangle") ? new double[0] : new double[] {1e-3, 1e6}) {
+        for (double size : new double[] {1e-3, 1e6}) {
             int[][] counts = ErrorTables.leaving(kind, size, 0, 100);
             assertEquals(0, counts[0][ErrorTally.OURS], kind + ": lost exits");
             assertEquals(0, counts[1][ErrorTally.OURS], kind + ": self-hits");

@@ -88,10 +88,12 @@ public final class RenderServer implements Closeable {
      * @param cancelled asked now and then while the render is planned
      * @throws IOException if the server cannot listen, or a file of the options cannot be used
      * @throws IllegalArgumentException if options do not go together
+     * @throws IllegalStateException if the library for CBOR, which is optional, is not there
      * @throws enlightenment.scene.SceneException if the scene cannot be used
      */
     public static RenderServer start(
             Scene scene, RenderSettings settings, ServerOptions given, BooleanSupplier cancelled) throws IOException {
+        CborLibrary.require();
         ServerLog log = new ServerLog(given.log, System::nanoTime);
         ServerOptions options = given.withLog(log::say);
         options.check();

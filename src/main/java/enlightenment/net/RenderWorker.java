@@ -37,9 +37,11 @@ public final class RenderWorker {
      * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the
      *     worker says good-bye and ends
      * @throws IOException if a file of the options cannot be used
+     * @throws IllegalStateException if the library for CBOR, which is optional, is not there
      */
     public static Outcome run(String host, int port, WorkerOptions settings, BooleanSupplier cancelled)
             throws IOException {
+        CborLibrary.require();
         WorkerOptions options = settings.withLog(line -> settings.log.accept(Plain.line(line, LONGEST_REASON)));
         byte[] token = token(options);
         Tls tls = tls(options);

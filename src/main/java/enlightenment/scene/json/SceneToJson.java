@@ -10,6 +10,8 @@ import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
+import enlightenment.text.Plain;
+import enlightenment.text.Suggestion;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -124,7 +126,7 @@ final class SceneToJson {
         if (!Vocabulary.METHODS.contains(r.method())) {
             throw SceneException.of(
                     "/render/method",
-                    "unknown: " + JsonValue.quoted(r.method())
+                    "unknown: " + Plain.quoted(r.method())
                             + Suggestion.of(r.method(), Vocabulary.METHODS, "expected one of"));
         }
         p.text("method", r.method()).whole("antialias", r.antialias()).whole("shadowSamples", r.shadowSamples());

@@ -1,0 +1,103 @@
+package enlightenment.primitive;
+
+import enlightenment.frame.Parallelograms;
+import enlightenment.frame.Rotation;
+import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Torus;
+import enlightenment.geometry.Triangle;
+import enlightenment.math.Vec3;
+
+/** Places shapes, which are exact descriptions, in a frame, where they are primitives that rays can intersect. */
+public final class Primitives {
+    private Primitives() {}
+
+    /** The shape in a frame, ready to be intersected. Every kind of shape has its line here; a test tries them all. */
+    public static Primitive place(Shape shape, SceneFrame frame) {
+        if (shape instanceof Sphere s) {
+            return sphere(s, frame);
+        } else if (shape instanceof Triangle t) {
+            return triangle(t, frame);
+        } else if (shape instanceof Rectangle r) {
+            return rectangle(r, frame);
+        } else if (shape instanceof Box b) {
+            return new BoxPrimitive(frame.toFrame(b.min()), frame.toFrame(b.max()));
+        } else if (shape instanceof Cube c) {
+            return cube(c, frame);
+        } else if (shape instanceof Cylinder c) {
+            return cylinder(c, frame);
+        } else if (shape instanceof Cone c) {
+            return cone(c, frame);
+        } else if (shape instanceof Disk d) {
+            return new DiskPrimitive(frame.toFrame(d.center()), d.normal(), Sizes.inFrame(d.radius(), frame));
+        } else if (shape instanceof Torus t) {
+            return torus(t, frame);
+        }
+        throw new AssertionError("no primitive for the shape " + shape.type());
+    }
+
+    private static Primitive sphere(Sphere s, SceneFrame frame) {
+        Vec3 meridian = Rotation.aboutY(s.rotation()).apply(new Vec3(0, 0, -1));
+        return new SpherePrimitive(
+                frame.toFrame(s.center()), Sizes.inFrame(s.radius(), frame), meridian.x(), meridian.z());
+    }
+
+    private static Primitive triangle(Triangle t, SceneFrame frame) {
+        return new TrianglePrimitive(
+                Parallelograms.normalIfDegenerate(t.a(), t.b(), t.c(), frame),
+                frame.toFrame(t.a()),
+                frame.toFrame(t.b()),
+                frame.toFrame(t.c()));
+    }
+
+    private static Primitive rectangle(Rectangle r, SceneFrame frame) {
+        return new RectanglePrimitive(
+                Parallelograms.normalIfDegenerate(r.lowerLeft(), r.upperLeft(), r.lowerRight(), frame),
+                frame.toFrame(r.lowerLeft()),
+                frame.toFrame(r.upperLeft()),
+                frame.toFrame(r.upperRight()),
+                frame.toFrame(r.lowerRight()));
+    }
+
+    private static Primitive cube(Cube c, SceneFrame frame) {
+        Vec3 middle = frame.toFrame(c.center());
+        // The diagonal of a cube is sqrt(3) times its edge.
+        double half = Sizes.inFrame(c.radius(), frame) / Math.sqrt(3);
+        Rotation turn = Rotation.ofDegrees(c.rotation());
+        return CubePrimitive.isUpright(turn) ? CubePrimitive.box(middle, half) : new CubePrimitive(middle, half, turn);
+    }
+
+    private static Primitive cylinder(Cylinder c, SceneFrame frame) {
+        return new CylinderPrimitive(
+                frame.toFrame(c.base()),
+                frame.toFrame(c.top()),
+                Axes.between(c.base(), c.top(), frame),
+                Sizes.inFrame(c.radius(), frame),
+                c.capped());
+    }
+
+    private static Primitive cone(Cone c, SceneFrame frame) {
+        return new ConePrimitive(
+                frame.toFrame(c.base()),
+                frame.toFrame(c.apex()),
+                Axes.between(c.base(), c.apex(), frame),
+                Sizes.inFrame(c.radius(), frame),
+                frame.toFrame(c.topRadius()),
+                c.capped());
+    }
+
+    private static Primitive torus(Torus t, SceneFrame frame) {
+        return new TorusPrimitive(
+                frame.toFrame(t.center()),
+                t.axis().normalized(),
+                Sizes.inFrame(t.majorRadius(), frame),
+                Sizes.inFrame(t.minorRadius(), frame));
+    }
+}

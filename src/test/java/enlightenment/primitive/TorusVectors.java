@@ -67,7 +67,8 @@ final class TorusVectors {
 
     static List<Vector> read() throws IOException {
         List<Vector> tori = new ArrayList<>();
-        try (InputStream in = Objects.requireNonNull(TorusVectors.class.getResourceAsStream("intersection-vectors.jsonl"));
+        try (InputStream in =
+                        Objects.requireNonNull(TorusVectors.class.getResourceAsStream("intersection-vectors.jsonl"));
                 JsonParser json = new JsonFactory().createParser(ObjectReadContext.empty(), in)) {
             while (json.nextToken() == JsonToken.START_OBJECT) {
                 Vector v = new Vector();

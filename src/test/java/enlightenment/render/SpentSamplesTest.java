@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.file.Path;
@@ -31,7 +32,8 @@ class SpentSamplesTest {
     Path directory;
 
     private static Picture render(Scene scene, RenderSettings settings, double samples) {
-        return ManySeeds.render(scene, settings.withMethod("cluster").withBudget(Budget.NONE.withSamples(samples)));
+        return ManySeeds.render(
+                scene, settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(samples)));
     }
 
     private static double spent(Scene scene, RenderSettings settings, double samples) {

@@ -164,6 +164,7 @@ class TorusPrimitiveTest {
     @Test
     void aSceneScaledByAPowerOfTwoChangesNoBit() {
         Random random = new Random(2);
+        int hits = 0;
         for (int i = 0; i < 500; i++) {
             Vec3 center = gaussian(random);
             TorusPrimitive torus =
@@ -172,6 +173,7 @@ class TorusPrimitiveTest {
             Vec3 d = center.plus(gaussian(random)).minus(o);
             Hit hit = new Hit();
             boolean found = torus.intersect(Ray.of(o, d), hit);
+            hits += found ? 1 : 0;
             for (int k : new int[] {-900, -300, -60, -1, 1, 60, 300, 900}) {
                 Hit other = new Hit();
                 Primitive scaled = torus.scaledBy(k);
@@ -184,6 +186,7 @@ class TorusPrimitiveTest {
                 }
             }
         }
+        assertTrue(hits > 100 && hits < 450, hits + " hits");
     }
 
     private static void sameLeaving(Primitive torus, Hit hit, Primitive scaled, Hit other, int k, Vec3 d) {

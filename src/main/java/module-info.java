@@ -32,6 +32,7 @@ module enlightenment {
     exports enlightenment.render;
     exports enlightenment.net;
     exports enlightenment.measure;
+    exports enlightenment.measure.trade;
 
     opens enlightenment.cli to
             info.picocli;

@@ -3,10 +3,10 @@ package enlightenment.cli;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
-import enlightenment.measure.Sweep;
 import enlightenment.measure.Trade;
-import enlightenment.measure.TradeResult;
-import enlightenment.measure.TradeSettings;
+import enlightenment.measure.trade.Sweep;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeSettings;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -132,7 +132,7 @@ final class TradeCommand extends Subcommand {
 
     private int evaluate(TradeSettings settings, TradeOutput output) throws IOException {
         try {
-            output.write(Trade.evaluate(settings, folder));
+            output.write(Trade.read(settings, folder));
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--evaluate: " + e.problem());
         }
@@ -159,7 +159,7 @@ final class TradeCommand extends Subcommand {
             return CliException.FAILED;
         }
         output.write(result.get());
-        if (!result.get().circumstances().complete()) {
+        if (!result.get().conditions().complete()) {
             terminal.say("stopped: " + folder + " holds what was measured; --resume goes on");
             return CliException.FAILED;
         }

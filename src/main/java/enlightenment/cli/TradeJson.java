@@ -1,16 +1,17 @@
 package enlightenment.cli;
 
-import enlightenment.measure.Circumstances;
-import enlightenment.measure.Contender;
-import enlightenment.measure.Curve;
-import enlightenment.measure.EqualTime;
-import enlightenment.measure.Meeting;
-import enlightenment.measure.Need;
-import enlightenment.measure.PowerLaw;
-import enlightenment.measure.Reference;
-import enlightenment.measure.SweepResult;
-import enlightenment.measure.TradeResult;
-import enlightenment.measure.Verdict;
+import enlightenment.measure.analysis.Configuration;
+import enlightenment.measure.analysis.CostEstimate;
+import enlightenment.measure.analysis.Curve;
+import enlightenment.measure.analysis.EqualErrorComparison;
+import enlightenment.measure.analysis.EqualTimeComparison;
+import enlightenment.measure.analysis.EqualTimePicture;
+import enlightenment.measure.analysis.PowerLaw;
+import enlightenment.measure.analysis.SweepResult;
+import enlightenment.measure.analysis.TradeAnalysis;
+import enlightenment.measure.analysis.Verdict;
+import enlightenment.measure.trade.Reference;
+import enlightenment.measure.trade.TradeResult;
 import enlightenment.scene.RenderSettings;
 import java.util.Locale;
 import java.util.Optional;
@@ -19,8 +20,8 @@ import java.util.Optional;
 final class TradeJson {
     private TradeJson() {}
 
-    static String of(TradeResult result) {
-        Circumstances c = result.circumstances();
+    static String of(TradeAnalysis result, EqualTimeComparison equalTime) {
+        TradeResult.Conditions c = result.result().conditions();
         JsonText json = new JsonText().beginObject();
         json.key("enlightenment").value(Version.number());
         BenchJson.machine(json.key("machine"), c.machine());
@@ -29,67 +30,66 @@ final class TradeJson {
         json.key("coldStartSeconds").value(c.coldSeconds());
         json.key("shareOfProcessors").value(result.shareOfProcessors());
         settings(json.key("settings"), result);
-        reference(json.key("reference"), result.reference());
+        reference(json.key("reference"), result.result().reference());
         json.key("verdicts").beginArray();
         Verdict.all(result).forEach(v -> verdict(json, v, result));
         json.endArray();
         json.key("meetings").beginArray();
-        Meeting.all(result).forEach(m -> meeting(json, m));
+        EqualErrorComparison.all(result).forEach(m -> meeting(json, m));
         json.endArray();
         json.key("needs").beginArray();
         for (double target : TradeResult.TARGETS) {
             if (result.isKnown(target)) {
-                result.reaches().forEach(r -> r.forError(target).ifPresent(n -> need(json, n)));
+                result.costs().forEach(r -> r.forError(target).ifPresent(n -> cost(json, n)));
             }
         }
         json.endArray();
         json.key("curves").beginArray();
         result.curves().forEach(x -> curve(json, x));
         json.endArray();
-        equalTime(json, result);
+        equalTime(json, equalTime);
         json.key("sweeps").beginArray();
         result.sweeps().forEach(s -> sweep(json, s));
         return json.endArray().endObject().finish();
     }
 
-    private static void verdict(JsonText json, Verdict v, TradeResult result) {
+    private static void verdict(JsonText json, Verdict v, TradeAnalysis result) {
         json.beginObject();
         json.key("error").value(v.target());
         json.key("known").value(word(v.known()));
         json.key("sentence").value(v.sentence());
         v.best().ifPresent(b -> {
             json.key("arguments").value(Verdict.arguments(b, result.settings()));
-            need(json.key("need"), b);
+            cost(json.key("need"), b);
         });
         json.key("comparisons").beginArray();
         for (Verdict.Comparison c : v.comparisons()) {
             json.beginObject();
             json.key("timesAsLong").value(c.ratio());
             json.key("alike").value(c.alike());
-            need(json.key("need"), c.need());
+            cost(json.key("need"), c.cost());
             json.endObject();
         }
         json.endArray().endObject();
     }
 
-    private static void meeting(JsonText json, Meeting m) {
+    private static void meeting(JsonText json, EqualErrorComparison m) {
         json.beginObject();
         json.key("error").value(m.error());
         json.key("smallest").value(m.smallest());
         json.key("lightPoints").value(m.best() ? "best" : "scene");
         json.key("timesAsLong").value(m.ratio());
-        need(json.key("first"), m.first());
-        need(json.key("second"), m.second());
+        cost(json.key("first"), m.first());
+        cost(json.key("second"), m.second());
         json.endObject();
     }
 
-    private static void equalTime(JsonText json, TradeResult result) {
-        double variance = result.reference().variance();
-        json.key("equal").value(EqualTime.areEqual(result.equalTime()));
-        EqualTime.sentence(result.equalTime(), variance)
-                .ifPresent(s -> json.key("equalTimeSentence").value(s));
+    private static void equalTime(JsonText json, EqualTimeComparison comparison) {
+        json.key("equal").value(comparison.isEqual());
+        comparison.sentence().ifPresent(s -> json.key("equalTimeSentence").value(s));
         json.key("equalTime").beginArray();
-        for (EqualTime e : result.equalTime()) {
+        double variance = comparison.referenceVariance();
+        for (EqualTimePicture e : comparison.pictures()) {
             json.beginObject();
             json.key("method").value(e.run().method());
             json.key("lightPoints").value(e.run().shadowSamples());
@@ -106,7 +106,7 @@ final class TradeJson {
         return value.name().toLowerCase(Locale.ROOT);
     }
 
-    private static void settings(JsonText json, TradeResult result) {
+    private static void settings(JsonText json, TradeAnalysis result) {
         RenderSettings s = result.settings().base();
         json.beginObject();
         json.key("methods").beginArray();
@@ -130,7 +130,7 @@ final class TradeJson {
         for (Reference.Part part : reference.parts()) {
             json.beginObject();
             json.key("method").value(part.method());
-            json.key("lightPoints").value(part.lightPoints());
+            json.key("lightPoints").value(part.lightSamples());
             json.key("samples").value(part.samples());
             json.key("seed").value(part.seed());
             json.endObject();
@@ -138,10 +138,10 @@ final class TradeJson {
         json.endArray().endObject();
     }
 
-    private static void need(JsonText json, Need n) {
+    private static void cost(JsonText json, CostEstimate n) {
         json.beginObject();
         json.key("error").value(n.target());
-        contender(json, n.contender());
+        configuration(json, n.configuration());
         json.key("samples").value(n.samples());
         json.key("errorItGives").value(n.error());
         n.flip().ifPresent(f -> json.key("flip").value(f));
@@ -154,15 +154,15 @@ final class TradeJson {
         json.endObject();
     }
 
-    private static void contender(JsonText json, Contender c) {
+    private static void configuration(JsonText json, Configuration c) {
         json.key("method").value(c.method());
-        json.key("lightPoints").value(c.lightPoints());
+        json.key("lightPoints").value(c.lightSamples());
         json.key("grid").value(c.grid());
     }
 
     private static void curve(JsonText json, Curve curve) {
         json.beginObject();
-        contender(json, curve.contender());
+        configuration(json, curve.configuration());
         fit(json, "overSamples", curve.overSamples());
         fit(json, "overTime", curve.overTime());
         json.key("insideOwnInterval").value(curve.insideOwnInterval());

@@ -15,6 +15,9 @@ final class SweepRunner {
 
     private final Session session;
 
+    /** Seconds of the last render, which the next one is expected to take at least. */
+    private double last;
+
     SweepRunner(Session session) {
         this.session = session;
     }
@@ -22,30 +25,39 @@ final class SweepRunner {
     void run() throws IOException {
         List<Sweep> sweeps = session.settings.sweeps();
         for (int i = 0; i < sweeps.size(); i++) {
+            last = 0;
             run(sweeps.get(i), BEGIN + (1 - BEGIN) * (i + 1) / sweeps.size());
         }
     }
 
     private void run(Sweep sweep, double share) throws IOException {
-        RenderSettings base = session.settings.base();
-        double last = 0;
         for (int i = 0; i < sweep.values().size(); i++) {
             int value = sweep.values().get(i);
             session.say(sweep.name() + " " + value);
-            for (int k = 0; k < session.settings.seeds(); k++) {
-                if ((i >= MIN_VALUES || k > 0) && !session.fits(last, share)) {
-                    return;
-                }
-                long seed = base.seed() + 1 + k;
-                boolean done = session.has(
-                        r -> r.kind().equals(sweep.kind()) && sweep.valueOf(r) == value && r.seed() == seed);
-                if (!done) {
-                    TimedRenderer.Timed render =
-                            session.renderer.render(sweep.at(base, value).withSeed(seed));
-                    last = render.wall();
-                    session.record(sweep.kind(), List.of(render));
-                }
+            boolean all = run(sweep, value, share, i < MIN_VALUES ? 1 : 0);
+            if (!all && i + 1 >= MIN_VALUES) {
+                return;
             }
         }
+    }
+
+    /** Renders one value with each seed, the first few of them whatever they take; returns whether there was time for all. */
+    private boolean run(Sweep sweep, int value, double share, int minSeeds) throws IOException {
+        RenderSettings base = session.settings.base();
+        for (int k = 0; k < session.settings.seeds(); k++) {
+            if (k >= minSeeds && !session.fits(last, share)) {
+                return false;
+            }
+            long seed = base.seed() + 1 + k;
+            boolean done =
+                    session.has(r -> r.kind().equals(sweep.kind()) && sweep.valueOf(r) == value && r.seed() == seed);
+            if (!done) {
+                TimedRenderer.Timed render =
+                        session.renderer.render(sweep.at(base, value).withSeed(seed));
+                last = render.wall();
+                session.record(sweep.kind(), List.of(render));
+            }
+        }
+        return true;
     }
 }

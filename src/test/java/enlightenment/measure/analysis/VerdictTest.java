@@ -4,17 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.Advice.Basis;
 import enlightenment.measure.trade.TradeRun;
+import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Two methods whose curves, and so whose crossing and ratios, are known. */
 class VerdictTest {
-    private static TradeAnalysis trade(double referenceError, List<List<TradeRun>> ladders) {
+    private static TradeAnalysis trade(double referenceError, List<List<TradeRun>> parts) {
         List<TradeRun> runs = new ArrayList<>();
-        ladders.forEach(runs::addAll);
+        parts.forEach(runs::addAll);
         return SyntheticRuns.trade(referenceError, runs);
     }
 
@@ -223,5 +225,72 @@ class VerdictTest {
         Verdict verdict = Verdict.of(trade(0, List.of()), 0.01);
         assertEquals(Basis.NOTHING, verdict.known());
         assertTrue(EqualErrorComparison.all(trade(0, List.of())).isEmpty());
+    }
+
+    private static TradeRun timed(String method, double samples, long seed, double error, double seconds) {
+        return SyntheticRuns.run(method, samples, seed, error * error, seconds);
+    }
+
+    @Test
+    void timesWithinATenthOrThatOverlapAreCalledAlike() {
+        TradeRun fast = timed("cluster", 16, 1, 0.01, 1);
+        Verdict near = Verdict.of(trade(0, List.of(List.of(fast, timed("raytrace", 16, 1, 0.01, 1.09)))), 0.01);
+        assertTrue(near.comparisons().get(0).alike());
+        assertTrue(near.sentence().contains("about as fast as raytrace"), near.sentence());
+        Verdict far = Verdict.of(trade(0, List.of(List.of(fast, timed("raytrace", 16, 1, 0.01, 1.11)))), 0.01);
+        assertFalse(far.comparisons().get(0).alike());
+        // Medians 1.2 and 2 s, but cluster once took longer than raytrace ever did at its best.
+        List<TradeRun> scattered = List.of(
+                fast,
+                timed("cluster", 16, 2, 0.01, 1.2),
+                timed("cluster", 16, 3, 0.01, 4),
+                timed("raytrace", 16, 1, 0.01, 2));
+        Verdict overlap = Verdict.of(trade(0, List.of(scattered)), 0.01);
+        assertEquals(2 / 1.2, overlap.comparisons().get(0).ratio(), 1e-12);
+        assertTrue(overlap.comparisons().get(0).alike());
+    }
+
+    /** 0.01 takes one sample by either method; 0.005 takes raytrace (0.008/0.005)² = 2.56. */
+    @Test
+    void theHeadlineIsForTheLargestErrorThatNeedsMoreThanOneSample() {
+        TradeAnalysis trade = trade(0, List.of(raytrace(10, 1024, 0.008, 0.1), cluster(1024, 0.004, 0.1)));
+        assertEquals(1, Verdict.of(trade, 0.01).best().orElseThrow().samples());
+        assertEquals(0.005, Verdict.headline(trade).target());
+        assertEquals(
+                List.of(0.01, 0.005, 0.001),
+                Verdict.all(trade).stream().map(Verdict::target).toList());
+        // Nothing is measured at any of them: the first is as good as any.
+        assertEquals(0.01, Verdict.headline(trade(0, List.of())).target());
+    }
+
+    /** Eight bits add 1/255/√12 = 0.0011: to 0.006 that is 2 %, to 0.005 already more. */
+    @Test
+    void smallErrorsAreKeptInSixteenBits() {
+        TradeAnalysis trade = trade(0, List.of(cluster(1024, 0.04, 0.1)));
+        assertEquals("--method cluster --samples 16", arguments(trade, 0.01));
+        assertEquals("--method cluster --samples 64 --depth 16", arguments(trade, 0.005));
+    }
+
+    private static String arguments(TradeAnalysis trade, double target) {
+        return Verdict.arguments(Verdict.of(trade, target).best().orElseThrow(), trade.settings());
+    }
+
+    @Test
+    void theAdviceHasTheSettingsThatTheSentenceNames() {
+        TradeAnalysis trade = trade(0, List.of(raytrace(1, 1024, 0.08, 0.01)));
+        Verdict verdict = Verdict.of(trade, 0.005);
+        assertTrue(
+                verdict.sentence().contains("--method raytrace --shadow-samples 1 --samples 256"), verdict.sentence());
+        Advice advice = verdict.advice(trade.settings());
+        RenderSettings settings = advice.settings().orElseThrow();
+        assertEquals("raytrace", settings.method());
+        assertEquals(1, settings.shadowSamples());
+        assertEquals(256, settings.budget().samples().orElseThrow());
+        assertEquals(trade.settings().base().seed(), settings.seed());
+        assertEquals(2.56, advice.seconds().orElseThrow().median(), 1e-12);
+        assertEquals(Basis.MEASURED, advice.basis());
+        Advice nothing = Verdict.of(trade, 1e-6).advice(trade.settings());
+        assertEquals(Basis.NOTHING, nothing.basis());
+        assertTrue(nothing.settings().isEmpty() && nothing.seconds().isEmpty());
     }
 }

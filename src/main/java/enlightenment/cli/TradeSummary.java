@@ -13,7 +13,7 @@ import java.util.Locale;
  */
 final class TradeSummary {
     private static final String HEADER =
-            "error,smallestBothReached,lightSamples,timesAsLong," + columns("first") + "," + columns("second");
+            "error,smallestBothReached,lightPoints,timesAsLong," + columns("first") + "," + columns("second");
 
     private TradeSummary() {}
 

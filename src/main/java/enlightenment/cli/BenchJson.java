@@ -20,7 +20,7 @@ final class BenchJson {
             RenderSettings s = b.settings();
             json.beginObject();
             json.key("name").value(b.name());
-            json.key("method").value(s.method());
+            json.key("method").value(s.method().word());
             json.key("width").value(s.width());
             json.key("height").value(s.height());
             json.key("antialias").value(s.antialias());

@@ -7,7 +7,18 @@ import picocli.CommandLine;
 /** All commands by name. */
 final class Commands {
     static final String[] NAMES = {
-        "render", "validate", "inspect", "schema", "convert", "compare", "trade", "bench", "merge", "server", "worker"
+        "render",
+        "validate",
+        "inspect",
+        "schema",
+        "convert",
+        "compare",
+        "trade",
+        "bench",
+        "merge",
+        "server",
+        "worker",
+        "setup"
     };
 
     private Commands() {}
@@ -26,6 +37,7 @@ final class Commands {
             case "compare" -> new CompareCommand(terminal);
             case "trade" -> new TradeCommand(terminal);
             case "bench" -> new BenchCommand(terminal);
+            case "setup" -> new SetupCommand(terminal);
             default -> null;
         };
     }
@@ -48,15 +60,20 @@ final class Commands {
         return line;
     }
 
-    /** Help, completion, and everything that is wrong: these need to know all commands. */
-    static int executeTree(String[] args, Terminal terminal) {
+    /** All commands, under the one that stands above them. */
+    static CommandLine tree(Terminal terminal) {
         CommandLine tree = new CommandLine(new RootCommand());
         for (String name : NAMES) {
             tree.addSubcommand(name, line(create(name, terminal)));
         }
         tree.addSubcommand("completion", new AutoComplete.GenerateCompletion());
         tree.addSubcommand("help", new CommandLine.HelpCommand());
-        configure(tree, terminal);
+        return configure(tree, terminal);
+    }
+
+    /** Help, completion, and everything that is wrong: these need to know all commands. */
+    static int executeTree(String[] args, Terminal terminal) {
+        CommandLine tree = tree(terminal);
         checkName(args, 0, tree);
         if (args.length > 0 && args[0].equals("help")) {
             checkName(args, 1, tree);

@@ -1,12 +1,12 @@
 package enlightenment.cli;
 
 import enlightenment.image.Flip;
-import enlightenment.image.HeatMap;
 import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
+import enlightenment.picture.HeatMap;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;

@@ -1,8 +1,8 @@
 package enlightenment.cli;
 
 import enlightenment.image.PngOptions;
-import enlightenment.image.Rounding;
 import enlightenment.net.RenderParts;
+import enlightenment.picture.Rounding;
 import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -9,6 +9,7 @@ import enlightenment.render.RenderReport;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -126,7 +127,7 @@ final class RenderCommand extends Subcommand {
         if (clusters != null) {
             boolean csv = OutputFile.extension(clusters).equals(".csv");
             OutputFile.write(clusters, csv ? ClusterDump.csv(result.clusters()) : ClusterDump.json(result.clusters()));
-            if (!result.report().sampling().method().equals("cluster")) {
+            if (result.report().sampling().method() != Method.CLUSTER) {
                 terminal.say(clusters + " is empty: so few samples per pixel were evenly spaced and made no clusters");
             }
         }
@@ -145,8 +146,9 @@ final class RenderCommand extends Subcommand {
     }
 
     private void checkClusters(RenderSettings settings) {
-        if (!settings.method().equals("cluster")) {
-            throw CliException.wrongUsage("--dump-clusters needs --method cluster; " + settings.method() + " has none");
+        if (settings.method() != Method.CLUSTER) {
+            throw CliException.wrongUsage(
+                    "--dump-clusters needs --method " + Method.CLUSTER + "; " + settings.method() + " has none");
         }
         String extension = OutputFile.extension(clusters);
         if (!extension.equals(".json") && !extension.equals(".csv")) {

@@ -1,9 +1,9 @@
 package enlightenment.cli;
 
 import enlightenment.math.InvalidValueException;
-import enlightenment.render.Renderer;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -27,7 +27,11 @@ final class RenderOptions {
 
     private static final double MOST_TIME = 1e9;
 
-    @Option(names = "--method", paramLabel = "METHOD", description = "how: raytrace or cluster")
+    @Option(
+            names = "--method",
+            paramLabel = "METHOD",
+            completionCandidates = MethodNames.class,
+            description = "how: ${COMPLETION-CANDIDATES}")
     private String method;
 
     @Option(names = "--size", paramLabel = "WxH", description = "size of the whole picture in pixels")
@@ -109,7 +113,7 @@ final class RenderOptions {
         frame();
         budget();
         if (method != null) {
-            OptionValues.word("--method", method, Renderer.METHODS.toArray(new String[0]));
+            OptionValues.word("--method", method, Method.words().toArray(new String[0]));
         }
         if (size != null) {
             OptionValues.size("--size", size);
@@ -129,7 +133,7 @@ final class RenderOptions {
             throw Failures.inFile(sceneFile, e);
         }
         if (method != null) {
-            s = s.withMethod(method);
+            s = s.withMethod(Method.named(method));
         }
         if (size != null) {
             int[] sides = OptionValues.size("--size", size);
@@ -267,7 +271,7 @@ final class RenderOptions {
         if (s.budget().error().isPresent()) {
             line.append(" error=").append(number(s.budget().error().getAsDouble()));
         }
-        if (s.method().equals("cluster")) {
+        if (s.method().has(Method.Setting.PROPOSAL)) {
             line.append(" proposal=").append(s.proposal());
         }
         line.append(" shadowSamples=").append(s.shadowSamples());

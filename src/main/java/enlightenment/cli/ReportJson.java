@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
 
@@ -47,7 +48,7 @@ final class ReportJson {
 
     private static void settings(JsonText json, RenderSettings s) {
         json.beginObject();
-        json.key("method").value(s.method());
+        json.key("method").value(s.method().word());
         json.key("width").value(s.width());
         json.key("height").value(s.height());
         if (s.crop().isPresent()) {
@@ -68,7 +69,7 @@ final class ReportJson {
         if (s.budget().seconds().isPresent()) {
             json.key("time").value(s.budget().seconds().getAsDouble());
         }
-        if (s.method().equals("cluster")) {
+        if (s.method().has(Method.Setting.PROPOSAL)) {
             json.key("proposal").value(s.proposal());
         }
         json.key("threads").value(s.threads());
@@ -78,7 +79,7 @@ final class ReportJson {
     private static void sampling(JsonText json, RenderReport report) {
         RenderReport.Sampling s = report.sampling();
         json.beginObject();
-        json.key("method").value(s.method());
+        json.key("method").value(s.method().word());
         json.key("decidedBy").value(s.decidedBy());
         json.key("plannedSamples").value(s.plannedSamples());
         json.key("samplesPerPixel").value(s.samplesPerPixel());

@@ -41,7 +41,7 @@ final class ServerCommand extends Subcommand {
     private String host = "127.0.0.1";
 
     @Option(names = "--port", paramLabel = "PORT", description = "6002 by default; 0 for any that is free")
-    private String port = Integer.toString(ServerOptions.PORT);
+    private String port = Integer.toString(ServerOptions.DEFAULT_PORT);
 
     @Option(names = "--min-workers", paramLabel = "N", description = "begin when so many workers are there")
     private String minWorkers = "0";
@@ -145,32 +145,36 @@ final class ServerCommand extends Subcommand {
     }
 
     private ServerOptions serverOptions() throws IOException {
-        ServerOptions o = ServerOptions.DEFAULT
-                .withAddress(host, OptionValues.integer("--port", port, 0, MAX_PORT))
-                .withWait(
-                        OptionValues.integer("--min-workers", minWorkers, 0, ServerOptions.MOST_WORKERS),
+        ServerOptions.Builder o = ServerOptions.builder()
+                .address(host, OptionValues.integer("--port", port, 0, MAX_PORT))
+                .awaitWorkers(
+                        OptionValues.integer("--min-workers", minWorkers, 0, ServerOptions.MAX_WORKERS),
                         OptionValues.number("--wait", wait, 0, MAX_WAIT))
-                .withShares(shares())
-                .withLog(terminal::say);
-        o = secured(o);
-        o = statusPort == null ? o : o.withStatusPort(OptionValues.integer("--status-port", statusPort, 0, MAX_PORT));
-        o = localThreads == null
-                ? o
-                : o.withLocalThreads(OptionValues.integer("--local-threads", localThreads, 0, MAX_THREADS));
-        o = audit == null ? o : o.withAuditRate(OptionValues.number("--audit", audit, 0, 1));
+                .shares(shares())
+                .log(terminal::say);
+        secure(o);
+        if (statusPort != null) {
+            o.statusPort(OptionValues.integer("--status-port", statusPort, 0, MAX_PORT));
+        }
+        if (localThreads != null) {
+            o.localThreads(OptionValues.integer("--local-threads", localThreads, 0, MAX_THREADS));
+        }
+        if (audit != null) {
+            o.auditRate(OptionValues.number("--audit", audit, 0, 1));
+        }
         if (checkpoint != null) {
             if (options.hasTime()) {
                 throw CliException.wrongUsage(
                         "--checkpoint must not be given with --time, which is planned anew each time: give --samples");
             }
-            o = o.withCheckpoint(checkpoint);
+            o.checkpoint(checkpoint);
         } else if (!pardoned.isEmpty()) {
             throw CliException.wrongUsage("--pardon needs --checkpoint, which remembers who was expelled");
         }
-        return o.withPardoned(pardoned);
+        return o.pardoned(pardoned).build();
     }
 
-    private ServerOptions secured(ServerOptions plain) throws IOException {
+    private void secure(ServerOptions.Builder o) throws IOException {
         if ((certificate == null) != (key == null)) {
             throw CliException.wrongUsage("--tls-cert and --tls-key go together");
         }
@@ -188,9 +192,15 @@ final class ServerCommand extends Subcommand {
                         + " a certificate is made if there is no such file");
             }
         }
-        ServerOptions o = token == null ? plain : plain.withTokenFile(token);
-        o = certificate == null ? o : o.withTls(certificate, key);
-        return tls == null ? o : o.withTls(tls);
+        if (token != null) {
+            o.tokenFile(token);
+        }
+        if (certificate != null) {
+            o.tls(certificate, key);
+        }
+        if (tls != null) {
+            o.tls(tls);
+        }
     }
 
     private OutputFiles outputFiles(Scene scene) {

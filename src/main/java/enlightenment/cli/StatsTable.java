@@ -38,8 +38,8 @@ final class StatsTable {
 
     private void sampling(RenderReport report) {
         RenderReport.Sampling s = report.sampling();
-        boolean own = s.method().equals(report.settings().method());
-        String plain = own ? "" : ", too few for a survey: evenly spaced, as with raytrace";
+        boolean own = s.method() == report.settings().method();
+        String plain = own ? "" : ", too few for a survey: evenly spaced, as with " + s.method();
         line("samples per pixel", "%,18.2f   decided by %s%s", s.samplesPerPixel(), s.decidedBy(), plain);
         line(
                 "estimated error",

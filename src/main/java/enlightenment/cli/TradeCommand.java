@@ -7,7 +7,7 @@ import enlightenment.measure.Trade;
 import enlightenment.measure.trade.Sweep;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeSettings;
-import enlightenment.render.Renderer;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -51,8 +51,8 @@ final class TradeCommand extends Subcommand {
             description = "a folder for tables, charts, pictures and the page index.html")
     private Path folder;
 
-    @Option(names = "--methods", paramLabel = "LIST", description = "what to compare (default: raytrace,cluster)")
-    private String methods = String.join(",", Renderer.METHODS);
+    @Option(names = "--methods", paramLabel = "LIST", description = "what to compare (default: ${DEFAULT-VALUE})")
+    private String methods = String.join(",", Method.words());
 
     @Option(names = "--budget", paramLabel = "SECONDS", description = "take about this long (default: 90)")
     private String budget = DEFAULT_BUDGET;
@@ -111,8 +111,8 @@ final class TradeCommand extends Subcommand {
                 : SceneReader.read(sceneFile);
         RenderSettings base = options.settings(scene, sceneFile.toString());
         options.tellOfStretch(scene, base, terminal);
-        if (!chosen.contains(base.method())) {
-            base = base.withMethod(chosen.get(0));
+        if (!chosen.contains(base.method().word())) {
+            base = base.withMethod(Method.named(chosen.get(0)));
         }
         Optional<Image> truth = reference.equals("auto") ? Optional.empty() : Optional.of(read(Path.of(reference)));
         TradeSettings settings;
@@ -169,9 +169,9 @@ final class TradeCommand extends Subcommand {
     private List<String> methods() {
         List<String> chosen = List.of(methods.split(",", -1));
         for (String method : chosen) {
-            if (!Renderer.METHODS.contains(method)) {
-                throw CliException.wrongUsage("--methods must be some of " + String.join(",", Renderer.METHODS)
-                        + ", not \"" + methods + "\"");
+            if (!Method.words().contains(method)) {
+                throw CliException.wrongUsage(
+                        "--methods must be some of " + String.join(",", Method.words()) + ", not \"" + methods + "\"");
             }
         }
         Set<String> once = new HashSet<>(chosen);

@@ -1,6 +1,6 @@
 package enlightenment.cli;
 
-import enlightenment.scene.json.Suggestion;
+import enlightenment.text.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine;

@@ -71,26 +71,36 @@ final class WorkerCommand extends Subcommand {
     }
 
     private WorkerOptions options() throws IOException {
-        WorkerOptions o = WorkerOptions.DEFAULT.withLog(terminal::say);
+        WorkerOptions.Builder o = WorkerOptions.builder().log(terminal::say);
         if (pin != null && authorities != null) {
             throw CliException.wrongUsage("--pin and --tls-ca must not be given together");
         }
-        o = threads == null ? o : o.withThreads(OptionValues.integer("--threads", threads, 1, MAX_THREADS));
-        o = token == null ? o : token.toString().equals("-") ? withTypedToken(o) : o.withTokenFile(token);
-        o = authorities == null ? o : o.withAuthorities(authorities);
-        o = reconnect == null ? o : o.withReconnect(OptionValues.number("--reconnect", reconnect, 0, MAX_RECONNECT));
+        if (threads != null) {
+            o.threads(OptionValues.integer("--threads", threads, 1, MAX_THREADS));
+        }
+        if (token != null && token.toString().equals("-")) {
+            typedToken(o);
+        } else if (token != null) {
+            o.tokenFile(token);
+        }
+        if (authorities != null) {
+            o.authorities(authorities);
+        }
+        if (reconnect != null) {
+            o.reconnectSeconds(OptionValues.number("--reconnect", reconnect, 0, MAX_RECONNECT));
+        }
         try {
-            return pin == null ? o : o.withPin(pin);
+            return pin == null ? o.build() : o.pin(pin).build();
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--pin " + e.problem());
         }
     }
 
     /** With the first line of standard input, which {@code ssh} carries to where no file has the token. */
-    private static WorkerOptions withTypedToken(WorkerOptions o) throws IOException {
+    private static void typedToken(WorkerOptions.Builder o) throws IOException {
         String line = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.ISO_8859_1)).readLine();
         try {
-            return o.withToken(line == null ? "" : line);
+            o.token(line == null ? "" : line);
         } catch (IllegalArgumentException e) {
             throw CliException.failed("the token on standard input: " + e.getMessage());
         }

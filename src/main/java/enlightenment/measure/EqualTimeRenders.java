@@ -1,7 +1,6 @@
 package enlightenment.measure;
 
 import enlightenment.image.Flip;
-import enlightenment.image.HeatMap;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.measure.analysis.Configuration;
@@ -11,6 +10,7 @@ import enlightenment.measure.analysis.EqualTimeComparison;
 import enlightenment.measure.analysis.MeasuredCosts;
 import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.trade.TradeRun;
+import enlightenment.picture.HeatMap;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;

@@ -57,7 +57,7 @@ final class TimedRenderer {
         RenderSettings s = r.settings;
         return new TradeRun(
                 kind,
-                s.method(),
+                s.method().word(),
                 s.antialias(),
                 s.shadowSamples(),
                 s.threads(),

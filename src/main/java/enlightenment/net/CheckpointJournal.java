@@ -39,15 +39,6 @@ final class CheckpointJournal implements Closeable {
         lastForce = now;
     }
 
-    /** A journal that cannot be used; the message says why. */
-    static final class JournalException extends IOException {
-        private static final long serialVersionUID = 1L;
-
-        JournalException(String message) {
-            super(message);
-        }
-    }
-
     /** Hears what a journal holds, in the order in which it was written. */
     @FunctionalInterface
     interface Reader {

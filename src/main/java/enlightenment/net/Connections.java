@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import java.lang.management.ManagementFactory;
+import enlightenment.machine.MachineFacts;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -27,11 +27,7 @@ final class Connections {
     private long made = LocalWorker.ID;
 
     Connections() {
-        long files = ManagementFactory.getOperatingSystemMXBean()
-                        instanceof com.sun.management.UnixOperatingSystemMXBean system
-                ? system.getMaxFileDescriptorCount()
-                : 0;
-        places = Strangers.places(Limits.STRANGERS, files);
+        places = Strangers.places(Limits.STRANGERS, MachineFacts.maxOpenFiles());
         strangers = new Strangers<>(places, Math.max(places / 2, 1));
     }
 

@@ -337,35 +337,16 @@ final class Coordinator {
         return member == null ? Set.of() : Set.copyOf(member.leases.keySet());
     }
 
+    /** The machines whose word counts no longer. */
+    Set<Origin.Peer> expelled() {
+        return Set.copyOf(expelled);
+    }
+
     /** How far everything is. */
     Snapshot snapshot(long time) {
-        return Snapshot.of(this, time);
-    }
-
-    CoordinatorSettings settings() {
-        return settings;
-    }
-
-    /** The parts that a snapshot reads. */
-    record Parts(
-            TileBoard board,
-            Audits audits,
-            Dispatcher dispatcher,
-            List<WorkerState> members,
-            Set<Origin.Peer> expelled,
-            List<Snapshot.Note> notes,
-            long duplicates,
-            long started) {}
-
-    Parts parts() {
-        return new Parts(
-                board,
-                audits,
-                dispatcher,
-                List.copyOf(members.values()),
-                Set.copyOf(expelled),
-                List.copyOf(notes),
-                duplicates,
-                started);
+        return Snapshot.of(
+                new Snapshot.Source(
+                        finished, board, audits, dispatcher, members.values(), expelled, notes, duplicates, started),
+                time);
     }
 }

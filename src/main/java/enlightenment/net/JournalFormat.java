@@ -89,7 +89,7 @@ final class JournalFormat {
         while (into.hasRemaining()) {
             int read = file.read(into, position);
             if (read < 0) {
-                throw new CheckpointJournal.JournalException("the checkpoint became shorter while it was read");
+                throw new JournalException("the checkpoint became shorter while it was read");
             }
             position += read;
         }

@@ -80,7 +80,7 @@ sealed interface JournalRecord {
     /**
      * The record that a body is. Its checksum was right, so a body that makes no sense was written by another version.
      *
-     * @throws CheckpointJournal.JournalException if it makes no sense
+     * @throws JournalException if it makes no sense
      */
     static JournalRecord decode(byte[] body, int tiles) throws IOException {
         ByteBuffer in = ByteBuffer.wrap(body);
@@ -112,7 +112,7 @@ sealed interface JournalRecord {
     }
 
     private static IOException senseless(byte kind) {
-        return new CheckpointJournal.JournalException(
+        return new JournalException(
                 "the checkpoint has a record of kind " + kind + " that makes no sense to this version");
     }
 }

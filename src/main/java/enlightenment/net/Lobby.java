@@ -5,12 +5,12 @@ import java.util.concurrent.ThreadFactory;
 
 /** Where those who knock get a place and a thread; whoever has to make room for them, or cannot have a thread, is closed. */
 final class Lobby {
-    private final RenderServer server;
+    private final ServerConnection.Host server;
     private final Connections connections;
     private final ThreadFactory threads;
     private final ServerLog log;
 
-    Lobby(RenderServer server, Connections connections, ThreadFactory threads, ServerLog log) {
+    Lobby(ServerConnection.Host server, Connections connections, ThreadFactory threads, ServerLog log) {
         this.server = server;
         this.connections = connections;
         this.threads = threads;

@@ -1,36 +1,44 @@
 package enlightenment.net;
 
+import enlightenment.render.TiledRender;
 import java.util.Set;
+import java.util.function.Consumer;
 
 /** The server's own threads as a worker among others. Its calls come under the server's lock, those of its threads without. */
 final class LocalWorker implements AutoCloseable {
     /** The number of its connection, which it does not have. */
     static final long ID = 0;
 
-    private final RenderServer server;
     private final RenderPool pool;
     private final int threads;
+    private final Consumer<Event> events;
 
-    LocalWorker(RenderServer server, int threads) {
-        this.server = server;
+    /**
+     * A worker without work.
+     *
+     * @param events takes what it says, from any thread
+     * @param failed hears of what went wrong in a thread, which has then ended
+     */
+    LocalWorker(TiledRender render, int threads, Consumer<Event> events, Consumer<Throwable> failed) {
         this.threads = threads;
-        pool = new RenderPool(server.job().render(), threads, Integer.MAX_VALUE / 2, server::failed);
+        this.events = events;
+        pool = new RenderPool(render, threads, Integer.MAX_VALUE / 2, failed);
     }
 
     void start() {
         pool.start(this::deliver);
-        server.handle(new Event.Joined(ID, null, Origin.SERVER, false, "this process", threads, 1));
+        events.accept(new Event.Joined(ID, null, Origin.SERVER, false, "this process", threads, 1));
     }
 
     private void deliver() {
         for (WorkerCore.Outgoing tile : pool.outgoing()) {
-            server.handle(new Event.Delivered(ID, tile.lease(), tile.tile(), tile.data()));
+            events.accept(new Event.Delivered(ID, tile.lease(), tile.tile(), tile.data()));
         }
     }
 
     /** Says that it lives. */
     void beat() {
-        server.handle(new Event.Heard(ID, Set.copyOf(pool.leases())));
+        events.accept(new Event.Heard(ID, Set.copyOf(pool.leases())));
     }
 
     void hear(Message message) {

@@ -22,7 +22,7 @@ final class OwnCertificate {
     private static final String PASSWORD_VARIABLE = "ENLIGHTENMENT_STORE_PASSWORD";
     private static final String ALIAS = "server";
     private static final int LINE = 64;
-    private static final long PATIENCE_SECONDS = 60;
+    private static final long KEYTOOL_TIMEOUT_SECONDS = 60;
 
     private OwnCertificate() {}
 
@@ -34,7 +34,7 @@ final class OwnCertificate {
      */
     record Validity(String start, int days) {
         /** Ten years; begins a day ago, as the clocks of workers may be late. */
-        static final Validity USUAL = new Validity("-1d", 3650);
+        static final Validity DEFAULT = new Validity("-1d", 3650);
     }
 
     /** The tool of the Java that runs us. */
@@ -89,7 +89,7 @@ final class OwnCertificate {
         }
         try {
             process.getOutputStream().close();
-            if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            if (!process.waitFor(KEYTOOL_TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
                 throw new IOException(failed + "keytool does not end");
             }
         } catch (InterruptedException e) {

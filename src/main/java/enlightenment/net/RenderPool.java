@@ -12,10 +12,16 @@ import java.util.function.Consumer;
 final class RenderPool implements AutoCloseable {
     private static final long WAIT_MILLIS = 500;
 
+    /** What a machine makes of a tile that it has rendered: the same, but for faulty machines in tests. */
+    @FunctionalInterface
+    interface Tamper {
+        byte[] change(int tile, byte[] bytes);
+    }
+
     private final TiledRender render;
     private final WorkerCore core;
     private final Consumer<Throwable> failed;
-    private final WorkerOptions.Tamper tamper;
+    private final Tamper tamper;
     private final List<Thread> threads = new ArrayList<>();
     private Runnable flush = () -> {};
     private volatile boolean closed;
@@ -32,7 +38,7 @@ final class RenderPool implements AutoCloseable {
     }
 
     /** @param tamper what a faulty machine makes of a tile, for tests */
-    RenderPool(TiledRender render, int threads, int window, Consumer<Throwable> failed, WorkerOptions.Tamper tamper) {
+    RenderPool(TiledRender render, int threads, int window, Consumer<Throwable> failed, Tamper tamper) {
         this.tamper = tamper;
         this.render = render;
         this.failed = failed;

@@ -3,8 +3,12 @@ package enlightenment.net;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.security.SecureRandom;
+import java.util.Locale;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
  * Renders tiles for a {@link RenderServer}. It needs no files, and neither writes nor executes anything that it is sent.
@@ -37,32 +41,39 @@ public final class RenderWorker {
      * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the
      *     worker says good-bye and ends
      * @throws IOException if a file of the options cannot be used
+     * @throws IllegalStateException if the library for CBOR, which is optional, is not there
      */
-    public static Outcome run(String host, int port, WorkerOptions settings, BooleanSupplier cancelled)
+    public static Outcome run(String host, int port, WorkerOptions options, BooleanSupplier cancelled)
             throws IOException {
-        WorkerOptions options = settings.withLog(line -> settings.log.accept(Plain.line(line, LONGEST_REASON)));
-        byte[] token = token(options);
+        CborLibrary.require();
+        Consumer<String> log = line -> options.log.accept(Plain.line(line, LONGEST_REASON));
+        byte[] token = token(options, log);
         Tls tls = tls(options);
-        options.log.accept("computing the canary tile");
+        log.accept("computing the canary tile");
         Canary.hash();
         byte[] process = new byte[Limits.SECRET_BYTES];
         new SecureRandom().nextBytes(process);
-        WorkerJobs jobs = new WorkerJobs(options);
-        WorkerSession.Place place = new WorkerSession.Place(host, port, token, tls, process);
-        try {
-            Thread caller = Thread.currentThread();
-            return work(place, options, jobs, () -> caller.isInterrupted() || cancelled.getAsBoolean());
-        } finally {
-            jobs.close();
+        Thread caller = Thread.currentThread();
+        BooleanSupplier isOver = () -> caller.isInterrupted() || cancelled.getAsBoolean();
+        var server = new WorkerSession.ServerAddress(host, port, token, tls);
+        var identity = new WorkerSession.Identity(options.version, options.threads, process, options.machine);
+        AtomicReference<WorkerSession> current = new AtomicReference<>();
+        try (WorkerJobs jobs = new WorkerJobs(options.threads, options.version, options.tamper)) {
+            return work(
+                    () -> new WorkerSession(server, identity, options.timing, jobs, current, log, isOver),
+                    options.reconnectSeconds,
+                    jobs,
+                    log,
+                    isOver);
         }
     }
 
-    private static byte[] token(WorkerOptions options) throws IOException {
+    private static byte[] token(WorkerOptions options, Consumer<String> log) throws IOException {
         if (options.tokenFile.isEmpty()) {
             return options.token.orElse(Token.NONE);
         }
         byte[] token = Token.read(options.tokenFile.get());
-        SecretFile.warnIfOpen(options.tokenFile.get(), options.log);
+        SecretFile.warnIfOpen(options.tokenFile.get(), log);
         return token;
     }
 
@@ -73,15 +84,20 @@ public final class RenderWorker {
         return options.authorities.isPresent() ? Tls.trusting(options.authorities.get()) : null;
     }
 
+    /** Session after session, until one is final or the server has been away for too long. */
     private static Outcome work(
-            WorkerSession.Place place, WorkerOptions options, WorkerJobs jobs, BooleanSupplier cancelled) {
+            Supplier<WorkerSession> sessions,
+            double reconnectSeconds,
+            WorkerJobs jobs,
+            Consumer<String> log,
+            BooleanSupplier cancelled) {
         Random spread = new Random();
         long lastContact = System.nanoTime();
         long pause = FIRST_PAUSE_MILLIS;
         String told = "";
         while (true) {
-            WorkerSession session = new WorkerSession(place, options, jobs, cancelled);
-            WorkerSession.End end = session.run();
+            WorkerSession session = sessions.get();
+            SessionEnd end = session.run();
             if (cancelled.getAsBoolean()) {
                 return new Outcome(false, "stopped", jobs.made());
             }
@@ -93,17 +109,15 @@ public final class RenderWorker {
                 pause = FIRST_PAUSE_MILLIS;
             }
             double away = (System.nanoTime() - lastContact) / 1e9;
-            if (away >= options.reconnectSeconds) {
-                return new Outcome(
-                        false,
-                        String.format(java.util.Locale.ROOT, "no server for %.0f s: %s", away, end.reason()),
-                        jobs.made());
+            if (away >= reconnectSeconds) {
+                String reason = String.format(Locale.ROOT, "no server for %.0f s: %s", away, end.reason());
+                return new Outcome(false, reason, jobs.made());
             }
             if (session.wasWelcome()) {
-                options.log.accept("lost the server: " + end.reason() + "; trying again");
+                log.accept("lost the server: " + end.reason() + "; trying again");
             } else if (!told.equals(end.reason())) {
                 told = end.reason();
-                options.log.accept(told + "; trying again");
+                log.accept(told + "; trying again");
             }
             // Not all workers at once.
             if (!pause(pause / 2 + spread.nextInt((int) pause), cancelled)) {

@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
+import java.util.Optional;
+import java.util.function.Consumer;
 
 /**
  * What a server proves itself with.
@@ -14,41 +16,61 @@ import java.time.ZoneOffset;
  * @param token the shared secret
  */
 record Secrets(Tls tls, byte[] token) {
-    /** Reads the files of a server's options; makes those that are to be made, and tells of it. */
-    static Secrets open(ServerOptions options) throws IOException {
+    /**
+     * Where a server's secrets are.
+     *
+     * @param token made if there is no such file; empty for no token
+     * @param certificate empty for no TLS
+     * @param privateKey of that certificate; may be the same file
+     * @param makesCertificate whether certificate and key are made if there is no such file
+     * @param keytool what makes them
+     */
+    record Sources(
+            Optional<Path> token,
+            Optional<Path> certificate,
+            Optional<Path> privateKey,
+            boolean makesCertificate,
+            Path keytool) {}
+
+    /**
+     * Reads the secrets; makes those that are to be made, and tells of it.
+     *
+     * @throws IOException if a file cannot be used or made; the message names it
+     */
+    static Secrets open(Sources sources, Consumer<String> log) throws IOException {
         byte[] token = Token.NONE;
-        if (options.tokenFile.isPresent()) {
-            Path file = options.tokenFile.get();
+        if (sources.token.isPresent()) {
+            Path file = sources.token.get();
             if (Files.notExists(file)) {
                 Token.make(file);
-                options.log.accept("made a new secret token: " + file);
+                log.accept("made a new secret token: " + file);
             }
             token = Token.read(file);
-            SecretFile.warnIfOpen(file, options.log);
+            SecretFile.warnIfOpen(file, log);
         }
-        return new Secrets(tls(options), token);
+        return new Secrets(tls(sources, log), token);
     }
 
     /** The hash of our certificate, which proofs are bound to. */
-    ContentHash certificate() {
+    ContentHash certificateHash() {
         return tls == null ? Tls.noCertificate() : tls.certificate();
     }
 
-    private static Tls tls(ServerOptions options) throws IOException {
-        if (options.certificate.isEmpty()) {
+    private static Tls tls(Sources sources, Consumer<String> log) throws IOException {
+        if (sources.certificate.isEmpty()) {
             return null;
         }
-        Path certificate = options.certificate.get();
-        Path key = options.privateKey.orElseThrow();
-        if (options.makesCertificate && Files.notExists(certificate)) {
-            OwnCertificate.make(certificate, options.keytool, OwnCertificate.Validity.USUAL);
-            options.log.accept("made a new certificate and its private key: " + certificate);
+        Path certificate = sources.certificate.get();
+        Path key = sources.privateKey.orElseThrow();
+        if (sources.makesCertificate && Files.notExists(certificate)) {
+            OwnCertificate.make(certificate, sources.keytool, OwnCertificate.Validity.DEFAULT);
+            log.accept("made a new certificate and its private key: " + certificate);
         }
         Tls tls = Tls.server(certificate, key);
-        SecretFile.warnIfOpen(key, options.log);
+        SecretFile.warnIfOpen(key, log);
         if (tls.validUntil().isBefore(Instant.now())) {
             LocalDate end = LocalDate.ofInstant(tls.validUntil(), ZoneOffset.UTC);
-            options.log.accept(certificate + ": the certificate expired on " + end
+            log.accept(certificate + ": the certificate expired on " + end
                     + ": workers that check it (--tls-ca) refuse it, those that pin it (--pin) do not mind");
         }
         return tls;

@@ -13,7 +13,7 @@ final class ServerConnection {
     private static final int LONGEST_NAME = 60;
 
     private final long id;
-    private final RenderServer server;
+    private final Host server;
     private final Socket plain;
     private final long opened = System.nanoTime();
     private volatile MessageChannel link;
@@ -23,7 +23,45 @@ final class ServerConnection {
     private volatile boolean isKnown;
     private volatile boolean isJoined;
 
-    ServerConnection(long id, RenderServer server, Socket plain) {
+    /** What a connection needs of the server that it belongs to. For use by several threads at once. */
+    interface Host {
+        /** What the server proves itself with. */
+        Secrets secrets();
+
+        /** How long the two sides wait for each other. */
+        Timing timing();
+
+        /** The version that both sides must have. */
+        String version();
+
+        /** What is rendered. */
+        ServerJob job();
+
+        ServerLog log();
+
+        /** First guess of the speed of a worker of this name at this address, 1 if nothing is known. */
+        double weight(String name, String address);
+
+        /** Whether nobody is let in any more. */
+        boolean isClosed();
+
+        /** Whether there is a place for the worker, which has proved that it knows the token. */
+        boolean admit(ServerConnection connection);
+
+        /** The worker has all that it needs. */
+        void ready(ServerConnection connection);
+
+        /** Begins whoever is missing. */
+        void beginNow();
+
+        /** Tells the coordinator, and does what it decides. */
+        void handle(Event event);
+
+        /** The connection has ended; an empty reason is not worth telling. */
+        void ended(ServerConnection connection, String reason);
+    }
+
+    ServerConnection(long id, Host server, Socket plain) {
         this.id = id;
         this.server = server;
         this.plain = plain;
@@ -62,7 +100,7 @@ final class ServerConnection {
         plain.setTcpNoDelay(true);
         Socket socket =
                 server.secrets().tls() == null ? plain : server.secrets().tls().over(plain, null);
-        return new MessageChannel(plain, socket, server.options().timing, "connection " + id);
+        return new MessageChannel(plain, socket, server.timing(), "connection " + id);
     }
 
     private void end(String why) {
@@ -94,7 +132,7 @@ final class ServerConnection {
         if (!(on.receive() instanceof Message.Proof proof)) {
             throw new ProtocolException("no proof");
         }
-        ContentHash certificate = server.secrets().certificate();
+        ContentHash certificate = server.secrets().certificateHash();
         byte[] token = server.secrets().token();
         byte[] expected = Handshake.proof(Handshake.Side.WORKER, token, worker.nonce(), nonce, certificate);
         if (!Handshake.same(expected, proof.mac())) {
@@ -102,7 +140,7 @@ final class ServerConnection {
             return false;
         }
         // From here on a refusal is believed, as it comes from who knows the token.
-        Timing timing = server.options().timing;
+        Timing timing = server.timing();
         on.send(new Message.Welcome(
                 Handshake.proof(Handshake.Side.SERVER, token, worker.nonce(), nonce, certificate),
                 timing.heartbeatMillis(),
@@ -128,8 +166,8 @@ final class ServerConnection {
     }
 
     private String refusal(Message.Hello worker) {
-        if (!worker.build().equals(server.options().build)) {
-            return "the server is version " + server.options().build + ", the worker " + worker.build()
+        if (!worker.build().equals(server.version())) {
+            return "the server is version " + server.version() + ", the worker " + worker.build()
                     + ": install the same version on both";
         }
         if (!worker.arithmetic().equals(Canary.hash()) && !isUnproven(worker)) {
@@ -207,7 +245,7 @@ final class ServerConnection {
 
     /** Ends the connection where a deadline is missed. */
     void check(long now) {
-        long limit = server.options().timing.authenticationMillis() * 1_000_000L;
+        long limit = server.timing().authenticationMillis() * 1_000_000L;
         if (!isKnown && now - opened > limit) {
             close("did not prove within " + limit / 1_000_000L + " ms who it is");
         } else if (link != null) {
@@ -261,7 +299,7 @@ final class ServerConnection {
     /** What the coordinator is told when the worker joins. */
     Event.Joined joined() {
         isJoined = true;
-        double weight = server.options().weight(hello.name(), host());
+        double weight = server.weight(hello.name(), host());
         return new Event.Joined(
                 id,
                 ContentHash.of(ready.process()),

@@ -1,176 +1,329 @@
 package enlightenment.net;
 
+import enlightenment.check.Check;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
 import java.util.function.Consumer;
 
-/** How a {@link RenderServer} serves. Immutable; each {@code with} gives a changed copy. */
-public final class ServerOptions implements Cloneable {
-    /** More workers than this cannot be connected at once; those that come too many are told to come again. */
-    public static final int MOST_WORKERS = Limits.WORKERS;
+/**
+ * How a {@link RenderServer} serves. Immutable, and valid in itself: {@link Builder#build} refuses what no server can do.
+ * Whether files and ports can be used is found when a server starts.
+ */
+public final class ServerOptions {
+    /** The largest number of workers that are connected at once; those beyond it are told to come again. */
+    public static final int MAX_WORKERS = Limits.WORKERS;
 
-    /** The port of the paper's server. */
-    public static final int PORT = 6002;
+    /** The usual port, that of the paper's server. */
+    public static final int DEFAULT_PORT = 6002;
 
-    /** Loopback, the usual port, no token, all processors but one render here, nothing is waited for. */
-    public static final ServerOptions DEFAULT = new ServerOptions();
+    /** The usual share of tiles that a second machine renders too, see {@link Builder#auditRate}. */
+    public static final double DEFAULT_AUDIT_RATE = CoordinatorSettings.AUDIT_RATE;
 
-    String host = "127.0.0.1";
-    int port = PORT;
-    int minWorkers;
-    double waitSeconds = 30;
-    Map<String, Double> shares = Map.of();
-    Optional<Path> tokenFile = Optional.empty();
-    Optional<Path> certificate = Optional.empty();
-    Optional<Path> privateKey = Optional.empty();
-    boolean makesCertificate;
-    int statusPort = -1;
-    Optional<Path> checkpoint = Optional.empty();
-    int localThreads = Math.max(Runtime.getRuntime().availableProcessors() - 1, 1);
-    int round = 1;
-    double auditRate = CoordinatorSettings.AUDIT_RATE;
-    Consumer<String> log = line -> {};
+    private static final int MAX_PORT = 65_535;
 
-    List<String> pardoned = List.of();
+    final String host;
+    final int port;
+    final int minWorkers;
+    final double waitSeconds;
+    final Map<String, Double> shares;
+    final Optional<Path> tokenFile;
+    final Optional<Path> certificate;
+    final Optional<Path> privateKey;
+    final boolean makesCertificate;
+    final int statusPort;
+    final Optional<Path> checkpoint;
+    final int localThreads;
+    final double auditRate;
+    final List<String> pardoned;
+    final Consumer<String> log;
 
-    /** For tests. */
-    String build = Build.number();
+    /** Which render of the picture this is: greater than 1 for a render with more samples that follows another. */
+    final int round;
 
-    ThreadFactory threads = Thread::new;
+    final String version;
+    final ThreadFactory threads;
+    final Timing timing;
+    final Path keytool;
 
-    Timing timing = Timing.USUAL;
-    Path keytool = OwnCertificate.keytool();
+    private ServerOptions(Builder b) {
+        host = b.host;
+        port = b.port;
+        minWorkers = b.minWorkers;
+        waitSeconds = b.waitSeconds;
+        shares = b.shares;
+        tokenFile = b.tokenFile;
+        certificate = b.certificate;
+        privateKey = b.privateKey;
+        makesCertificate = b.makesCertificate;
+        statusPort = b.statusPort;
+        checkpoint = b.checkpoint;
+        localThreads = b.localThreads;
+        auditRate = b.auditRate;
+        pardoned = b.pardoned;
+        log = b.log;
+        round = b.round;
+        version = b.version;
+        threads = b.threads;
+        timing = b.timing;
+        keytool = b.keytool;
+    }
 
-    private ServerOptions() {}
+    /**
+     * The usual options: loopback, the usual port, no token, no TLS, no status page, no checkpoint; all processors but one
+     * render in this process, and nothing is waited for.
+     */
+    public static Builder builder() {
+        return new Builder();
+    }
 
-    private ServerOptions copy() {
-        try {
-            return (ServerOptions) clone();
-        } catch (CloneNotSupportedException e) {
-            throw new IllegalStateException(e);
+    /** A builder that starts from these options. */
+    public Builder toBuilder() {
+        return new Builder(this);
+    }
+
+    /** Collects options. Not for use by several threads at once; may be used again after {@link #build}. */
+    public static final class Builder {
+        private String host = "127.0.0.1";
+        private int port = DEFAULT_PORT;
+        private int minWorkers;
+        private double waitSeconds = 30;
+        private Map<String, Double> shares = Map.of();
+        private Optional<Path> tokenFile = Optional.empty();
+        private Optional<Path> certificate = Optional.empty();
+        private Optional<Path> privateKey = Optional.empty();
+        private boolean makesCertificate;
+        private int statusPort = -1;
+        private Optional<Path> checkpoint = Optional.empty();
+        private int localThreads = Math.max(Runtime.getRuntime().availableProcessors() - 1, 1);
+        private double auditRate = DEFAULT_AUDIT_RATE;
+        private List<String> pardoned = List.of();
+        private Consumer<String> log = line -> {};
+        private int round = 1;
+        private String version = Build.number();
+        private ThreadFactory threads = Thread::new;
+        private Timing timing = Timing.DEFAULT;
+        private Path keytool = OwnCertificate.keytool();
+
+        private Builder() {}
+
+        private Builder(ServerOptions o) {
+            host = o.host;
+            port = o.port;
+            minWorkers = o.minWorkers;
+            waitSeconds = o.waitSeconds;
+            shares = o.shares;
+            tokenFile = o.tokenFile;
+            certificate = o.certificate;
+            privateKey = o.privateKey;
+            makesCertificate = o.makesCertificate;
+            statusPort = o.statusPort;
+            checkpoint = o.checkpoint;
+            localThreads = o.localThreads;
+            auditRate = o.auditRate;
+            pardoned = o.pardoned;
+            log = o.log;
+            round = o.round;
+            version = o.version;
+            threads = o.threads;
+            timing = o.timing;
+            keytool = o.keytool;
         }
-    }
 
-    /**
-     * The address to listen at; whatever is not loopback needs a token.
-     *
-     * @param port 0 for any that is free
-     */
-    public ServerOptions withAddress(String host, int port) {
-        ServerOptions o = copy();
-        o.host = host;
-        o.port = port;
-        return o;
-    }
+        /**
+         * The address to listen at; whatever is not loopback needs a {@linkplain #tokenFile token}.
+         *
+         * @param host a name or an address of this machine; {@code 0.0.0.0} for all of its IPv4 addresses
+         * @param port 1..65535; 0 for any that is free
+         */
+        public Builder address(String host, int port) {
+            this.host = Objects.requireNonNull(host);
+            this.port = port;
+            return this;
+        }
 
-    /** Begins when so many workers are there, or after so long. */
-    public ServerOptions withWait(int minWorkers, double seconds) {
-        ServerOptions o = copy();
-        o.minWorkers = minWorkers;
-        o.waitSeconds = seconds;
-        return o;
-    }
+        /**
+         * Rendering begins when so many workers have joined, or after so long. Where no worker is connected for that long
+         * later on, this process renders by itself.
+         *
+         * @param minWorkers 0 to {@value #MAX_WORKERS}; 0 begins at once, as is usual
+         * @param seconds at least 0; 30 as is usual
+         */
+        public Builder awaitWorkers(int minWorkers, double seconds) {
+            this.minWorkers = minWorkers;
+            waitSeconds = seconds;
+            return this;
+        }
 
-    /** First guesses of the speed of workers, by name or address, relative to 1 for all others (the paper's speed map). */
-    public ServerOptions withShares(Map<String, Double> shares) {
-        ServerOptions o = copy();
-        o.shares = new LinkedHashMap<>(shares);
-        return o;
-    }
+        /**
+         * First guesses of the speed of workers, relative to 1 for all others (the paper's speed map); measured speeds
+         * replace them.
+         *
+         * @param shares by the worker's name or address; each greater than 0
+         */
+        public Builder shares(Map<String, Double> shares) {
+            this.shares = Map.copyOf(shares);
+            return this;
+        }
 
-    /**
-     * The file with the secret that workers must know, at least 16 characters. If there is none, a new token is made, which
-     * only the file's owner may read.
-     */
-    public ServerOptions withTokenFile(Path file) {
-        ServerOptions o = copy();
-        o.tokenFile = Optional.of(file);
-        return o;
-    }
+        /**
+         * The file with the secret that workers must know, 16 to 4096 characters. If there is none, a new token is made, which
+         * only the file's owner may read.
+         */
+        public Builder tokenFile(Path file) {
+            tokenFile = Optional.of(file);
+            return this;
+        }
 
-    /** TLS 1.3 with this certificate and private key, both as PEM files. */
-    public ServerOptions withTls(Path certificate, Path privateKey) {
-        ServerOptions o = copy();
-        o.certificate = Optional.of(certificate);
-        o.privateKey = Optional.of(privateKey);
-        o.makesCertificate = false;
-        return o;
-    }
+        /**
+         * TLS 1.3 with a certificate and private key that are there already.
+         *
+         * @param certificate PEM file of the certificate and those that vouch for it
+         * @param privateKey PEM file of its private key (PKCS #8, not encrypted)
+         */
+        public Builder tls(Path certificate, Path privateKey) {
+            this.certificate = Optional.of(certificate);
+            this.privateKey = Optional.of(privateKey);
+            makesCertificate = false;
+            return this;
+        }
 
-    /**
-     * TLS 1.3 with the certificate and private key in one PEM file. If there is none it is made, with a new key and a certificate
-     * that vouches for itself, and only its owner may read it: workers pin it ({@link RenderServer#pin}).
-     */
-    public ServerOptions withTls(Path file) {
-        ServerOptions o = withTls(file, file);
-        o.makesCertificate = true;
-        return o;
-    }
+        /**
+         * TLS 1.3 with the certificate and private key in one PEM file. If there is none it is made, with a new key and a
+         * self-signed certificate, and only its owner may read it: workers pin it ({@link RenderServer#pin}).
+         */
+        public Builder tls(Path file) {
+            tls(file, file);
+            makesCertificate = true;
+            return this;
+        }
 
-    /** A page that shows how far it is, on loopback; 0 for any port that is free. */
-    public ServerOptions withStatusPort(int port) {
-        ServerOptions o = copy();
-        o.statusPort = port;
-        return o;
-    }
+        /**
+         * A page that shows how far the render is, on loopback only.
+         *
+         * @param port 1..65535; 0 for any that is free; -1 for no page, as is usual
+         */
+        public Builder statusPort(int port) {
+            statusPort = port;
+            return this;
+        }
 
-    /** The file that keeps what is done; a server with the same job goes on from it. */
-    public ServerOptions withCheckpoint(Path file) {
-        ServerOptions o = copy();
-        o.checkpoint = Optional.of(file);
-        return o;
-    }
+        /**
+         * The file that keeps what is done; a server with the same job goes on from it. Renders with more samples that follow
+         * the first have files of their own beside it: FILE.2, FILE.3 …
+         */
+        public Builder checkpoint(Path file) {
+            checkpoint = Optional.of(file);
+            return this;
+        }
 
-    /** How many threads render in this process; 0 for none as long as there are workers. */
-    public ServerOptions withLocalThreads(int threads) {
-        ServerOptions o = copy();
-        o.localThreads = threads;
-        return o;
-    }
+        /** How many threads render in this process, at least 0; 0 for none as long as there are workers. */
+        public Builder localThreads(int threads) {
+            localThreads = threads;
+            return this;
+        }
 
-    /** The share of tiles, 0..1, that a second machine renders too, to find machines that compute wrongly. */
-    public ServerOptions withAuditRate(double rate) {
-        ServerOptions o = copy();
-        o.auditRate = rate;
-        return o;
-    }
+        /** The share of tiles, 0..1, that a second machine renders too, to find machines that compute wrongly. */
+        public Builder auditRate(double rate) {
+            auditRate = rate;
+            return this;
+        }
 
-    /** Hears what happens, a line at a time. */
-    public ServerOptions withLog(Consumer<String> log) {
-        ServerOptions o = copy();
-        o.log = log;
-        return o;
-    }
+        /**
+         * Lets machines back in that an earlier run with the same checkpoint expelled. A server does not start if one of them
+         * is not expelled.
+         *
+         * @param machines by the first digits, eight or more, of what the log and the status call them
+         */
+        public Builder pardoned(List<String> machines) {
+            pardoned = List.copyOf(machines);
+            return this;
+        }
 
-    /**
-     * Lets machines back in that an earlier run with the same checkpoint expelled.
-     *
-     * @param machines by the first digits, eight or more, of what the log and the status call them
-     */
-    public ServerOptions withPardoned(List<String> machines) {
-        ServerOptions o = copy();
-        o.pardoned = List.copyOf(machines);
-        return o;
-    }
+        /** Hears what happens, a line at a time, from several threads and sometimes under a lock: it should return soon. */
+        public Builder log(Consumer<String> log) {
+            this.log = Objects.requireNonNull(log);
+            return this;
+        }
 
-    ServerOptions withThreads(ThreadFactory threads) {
-        ServerOptions o = copy();
-        o.threads = threads;
-        return o;
+        /** The version that workers must have; for tests. */
+        Builder version(String version) {
+            this.version = version;
+            return this;
+        }
+
+        /** Makes the threads of connections and of the server itself; for tests. */
+        Builder threads(ThreadFactory threads) {
+            this.threads = threads;
+            return this;
+        }
+
+        /** For tests. */
+        Builder timing(Timing timing) {
+            this.timing = timing;
+            return this;
+        }
+
+        /** For tests. */
+        Builder keytool(Path keytool) {
+            this.keytool = keytool;
+            return this;
+        }
+
+        /**
+         * The options. Where there is no token the host's name is resolved, which may ask the network.
+         *
+         * @throws enlightenment.math.InvalidValueException if a value is out of its range, or options do not go together
+         */
+        public ServerOptions build() {
+            port("port", port, 0);
+            port("statusPort", statusPort, -1);
+            Check.that(
+                    minWorkers >= 0 && minWorkers <= MAX_WORKERS,
+                    "minWorkers",
+                    "must lie in 0.." + MAX_WORKERS + ", not " + minWorkers);
+            Check.notNegative("waitSeconds", waitSeconds);
+            Check.that(localThreads >= 0, "localThreads", "must be at least 0, not " + localThreads);
+            Check.range("auditRate", auditRate, 0, 1);
+            shares.forEach((name, share) -> Check.positive("shares/" + name, share));
+            Check.that(
+                    tokenFile.isPresent() || isLoopback(),
+                    "tokenFile",
+                    "beyond this machine (" + host
+                            + ") workers need a token: give a file for it, which is made if there is none");
+            Check.that(
+                    pardoned.isEmpty() || checkpoint.isPresent(),
+                    "pardoned",
+                    "nobody is expelled yet: only a checkpoint remembers expulsions");
+            return new ServerOptions(this);
+        }
+
+        private static void port(String key, int port, int lowest) {
+            Check.that(
+                    port >= lowest && port <= MAX_PORT,
+                    key,
+                    "must lie in " + lowest + ".." + MAX_PORT + ", not " + port);
+        }
+
+        private boolean isLoopback() {
+            try {
+                return InetAddress.getByName(host).isLoopbackAddress();
+            } catch (UnknownHostException e) {
+                return false;
+            }
+        }
     }
 
     /** For the same picture with more samples: at the same ports, with a checkpoint of its own beside that of the first. */
     ServerOptions following(int port, int statusPort, int round) {
-        ServerOptions o = withAddress(host, port);
-        o.statusPort = statusPort;
-        o.round = round;
-        return o;
+        Builder next = toBuilder().address(host, port).statusPort(statusPort).pardoned(List.of());
+        next.round = round;
+        return next.build();
     }
 
     /** Where this render of the picture is kept: the file that was given, and FILE.2, FILE.3 … for those that follow. */
@@ -178,43 +331,9 @@ public final class ServerOptions implements Cloneable {
         return round == 1 ? checkpoint : checkpoint.map(file -> file.resolveSibling(file.getFileName() + "." + round));
     }
 
-    ServerOptions withBuild(String build) {
-        ServerOptions o = copy();
-        o.build = build;
-        return o;
-    }
-
-    ServerOptions withKeytool(Path keytool) {
-        ServerOptions o = copy();
-        o.keytool = keytool;
-        return o;
-    }
-
-    ServerOptions withTiming(Timing timing) {
-        ServerOptions o = copy();
-        o.timing = timing;
-        return o;
-    }
-
-    /**
-     * Fails unless these options go together.
-     *
-     * @throws IllegalArgumentException with the reason
-     */
-    void check() throws UnknownHostException {
-        if (!InetAddress.getByName(host).isLoopbackAddress() && tokenFile.isEmpty()) {
-            throw new IllegalArgumentException("beyond this machine (" + host
-                    + ") workers need a token: give a file for it, which is made if there is none");
-        }
-        if (!pardoned.isEmpty() && checkpoint.isEmpty()) {
-            throw new IllegalArgumentException("nobody is expelled yet: only a checkpoint remembers expulsions");
-        }
-        for (Map.Entry<String, Double> share : shares.entrySet()) {
-            if (!(share.getValue() > 0 && share.getValue() < Double.POSITIVE_INFINITY)) {
-                throw new IllegalArgumentException(
-                        "the share of " + share.getKey() + " must be greater than 0, not " + share.getValue());
-            }
-        }
+    /** Where the secrets are. */
+    Secrets.Sources secrets() {
+        return new Secrets.Sources(tokenFile, certificate, privateKey, makesCertificate, keytool);
     }
 
     /** The weight of a worker of this name at this address. */

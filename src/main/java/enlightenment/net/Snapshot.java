@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -67,30 +67,39 @@ record Snapshot(
             double silentSeconds,
             boolean stalled) {}
 
-    static Snapshot of(Coordinator coordinator, long now) {
-        Coordinator.Parts parts = coordinator.parts();
-        TileBoard board = parts.board();
-        int leased = board.undone() - board.free();
-        double speed = parts.dispatcher().totalSpeed();
-        double left = board.undone() + parts.audits().openCount();
-        List<Worker> workers = new ArrayList<>();
-        for (WorkerState member : parts.members()) {
-            workers.add(worker(member, now));
-        }
+    /**
+     * What a snapshot is taken of.
+     *
+     * @param started when this incarnation of the server began, on the clock of the snapshot
+     */
+    record Source(
+            boolean finished,
+            TileBoard board,
+            Audits audits,
+            Dispatcher dispatcher,
+            Collection<WorkerState> members,
+            Set<Origin.Peer> expelled,
+            Collection<Note> notes,
+            long duplicates,
+            long started) {}
+
+    static Snapshot of(Source source, long now) {
+        TileBoard board = source.board;
+        int auditsOpen = source.audits.openCount();
         return new Snapshot(
-                coordinator.isFinished(),
-                coordinator.settings().tiles(),
+                source.finished,
+                board.tiles(),
                 board.done(),
-                leased,
+                board.undone() - board.free(),
                 board.free(),
-                parts.audits().openCount(),
-                parts.audits().confirmedCount(),
-                parts.duplicates(),
-                seconds(now - parts.started()),
-                remaining(coordinator.isFinished() ? 0 : left, speed),
-                List.copyOf(workers),
-                parts.expelled().stream().map(Origin.Peer::toString).collect(Collectors.toCollection(TreeSet::new)),
-                parts.notes());
+                auditsOpen,
+                source.audits.confirmedCount(),
+                source.duplicates,
+                seconds(now - source.started),
+                remaining(source.finished ? 0 : board.undone() + auditsOpen, source.dispatcher.totalSpeed()),
+                source.members.stream().map(member -> worker(member, now)).toList(),
+                source.expelled.stream().map(Origin.Peer::toString).collect(Collectors.toCollection(TreeSet::new)),
+                List.copyOf(source.notes));
     }
 
     private static OptionalDouble remaining(double left, double speed) {

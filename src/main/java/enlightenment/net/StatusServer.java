@@ -1,5 +1,6 @@
 package enlightenment.net;
 
+import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import java.io.ByteArrayOutputStream;
@@ -12,18 +13,30 @@ import java.util.concurrent.ThreadFactory;
 final class StatusServer {
     private static final long PICTURE_EVERY_NANOS = 1_000_000_000L;
 
-    private final RenderServer server;
+    private final Source source;
     private final SmallHttp http;
     private final byte[] page;
     private final byte[] icon;
     private byte[] picture;
     private long pictureMade;
 
-    private StatusServer(RenderServer server, int port, ThreadFactory threads) throws IOException {
-        this.server = server;
+    /** What is shown. For use by several threads at once. */
+    interface Source {
+        /** How far it is. */
+        Snapshot snapshot();
+
+        /** The picture so far. */
+        Image image();
+
+        /** Whether all is done; answered without waiting for anything. */
+        boolean isFinished();
+    }
+
+    private StatusServer(Source source, int port, ThreadFactory threads, ServerLog log) throws IOException {
+        this.source = source;
         page = resource("status.html");
         icon = resource("icon.svg");
-        http = SmallHttp.start(port, this::answer, threads, server.log());
+        http = SmallHttp.start(port, this::answer, threads, log);
     }
 
     private static byte[] resource(String name) throws IOException {
@@ -32,8 +45,14 @@ final class StatusServer {
         }
     }
 
-    static StatusServer start(RenderServer server, int port) throws IOException {
-        return new StatusServer(server, port, server.options().threads);
+    /**
+     * Begins to answer.
+     *
+     * @param port 0 for any that is free
+     * @throws IOException if it cannot listen there
+     */
+    static StatusServer start(Source source, int port, ThreadFactory threads, ServerLog log) throws IOException {
+        return new StatusServer(source, port, threads, log);
     }
 
     int port() {
@@ -58,12 +77,12 @@ final class StatusServer {
             case "/icon.svg":
                 return new SmallHttp.Answer(200, "image/svg+xml", icon);
             case "/status.json":
-                byte[] json = StatusJson.of(server.snapshot()).getBytes(StandardCharsets.UTF_8);
+                byte[] json = StatusJson.of(source.snapshot()).getBytes(StandardCharsets.UTF_8);
                 return new SmallHttp.Answer(200, "application/json", json);
             case "/picture.png":
                 return new SmallHttp.Answer(200, "image/png", picture());
             case "/health":
-                return SmallHttp.Answer.text(200, server.isFinished() ? "finished\n" : "rendering\n");
+                return SmallHttp.Answer.text(200, source.isFinished() ? "finished\n" : "rendering\n");
             default:
                 return SmallHttp.Answer.text(404, "there is /, /status.json, /picture.png and /health\n");
         }
@@ -78,7 +97,7 @@ final class StatusServer {
         long now = System.nanoTime();
         if (picture == null || now - pictureMade >= PICTURE_EVERY_NANOS) {
             ByteArrayOutputStream out = new ByteArrayOutputStream();
-            ImageFiles.toPng(server.job().film().image(), out, PngOptions.DEFAULT);
+            ImageFiles.toPng(source.image(), out, PngOptions.DEFAULT);
             picture = out.toByteArray();
             pictureMade = now;
         }

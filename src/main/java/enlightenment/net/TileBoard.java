@@ -30,6 +30,10 @@ final class TileBoard {
         freeCount = tiles;
     }
 
+    int tiles() {
+        return tiles;
+    }
+
     int free() {
         return freeCount;
     }

@@ -17,5 +17,5 @@ record Timing(
         int idleMillis,
         int heartbeatMillis,
         int silenceMillis) {
-    static final Timing USUAL = new Timing(15_000, 10_000, 10_000, 60_000, 1_000, 5_000);
+    static final Timing DEFAULT = new Timing(15_000, 10_000, 10_000, 60_000, 1_000, 5_000);
 }

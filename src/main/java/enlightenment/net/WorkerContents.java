@@ -15,13 +15,13 @@ final class WorkerContents {
     }
 
     /** Null when all is there; else how the session ends. */
-    WorkerSession.End fetch(Message.Job job) throws IOException {
+    SessionEnd fetch(Message.Job job) throws IOException {
         if (!job.contents().get(0).equals(job.job())) {
             throw new ProtocolException("the job's hash is not that of its document");
         }
         for (ContentHash hash : job.contents()) {
             if (!jobs.has(hash)) {
-                WorkerSession.End end = fetch(hash);
+                SessionEnd end = fetch(hash);
                 if (end != null) {
                     return end;
                 }
@@ -30,17 +30,17 @@ final class WorkerContents {
         return null;
     }
 
-    private WorkerSession.End fetch(ContentHash hash) throws IOException {
+    private SessionEnd fetch(ContentHash hash) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         long total;
         do {
             link.send(new Message.ContentRequest(hash, bytes.size()));
             Message message = link.receive();
             if (message instanceof Message.Refuse refusal) {
-                return new WorkerSession.End(!refusal.again(), false, refusal.reason());
+                return new SessionEnd(!refusal.again(), false, refusal.reason());
             }
             if (message instanceof Message.Bye bye) {
-                return new WorkerSession.End(true, true, bye.reason());
+                return new SessionEnd(true, true, bye.reason());
             }
             if (!(message instanceof Message.Content piece)
                     || !piece.content().equals(hash)
@@ -51,7 +51,7 @@ final class WorkerContents {
             total = piece.total();
             fetched += piece.piece().length;
             if (fetched > Limits.JOB || total > Limits.JOB) {
-                return new WorkerSession.End(true, false, "the job has more than " + Limits.JOB + " bytes");
+                return new SessionEnd(true, false, "the job has more than " + Limits.JOB + " bytes");
             }
             bytes.write(piece.piece());
         } while (bytes.size() < total);

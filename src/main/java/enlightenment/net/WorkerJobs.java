@@ -11,15 +11,26 @@ import java.util.Map;
 
 /** What a worker knows beyond its connections: contents by their hashes, in memory only, and the job that it works at. */
 final class WorkerJobs implements AutoCloseable {
-    private final WorkerOptions options;
+    private final int threads;
+    private final String version;
+    private final RenderPool.Tamper tamper;
     private final Map<ContentHash, byte[]> contents = new HashMap<>();
     private ContentHash job;
     private RenderPool pool;
     private long madeBefore;
     private Throwable failure;
 
-    WorkerJobs(WorkerOptions options) {
-        this.options = options;
+    /**
+     * No job yet.
+     *
+     * @param threads number of tiles that are rendered at once
+     * @param version of this program: only jobs of the same are taken
+     * @param tamper what becomes of each tile before it is sent
+     */
+    WorkerJobs(int threads, String version, RenderPool.Tamper tamper) {
+        this.threads = threads;
+        this.version = version;
+        this.tamper = tamper;
     }
 
     /** Whether the content is here. */
@@ -44,7 +55,7 @@ final class WorkerJobs implements AutoCloseable {
             end();
             job = wanted.job();
             contents.keySet().retainAll(wanted.contents());
-            pool = new RenderPool(render, options.threads, Limits.UNACKNOWLEDGED_TILES, this::failed, options.tamper);
+            pool = new RenderPool(render, threads, Limits.UNACKNOWLEDGED_TILES, this::failed, tamper);
             pool.start(whenFinished);
             return pool;
         }
@@ -59,7 +70,7 @@ final class WorkerJobs implements AutoCloseable {
             document = contents.get(wanted.contents().get(0));
             images.forEach(hash -> byName.put(hash.toString(), contents.get(hash)));
         }
-        JobContent.Document read = JobContent.read(document, images, options.build, options.threads);
+        JobContent.Document read = JobContent.read(document, images, version, threads);
         try {
             TiledRender render = TiledRender.planned(
                     read.scene(), read.settings(), read.plan(), (Path file) -> byName.get(file.toString()));

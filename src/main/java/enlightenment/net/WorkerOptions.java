@@ -1,132 +1,161 @@
 package enlightenment.net;
 
-import enlightenment.math.InvalidValueException;
+import enlightenment.check.Check;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HexFormat;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** How a {@link RenderWorker} works. Immutable; each {@code with} gives a changed copy. */
-public final class WorkerOptions implements Cloneable {
-    /** All processors, no token, no TLS, a minute of patience with a server that is away. */
-    public static final WorkerOptions DEFAULT = new WorkerOptions();
+/**
+ * How a {@link RenderWorker} works. Immutable, and valid in itself; whether files can be used is found when a worker starts.
+ */
+public final class WorkerOptions {
+    final int threads;
+    final Optional<Path> tokenFile;
+    final Optional<byte[]> token;
+    final Optional<Path> authorities;
+    final Optional<ContentHash> pin;
+    final double reconnectSeconds;
+    final Consumer<String> log;
+    final String version;
+    final byte[] machine;
+    final Timing timing;
+    final RenderPool.Tamper tamper;
 
-    int threads = Runtime.getRuntime().availableProcessors();
-    Optional<Path> tokenFile = Optional.empty();
-    Optional<byte[]> token = Optional.empty();
-    Optional<Path> authorities = Optional.empty();
-    Optional<ContentHash> pin = Optional.empty();
-    double reconnectSeconds = 60;
-    Consumer<String> log = line -> {};
-
-    /** For tests. */
-    String build = Build.number();
-
-    byte[] machine = Machine.secret();
-    Timing timing = Timing.USUAL;
-    Tamper tamper = (tile, bytes) -> bytes;
-
-    /** What a faulty machine makes of a tile. */
-    @FunctionalInterface
-    interface Tamper {
-        byte[] change(int tile, byte[] bytes);
+    private WorkerOptions(Builder b) {
+        threads = b.threads;
+        tokenFile = b.tokenFile;
+        token = b.token;
+        authorities = b.authorities;
+        pin = b.pin;
+        reconnectSeconds = b.reconnectSeconds;
+        log = b.log;
+        version = b.version;
+        machine = b.machine;
+        timing = b.timing;
+        tamper = b.tamper;
     }
 
-    private WorkerOptions() {}
+    /** The usual options: all processors, no token, no TLS, a minute of trying to reach a server that is away. */
+    public static Builder builder() {
+        return new Builder();
+    }
 
-    private WorkerOptions copy() {
-        try {
-            return (WorkerOptions) clone();
-        } catch (CloneNotSupportedException e) {
-            throw new IllegalStateException(e);
+    /** Collects options. Not for use by several threads at once; may be used again after {@link #build}. */
+    public static final class Builder {
+        private static final int MAX_THREADS = Limits.THREADS;
+
+        private int threads = Runtime.getRuntime().availableProcessors();
+        private Optional<Path> tokenFile = Optional.empty();
+        private Optional<byte[]> token = Optional.empty();
+        private Optional<Path> authorities = Optional.empty();
+        private Optional<ContentHash> pin = Optional.empty();
+        private double reconnectSeconds = 60;
+        private Consumer<String> log = line -> {};
+        private String version = Build.number();
+        private byte[] machine = Machine.secret();
+        private Timing timing = Timing.DEFAULT;
+        private RenderPool.Tamper tamper = (tile, bytes) -> bytes;
+
+        private Builder() {}
+
+        /** How many tiles are rendered at once, at least 1. */
+        public Builder threads(int threads) {
+            this.threads = threads;
+            return this;
         }
-    }
 
-    /** How many tiles are rendered at once. */
-    public WorkerOptions withThreads(int threads) {
-        WorkerOptions o = copy();
-        o.threads = threads;
-        return o;
-    }
-
-    /** The file with the server's secret. */
-    public WorkerOptions withTokenFile(Path file) {
-        WorkerOptions o = copy();
-        o.tokenFile = Optional.of(file);
-        o.token = Optional.empty();
-        return o;
-    }
-
-    /**
-     * The server's secret itself.
-     *
-     * @throws IllegalArgumentException if it is too short or too long to be one
-     */
-    public WorkerOptions withToken(String secret) {
-        WorkerOptions o = copy();
-        o.token = Optional.of(Token.of(secret));
-        o.tokenFile = Optional.empty();
-        return o;
-    }
-
-    /** TLS, with a server that these certificates (a PEM file) vouch for under the name that is connected to. */
-    public WorkerOptions withAuthorities(Path file) {
-        WorkerOptions o = copy();
-        o.authorities = Optional.of(file);
-        return o;
-    }
-
-    /**
-     * TLS, with the one server whose certificate has this SHA-256.
-     *
-     * @param pin 64 hexadecimal digits
-     * @throws IllegalArgumentException if it is something else
-     */
-    public WorkerOptions withPin(String pin) {
-        if (!pin.matches("[0-9a-fA-F]{64}")) {
-            throw new InvalidValueException("pin", "must have 64 hexadecimal digits, not \"" + pin + "\"");
+        /** The file with the server's secret; the last given of this and {@link #token} counts. */
+        public Builder tokenFile(Path file) {
+            tokenFile = Optional.of(file);
+            token = Optional.empty();
+            return this;
         }
-        WorkerOptions o = copy();
-        o.pin = Optional.of(ContentHash.fromBytes(HexFormat.of().parseHex(pin)));
-        return o;
-    }
 
-    /** How long it tries to reach a server that is away. */
-    public WorkerOptions withReconnect(double seconds) {
-        WorkerOptions o = copy();
-        o.reconnectSeconds = seconds;
-        return o;
-    }
+        /**
+         * The server's secret itself, without white space at its ends.
+         *
+         * @throws IllegalArgumentException unless it has 16 to 4096 characters
+         */
+        public Builder token(String secret) {
+            token = Optional.of(Token.of(secret));
+            tokenFile = Optional.empty();
+            return this;
+        }
 
-    /** Hears what happens, a line at a time. */
-    public WorkerOptions withLog(Consumer<String> log) {
-        WorkerOptions o = copy();
-        o.log = log;
-        return o;
-    }
+        /** TLS, with a server that these certificates (a PEM file) vouch for under the name that is connected to. */
+        public Builder authorities(Path file) {
+            authorities = Optional.of(file);
+            return this;
+        }
 
-    WorkerOptions withBuild(String build) {
-        WorkerOptions o = copy();
-        o.build = build;
-        return o;
-    }
+        /**
+         * TLS, with the one server whose certificate has this SHA-256; see {@link RenderServer#pin}.
+         *
+         * @param pin 64 hexadecimal digits
+         * @throws enlightenment.math.InvalidValueException if it is something else
+         */
+        public Builder pin(String pin) {
+            Check.that(pin.matches("[0-9a-fA-F]{64}"), "pin", "must have 64 hexadecimal digits, not \"" + pin + "\"");
+            this.pin = Optional.of(ContentHash.fromBytes(HexFormat.of().parseHex(pin)));
+            return this;
+        }
 
-    WorkerOptions withMachine(String machine) {
-        WorkerOptions o = copy();
-        o.machine = ContentHash.of(machine.getBytes(StandardCharsets.UTF_8)).toBytes();
-        return o;
-    }
+        /** For how many seconds, at least 0, it tries to reach a server that is away before it gives up. */
+        public Builder reconnectSeconds(double seconds) {
+            reconnectSeconds = seconds;
+            return this;
+        }
 
-    WorkerOptions withTiming(Timing timing) {
-        WorkerOptions o = copy();
-        o.timing = timing;
-        return o;
-    }
+        /** Hears what happens, a line at a time, from several threads. */
+        public Builder log(Consumer<String> log) {
+            this.log = Objects.requireNonNull(log);
+            return this;
+        }
 
-    WorkerOptions withTamper(Tamper tamper) {
-        WorkerOptions o = copy();
-        o.tamper = tamper;
-        return o;
+        /** The version that it claims to be; for tests. */
+        Builder version(String version) {
+            this.version = version;
+            return this;
+        }
+
+        /** The machine that it claims to be on; for tests. */
+        Builder machine(String machine) {
+            this.machine =
+                    ContentHash.of(machine.getBytes(StandardCharsets.UTF_8)).toBytes();
+            return this;
+        }
+
+        /** For tests. */
+        Builder timing(Timing timing) {
+            this.timing = timing;
+            return this;
+        }
+
+        /** For tests. */
+        Builder tamper(RenderPool.Tamper tamper) {
+            this.tamper = tamper;
+            return this;
+        }
+
+        /**
+         * The options.
+         *
+         * @throws enlightenment.math.InvalidValueException if a value is out of its range, or options do not go together
+         */
+        public WorkerOptions build() {
+            Check.that(
+                    threads >= 1 && threads <= MAX_THREADS,
+                    "threads",
+                    "must lie in 1.." + MAX_THREADS + ", not " + threads);
+            Check.notNegative("reconnectSeconds", reconnectSeconds);
+            Check.that(
+                    pin.isEmpty() || authorities.isEmpty(),
+                    "pin",
+                    "must not be given together with authorities: a server is trusted by one of them");
+            return new WorkerOptions(this);
+        }
     }
 }

@@ -6,6 +6,7 @@ import java.net.Socket;
 import java.security.SecureRandom;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import javax.net.ssl.SSLSocket;
 
 /** One connection of a worker, from its first byte to its last. */
@@ -14,14 +15,12 @@ final class WorkerSession {
     private static final long TICK_MILLIS = 100;
     private static final SecureRandom RANDOM = new SecureRandom();
 
-    /** The link of the session that is on: finished tiles go there, whichever session began them. */
-    private static final class Current extends AtomicReference<WorkerSession> {
-        private static final long serialVersionUID = 1L;
-    }
-
-    private final Place place;
-    private final WorkerOptions options;
+    private final ServerAddress server;
+    private final Identity identity;
+    private final Timing timing;
     private final WorkerJobs jobs;
+    private final AtomicReference<WorkerSession> current;
+    private final Consumer<String> log;
     private final BooleanSupplier cancelled;
     private volatile MessageChannel link;
     private volatile RenderPool pool;
@@ -30,48 +29,69 @@ final class WorkerSession {
     private volatile long opened;
     private volatile Socket socket;
     private ContentHash job;
-    private int heartbeatMillis = Timing.USUAL.heartbeatMillis();
+    private int heartbeatMillis = Timing.DEFAULT.heartbeatMillis();
     private volatile int silenceMillis;
 
-    WorkerSession(Place place, WorkerOptions options, WorkerJobs jobs, BooleanSupplier cancelled) {
-        this.place = place;
-        this.options = options;
+    /** Where the server is and how it is spoken to; {@code tls} is null for none. */
+    record ServerAddress(String host, int port, byte[] token, Tls tls) {}
+
+    /**
+     * What a worker says of itself.
+     *
+     * @param version of this program
+     * @param threads number of tiles that it renders at once
+     * @param process a secret of this process, the same over all its connections
+     * @param machine a secret of this machine, see {@link Machine#secret}
+     */
+    record Identity(String version, int threads, byte[] process, byte[] machine) {}
+
+    /**
+     * A session that has not begun.
+     *
+     * @param jobs what the worker has kept from earlier sessions
+     * @param current the session that is on, shared by all sessions of a worker: finished tiles go there, whichever session
+     *     began them
+     * @param cancelled asked several times a second; once true, the session says good-bye
+     */
+    WorkerSession(
+            ServerAddress server,
+            Identity identity,
+            Timing timing,
+            WorkerJobs jobs,
+            AtomicReference<WorkerSession> current,
+            Consumer<String> log,
+            BooleanSupplier cancelled) {
+        this.server = server;
+        this.identity = identity;
+        this.timing = timing;
         this.jobs = jobs;
+        this.current = current;
+        this.log = log;
         this.cancelled = cancelled;
     }
-
-    /** Where the server is and how it is spoken to; {@code tls} is null for none, {@code process} is its secret. */
-    record Place(String host, int port, byte[] token, Tls tls, byte[] process, AtomicReference<WorkerSession> current) {
-        Place(String host, int port, byte[] token, Tls tls, byte[] process) {
-            this(host, port, token, tls, process, new Current());
-        }
-    }
-
-    /** How a session ended: {@code isFinal} if it makes no sense to try again. */
-    record End(boolean isFinal, boolean isDone, String reason) {}
 
     /** Whether the server let us in. */
     boolean wasWelcome() {
         return wasWelcome;
     }
 
-    End run() {
+    SessionEnd run() {
         try (Socket plain = new Socket()) {
             socket = plain;
             opened = System.nanoTime();
             Thread ticker = new Thread(this::tickAll, "heartbeat");
             ticker.setDaemon(true);
             ticker.start();
-            plain.connect(new InetSocketAddress(place.host(), place.port()), CONNECT_MILLIS);
+            plain.connect(new InetSocketAddress(server.host(), server.port()), CONNECT_MILLIS);
             plain.setTcpNoDelay(true);
             return talk(plain);
         } catch (IOException e) {
             MessageChannel mine = link;
             String reason = mine == null || mine.reason().isEmpty() ? describe(e) : "the server " + mine.reason();
-            return new End(jobs.failure() != null || e instanceof Tls.UntrustedException, false, reason);
+            return new SessionEnd(jobs.failure() != null || e instanceof Tls.UntrustedException, false, reason);
         } finally {
             isOver = true;
-            place.current().compareAndSet(this, null);
+            current.compareAndSet(this, null);
             if (link != null) {
                 link.close();
             }
@@ -87,27 +107,28 @@ final class WorkerSession {
         return failure == null ? said : "rendering failed here: " + failure;
     }
 
-    private End talk(Socket plain) throws IOException {
+    private SessionEnd talk(Socket plain) throws IOException {
         ContentHash certificate = Tls.noCertificate();
         Socket over = plain;
-        if (place.tls() != null) {
-            SSLSocket secured = place.tls().over(plain, place.host());
+        if (server.tls() != null) {
+            SSLSocket secured = server.tls().over(plain, server.host());
             certificate = Tls.shown(secured);
             over = secured;
         }
-        MessageChannel on = new MessageChannel(plain, over, options.timing, "worker").begin();
+        MessageChannel on = new MessageChannel(plain, over, timing, "worker").begin();
         link = on;
         byte[] nonce = new byte[Handshake.NONCE_BYTES];
         RANDOM.nextBytes(nonce);
         on.send(hello(nonce));
         Message answer = on.receive();
         if (answer instanceof Message.Challenge challenge && challenge.protocol() == Message.PROTOCOL) {
-            byte[] proof = Handshake.proof(Handshake.Side.WORKER, place.token(), nonce, challenge.nonce(), certificate);
+            byte[] proof =
+                    Handshake.proof(Handshake.Side.WORKER, server.token(), nonce, challenge.nonce(), certificate);
             on.send(new Message.Proof(proof));
             answer = on.receive();
             if (answer instanceof Message.Welcome welcome) {
                 byte[] expected =
-                        Handshake.proof(Handshake.Side.SERVER, place.token(), nonce, challenge.nonce(), certificate);
+                        Handshake.proof(Handshake.Side.SERVER, server.token(), nonce, challenge.nonce(), certificate);
                 return Handshake.same(expected, welcome.mac())
                         ? work(on, welcome)
                         : unproven("does not know the token");
@@ -122,11 +143,11 @@ final class WorkerSession {
     }
 
     /** Whoever has not proved to be our server decides nothing: it may be our server later, and somebody else now. */
-    private End unproven(String what) {
-        return new End(
+    private SessionEnd unproven(String what) {
+        return new SessionEnd(
                 false,
                 false,
-                "who answers at " + place.host() + ":" + place.port() + ", not proved to be the server, " + what);
+                "who answers at " + server.host() + ":" + server.port() + ", not proved to be the server, " + what);
     }
 
     private Message.Hello hello(byte[] nonce) {
@@ -134,27 +155,27 @@ final class WorkerSession {
                 Message.MAGIC,
                 Message.PROTOCOL,
                 Message.PROTOCOL,
-                options.build,
+                identity.version(),
                 Machine.name(),
-                options.threads,
+                identity.threads(),
                 Canary.hash(),
                 nonce);
     }
 
-    private static End end(Message last) {
+    private static SessionEnd end(Message last) {
         if (last instanceof Message.Refuse refusal) {
-            return new End(!refusal.again(), false, refusal.reason());
+            return new SessionEnd(!refusal.again(), false, refusal.reason());
         }
         if (last instanceof Message.Bye bye) {
-            return new End(true, true, bye.reason());
+            return new SessionEnd(true, true, bye.reason());
         }
-        return new End(
+        return new SessionEnd(
                 false,
                 false,
                 last == null ? "the server closed the connection" : "the server says what makes no sense now");
     }
 
-    private End work(MessageChannel on, Message.Welcome welcome) throws IOException {
+    private SessionEnd work(MessageChannel on, Message.Welcome welcome) throws IOException {
         on.trust();
         wasWelcome = true;
         heartbeatMillis = welcome.heartbeatMillis();
@@ -163,7 +184,7 @@ final class WorkerSession {
         if (!(first instanceof Message.Job wanted)) {
             return end(first);
         }
-        End early = new WorkerContents(on, jobs).fetch(wanted);
+        SessionEnd early = new WorkerContents(on, jobs).fetch(wanted);
         if (early != null) {
             return early;
         }
@@ -173,13 +194,13 @@ final class WorkerSession {
             mine = jobs.pool(wanted, this::flush);
         } catch (IOException e) {
             on.sayLast(new Message.Bye(e.getMessage()));
-            return new End(true, false, e.getMessage());
+            return new SessionEnd(true, false, e.getMessage());
         }
-        on.send(new Message.Ready(job, place.process(), Handshake.hmac(options.machine, job.toBytes())));
+        on.send(new Message.Ready(job, identity.process(), Handshake.hmac(identity.machine(), job.toBytes())));
         pool = mine;
-        place.current().set(this);
+        current.set(this);
         flush();
-        options.log.accept("working for " + place.host() + ":" + place.port());
+        log.accept("working for " + server.host() + ":" + server.port());
         while (true) {
             Message message = on.receive();
             if (!hear(message)) {
@@ -207,7 +228,7 @@ final class WorkerSession {
 
     /** Sends what is finished, over the session that is on. */
     private void flush() {
-        WorkerSession now = place.current().get();
+        WorkerSession now = current.get();
         if (now == null || now.pool == null) {
             return;
         }
@@ -243,7 +264,7 @@ final class WorkerSession {
                 on.sayLast(new Message.Bye(jobs.failure() == null ? "stopped" : "failed: " + jobs.failure()));
             }
         }
-        if (!wasWelcome && now - opened > options.timing.authenticationMillis() * 1_000_000L) {
+        if (!wasWelcome && now - opened > timing.authenticationMillis() * 1_000_000L) {
             closeSocket();
         }
         if (on != null) {
@@ -258,7 +279,7 @@ final class WorkerSession {
         try {
             socket.close();
         } catch (IOException e) {
-            options.log.accept("while closing: " + e.getMessage());
+            log.accept("while closing: " + e.getMessage());
         }
     }
 }

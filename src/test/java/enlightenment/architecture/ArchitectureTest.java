@@ -31,6 +31,8 @@ class ArchitectureTest {
             .consideringOnlyDependenciesInAnyPackage("enlightenment..")
             .layer("file")
             .definedBy("enlightenment.file")
+            .layer("machine")
+            .definedBy("enlightenment.machine")
             .layer("text")
             .definedBy("enlightenment.text")
             .layer("numeric")
@@ -43,8 +45,14 @@ class ArchitectureTest {
             .definedBy("enlightenment.frame")
             .layer("color")
             .definedBy("enlightenment.color")
+            .layer("codec")
+            .definedBy("enlightenment.codec")
             .layer("image")
             .definedBy("enlightenment.image")
+            .layer("picture")
+            .definedBy("enlightenment.picture")
+            .layer("texture")
+            .definedBy("enlightenment.texture")
             .layer("geometry")
             .definedBy("enlightenment.geometry")
             .layer("primitive")
@@ -80,7 +88,9 @@ class ArchitectureTest {
             .whereLayer("cli")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("file")
-            .mayOnlyBeAccessedByLayers("image", "json", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("codec", "image", "json", "net", "measure", "cli")
+            .whereLayer("machine")
+            .mayOnlyBeAccessedByLayers("render", "net", "measure", "cli")
             .whereLayer("net")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
@@ -111,9 +121,15 @@ class ArchitectureTest {
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "render", "net", "cli")
             .whereLayer("text")
-            .mayOnlyBeAccessedByLayers("scene", "net", "cli")
+            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
+            .whereLayer("codec")
+            .mayOnlyBeAccessedByLayers("image", "picture", "texture")
+            .whereLayer("picture")
+            .mayOnlyBeAccessedByLayers("render", "measure", "cli")
+            .whereLayer("texture")
+            .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("image")
-            .mayOnlyBeAccessedByLayers("compiled", "film", "render", "net", "measure", "cli", "json");
+            .mayOnlyBeAccessedByLayers("picture", "texture", "film", "render", "net", "measure", "cli", "json");
 
     /** So that files appear as a whole; what is appended to, such as checkpoints, is left to the journals. */
     @ArchTest
@@ -171,7 +187,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule onlyReadingImagesAndChartsUseAwt = noClasses()
             .that()
-            .resideOutsideOfPackages("enlightenment.image", "enlightenment.measure.chart")
+            .resideOutsideOfPackages("enlightenment.codec", "enlightenment.measure.chart")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("java.awt..", "javax.imageio..", "javax.swing..");

@@ -93,7 +93,8 @@ class ChaosTest {
                 worker();
             }
             while (faults < 14
-                    && farm.server.job().film().done() < farm.server.job().tiles()) {
+                    && farm.server.round().job().film().done()
+                            < farm.server.round().job().tiles()) {
                 Farm.sleep(20 + random.nextInt(60));
                 Fault fault = Fault.values()[random.nextInt(Fault.values().length)];
                 strike(fault);
@@ -114,23 +115,23 @@ class ChaosTest {
 
     private void startServer() throws IOException {
         farm = new Farm(Farm.options()
-                        .withAddress("127.0.0.1", port)
-                        .withTiming(TIMING)
-                        .withWait(1, 20)
-                        .withCheckpoint(checkpoint))
+                        .address("127.0.0.1", port)
+                        .timing(TIMING)
+                        .awaitWorkers(1, 20)
+                        .checkpoint(checkpoint))
                 .begin();
     }
 
     /** A worker behind the proxy, on a machine of its own, slow enough for faults to find it at work. */
     private void worker() {
-        join(Farm.slow(25).withMachine("machine " + random.nextInt()).withTiming(TIMING), proxy.port());
+        join(Farm.slow(25).machine("machine " + random.nextInt()).timing(TIMING), proxy.port());
     }
 
     private void honest(int threads) {
-        join(Farm.worker(threads).withMachine("honest " + random.nextInt()), port);
+        join(Farm.worker(threads).machine("honest " + random.nextInt()), port);
     }
 
-    private void join(WorkerOptions options, int at) {
+    private void join(WorkerOptions.Builder options, int at) {
         AtomicBoolean stop = new AtomicBoolean();
         stops.add(stop);
         farm.join(options, at, stop::get);
@@ -155,7 +156,7 @@ class ChaosTest {
             case TWO_GIBIBYTES -> knock(new byte[] {0x7f, -1, -1, -1, 0});
             case HALF_OPEN -> new RawPeer(port).bytes("0000");
             case WRONG_TOKEN -> wrongToken();
-            case WRONG_VERSION -> join(Farm.worker(1).withBuild("other"), port);
+            case WRONG_VERSION -> join(Farm.worker(1).version("other"), port);
             case NAN ->
                 lie((tile, bytes) -> {
                     java.nio.ByteBuffer.wrap(bytes).putDouble(bytes.length - 36, Double.NaN);
@@ -189,7 +190,7 @@ class ChaosTest {
         }
     }
 
-    private void lie(WorkerOptions.Tamper tamper) {
-        join(Farm.worker(1).withTamper(tamper).withMachine("liar " + random.nextInt()), port);
+    private void lie(RenderPool.Tamper tamper) {
+        join(Farm.worker(1).tamper(tamper).machine("liar " + random.nextInt()), port);
     }
 }

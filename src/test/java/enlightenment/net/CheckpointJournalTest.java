@@ -196,7 +196,7 @@ class CheckpointJournalTest {
             damaged[at] ^= 4;
             damaged[JournalFormat.HEADER_BYTES + at] ^= 8;
             Files.write(file, damaged);
-            assertThrows(CheckpointJournal.JournalException.class, () -> open(JOB), "byte " + at);
+            assertThrows(JournalException.class, () -> open(JOB), "byte " + at);
             assertArrayEquals(damaged, Files.readAllBytes(file));
         }
     }
@@ -217,8 +217,7 @@ class CheckpointJournalTest {
     void aCheckpointOfAnotherVersionIsRefusedByThatNameAndLeftAsItIs() throws IOException {
         byte[] old = Arrays.copyOf("ENLJRN01".getBytes(), 48);
         Files.write(file, old);
-        String message = assertThrows(CheckpointJournal.JournalException.class, () -> open(JOB))
-                .getMessage();
+        String message = assertThrows(JournalException.class, () -> open(JOB)).getMessage();
         assertTrue(message.contains("is a checkpoint of another version"), message);
         assertArrayEquals(old, Files.readAllBytes(file));
     }
@@ -237,8 +236,7 @@ class CheckpointJournalTest {
     @Test
     void theJournalOfAnotherJobIsRefusedWithBothHashes() throws IOException {
         byte[] whole = write();
-        String message = assertThrows(CheckpointJournal.JournalException.class, () -> open(OTHER))
-                .getMessage();
+        String message = assertThrows(JournalException.class, () -> open(OTHER)).getMessage();
         assertTrue(message.contains(JOB.toString()), message);
         assertTrue(message.contains(OTHER.toString()), message);
         assertArrayEquals(whole, Files.readAllBytes(file));
@@ -248,8 +246,7 @@ class CheckpointJournalTest {
     void aFileThatIsNoJournalIsNotTouched() throws IOException {
         byte[] letter = "Dear Ryan, here is the picture of the spheres that you wanted to see.".getBytes();
         Files.write(file, letter);
-        String message = assertThrows(CheckpointJournal.JournalException.class, () -> open(JOB))
-                .getMessage();
+        String message = assertThrows(JournalException.class, () -> open(JOB)).getMessage();
         assertTrue(message.contains("is not a checkpoint"), message);
         assertArrayEquals(letter, Files.readAllBytes(file));
     }
@@ -258,8 +255,8 @@ class CheckpointJournalTest {
     void twoServersCannotHaveTheSameJournal() throws IOException {
         CheckpointJournal first = CheckpointJournal.open(file, JOB, TILES, 0, r -> {});
         try (first) {
-            String message = assertThrows(CheckpointJournal.JournalException.class, () -> open(JOB))
-                    .getMessage();
+            String message =
+                    assertThrows(JournalException.class, () -> open(JOB)).getMessage();
             assertTrue(message.contains("in use"), message);
         }
         assertEquals(List.of(), open(JOB));
@@ -319,6 +316,6 @@ class CheckpointJournalTest {
         byte[] expelled = new JournalRecord.Expelled(Peers.machine("x")).encode();
         byte[] server = Arrays.copyOf(expelled, 2);
         server[1] = Origin.SERVER_KIND;
-        assertThrows(CheckpointJournal.JournalException.class, () -> JournalRecord.decode(server, TILES));
+        assertThrows(JournalException.class, () -> JournalRecord.decode(server, TILES));
     }
 }

@@ -41,26 +41,26 @@ final class Farm implements AutoCloseable {
     private final AtomicBoolean stopWorkers = new AtomicBoolean();
     private CompletableFuture<RenderResult> result;
 
-    Farm(ServerOptions options) throws IOException {
+    Farm(ServerOptions.Builder options) throws IOException {
         this(SCENE, SETTINGS, options);
     }
 
-    Farm(Scene scene, RenderSettings settings, ServerOptions options) throws IOException {
-        server = RenderServer.start(scene, settings, options.withLog(log::add), () -> false);
+    Farm(Scene scene, RenderSettings settings, ServerOptions.Builder options) throws IOException {
+        server = RenderServer.start(scene, settings, options.log(log::add).build(), () -> false);
     }
 
     /** No rendering in the server, any port. */
-    static ServerOptions options() {
-        return ServerOptions.DEFAULT.withAddress("127.0.0.1", 0).withLocalThreads(0);
+    static ServerOptions.Builder options() {
+        return ServerOptions.builder().address("127.0.0.1", 0).localThreads(0);
     }
 
-    static WorkerOptions worker(int threads) {
-        return WorkerOptions.DEFAULT.withThreads(threads).withReconnect(20);
+    static WorkerOptions.Builder worker(int threads) {
+        return WorkerOptions.builder().threads(threads).reconnectSeconds(20);
     }
 
     /** A worker that needs so long for each tile beside rendering it. */
-    static WorkerOptions slow(int millis) {
-        return worker(1).withTamper((tile, bytes) -> {
+    static WorkerOptions.Builder slow(int millis) {
+        return worker(1).tamper((tile, bytes) -> {
             sleep(millis);
             return bytes;
         });
@@ -93,15 +93,15 @@ final class Farm implements AutoCloseable {
         thread.start();
     }
 
-    CompletableFuture<RenderWorker.Outcome> join(WorkerOptions options) {
+    CompletableFuture<RenderWorker.Outcome> join(WorkerOptions.Builder options) {
         return join(options, server.port(), stopWorkers::get);
     }
 
-    CompletableFuture<RenderWorker.Outcome> join(WorkerOptions options, int port, BooleanSupplier stop) {
+    CompletableFuture<RenderWorker.Outcome> join(WorkerOptions.Builder options, int port, BooleanSupplier stop) {
         CompletableFuture<RenderWorker.Outcome> worker = CompletableFuture.supplyAsync(
                 () -> {
                     try {
-                        return RenderWorker.run("127.0.0.1", port, options, stop);
+                        return RenderWorker.run("127.0.0.1", port, options.build(), stop);
                     } catch (IOException e) {
                         throw new UncheckedIOException(e);
                     }

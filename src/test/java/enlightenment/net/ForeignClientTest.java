@@ -9,6 +9,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -54,24 +55,24 @@ class ForeignClientTest {
     void theTilesOfAClientInAnotherLanguageMakeThePicture(boolean isCropped) throws Exception {
         assumeTrue(hasPython(), "no python3 on the path");
         RenderSettings settings = isCropped
-                ? Farm.SETTINGS.withMethod("cluster").withCrop(new RenderSettings.Crop(9, 3, 50, 30))
+                ? Farm.SETTINGS.withMethod(Method.CLUSTER).withCrop(new RenderSettings.Crop(9, 3, 50, 30))
                 : Farm.SETTINGS;
         Image alone = Renderer.render(Farm.SCENE, settings);
         Path picture = folder.resolve("picture.pfm");
         ImageFiles.writePfm(alone, picture);
         Path token = Files.writeString(folder.resolve("token"), " 0123456789abcdef\n");
-        ServerOptions options = Farm.options().withWait(1, 10_000);
-        options = isCropped ? options : options.withTokenFile(token);
+        ServerOptions.Builder options = Farm.options().awaitWorkers(1, 10_000);
+        options = isCropped ? options : options.tokenFile(token);
         try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
             Process client = client(farm.server.port(), isCropped ? "-" : token.toString(), picture);
-            Farm.until(() -> farm.server.isFinished() || !client.isAlive(), "it has ended");
+            Farm.until(() -> farm.server.round().isFinished() || !client.isAlive(), "it has ended");
             assertTrue(client.waitFor(60, TimeUnit.SECONDS));
             String said = Files.readString(folder.resolve("said"));
             assertEquals(0, client.exitValue(), said);
             RenderResult result = farm.result();
             assertTrue(result.complete());
             assertArrayEquals(Farm.png(alone), Farm.png(result.image()));
-            assertTrue(said.contains(farm.server.job().tiles() + " tiles made: the picture is done"), said);
+            assertTrue(said.contains(farm.server.round().job().tiles() + " tiles made: the picture is done"), said);
             assertTrue(farm.logHas("python (127.0.0.1) joined"), farm.log.toString());
         }
     }

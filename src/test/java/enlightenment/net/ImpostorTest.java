@@ -102,10 +102,10 @@ class ImpostorTest {
         CompletableFuture<RenderWorker.Outcome> worker;
         try (Impostor impostor = new Impostor(lines(how))) {
             port = impostor.port();
-            WorkerOptions options = Farm.worker(1).withTokenFile(token).withReconnect(100);
+            WorkerOptions.Builder options = Farm.worker(1).tokenFile(token).reconnectSeconds(100);
             worker = CompletableFuture.supplyAsync(() -> {
                 try {
-                    return RenderWorker.run("127.0.0.1", port, options, () -> false);
+                    return RenderWorker.run("127.0.0.1", port, options.build(), () -> false);
                 } catch (IOException e) {
                     throw new java.io.UncheckedIOException(e);
                 }
@@ -115,10 +115,8 @@ class ImpostorTest {
         }
         // The thread that listened there may need a moment to let go of the place.
         Farm.until(() -> Farm.isFree(port), "the place is free again");
-        ServerOptions real = Farm.options()
-                .withAddress("127.0.0.1", port)
-                .withTokenFile(token)
-                .withWait(1, 60);
+        ServerOptions.Builder real =
+                Farm.options().address("127.0.0.1", port).tokenFile(token).awaitWorkers(1, 60);
         try (Farm farm = new Farm(real).begin()) {
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertEquals("the picture is done", worker.get(60, TimeUnit.SECONDS).reason());
@@ -129,7 +127,10 @@ class ImpostorTest {
     void inTheEndTheWorkerSaysWhatItWasToldAndByWhom() throws Exception {
         try (Impostor impostor = new Impostor(List.of(new Message.Bye("the picture\u001b[2J\nis done")))) {
             RenderWorker.Outcome outcome = RenderWorker.run(
-                    "127.0.0.1", impostor.port(), Farm.worker(1).withReconnect(0.1), () -> false);
+                    "127.0.0.1",
+                    impostor.port(),
+                    Farm.worker(1).reconnectSeconds(0.1).build(),
+                    () -> false);
             assertFalse(outcome.isDone());
             assertTrue(
                     outcome.reason().endsWith("not proved to be the server, says: the picture?[2J?is done"),

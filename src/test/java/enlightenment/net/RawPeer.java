@@ -25,7 +25,7 @@ final class RawPeer implements Closeable {
 
     /** The machine as the server's log calls it. */
     static String called(String machine, Farm farm) {
-        return "machine " + Peers.machine(machine, farm.server.job().hash());
+        return "machine " + Peers.machine(machine, farm.server.round().job().hash());
     }
 
     void bytes(String hex) throws IOException {

@@ -13,6 +13,7 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -39,7 +40,7 @@ class RenderServerTest {
     @ParameterizedTest
     @CsvSource({"0,0", "1,1", "2,1", "5,2", "3,4"})
     void anyNumberOfWorkersMakesTheBytesOfOneProcess(int workers, int threads) throws Exception {
-        ServerOptions options = Farm.options().withWait(workers, workers == 0 ? 0.2 : 30);
+        ServerOptions.Builder options = Farm.options().awaitWorkers(workers, workers == 0 ? 0.2 : 30);
         try (Farm farm = new Farm(options).begin()) {
             for (int i = 0; i < workers; i++) {
                 farm.join(Farm.worker(threads));
@@ -57,7 +58,7 @@ class RenderServerTest {
 
     @Test
     void theServersOwnThreadsAreAWorkerAmongOthers() throws Exception {
-        try (Farm farm = new Farm(Farm.options().withLocalThreads(2).withWait(1, 30)).begin()) {
+        try (Farm farm = new Farm(Farm.options().localThreads(2).awaitWorkers(1, 30)).begin()) {
             farm.join(Farm.worker(1));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
         }
@@ -65,7 +66,8 @@ class RenderServerTest {
 
     @Test
     void methodClusterCropAndReportAreThoseOfOneProcess() throws Exception {
-        RenderSettings settings = Farm.SETTINGS.withMethod("cluster").withCrop(new RenderSettings.Crop(9, 3, 50, 30));
+        RenderSettings settings =
+                Farm.SETTINGS.withMethod(Method.CLUSTER).withCrop(new RenderSettings.Crop(9, 3, 50, 30));
         try (Farm farm = new Farm(Farm.SCENE, settings, Farm.options()).begin()) {
             farm.join(Farm.worker(2));
             farm.join(Farm.worker(1));
@@ -89,7 +91,7 @@ class RenderServerTest {
         RenderResult alone = Renderer.render(RenderRequest.of(Farm.SCENE, settings));
         assertTrue(alone.report().sampling().rounds() > 1);
         Path checkpoint = folder.resolve("checkpoint");
-        ServerOptions options = Farm.options().withWait(1, 30).withCheckpoint(checkpoint);
+        ServerOptions.Builder options = Farm.options().awaitWorkers(1, 30).checkpoint(checkpoint);
         for (int run = 0; run < (isRestarted ? 2 : 1); run++) {
             try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
                 CompletableFuture<RenderWorker.Outcome> worker = farm.join(Farm.worker(2));
@@ -153,8 +155,8 @@ class RenderServerTest {
     @Test
     void anInterruptEndsTheServerWithWhatThereIs() throws Exception {
         int port;
-        try (RenderServer server =
-                RenderServer.start(Farm.SCENE, Farm.SETTINGS, Farm.options().withLocalThreads(1), () -> false)) {
+        try (RenderServer server = RenderServer.start(
+                Farm.SCENE, Farm.SETTINGS, Farm.options().localThreads(1).build(), () -> false)) {
             port = server.port();
             Thread.currentThread().interrupt();
             assertFalse(server.await(RenderProgress.NONE, () -> false).complete());
@@ -168,7 +170,7 @@ class RenderServerTest {
     void aWorkerThatComesLateGetsItsShare() throws Exception {
         try (Farm farm = new Farm(Farm.options()).begin()) {
             farm.join(Farm.slow(100));
-            Farm.until(() -> farm.server.job().film().done() > 3, "the first worker has begun");
+            Farm.until(() -> farm.server.round().job().film().done() > 3, "the first worker has begun");
             CompletableFuture<RenderWorker.Outcome> late = farm.join(Farm.worker(1));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertTrue(late.get().tiles() > 10, "what one worker had was not shared");
@@ -177,11 +179,11 @@ class RenderServerTest {
 
     @Test
     void theServerWaitsForWorkersButNotForEver() throws Exception {
-        try (Farm farm = new Farm(Farm.options().withWait(2, 1.5)).begin()) {
+        try (Farm farm = new Farm(Farm.options().awaitWorkers(2, 1.5)).begin()) {
             farm.join(Farm.worker(1));
             Farm.until(() -> farm.logHas("joined"), "the worker is there");
             Farm.sleep(300);
-            assertEquals(0, farm.server.job().film().done());
+            assertEquals(0, farm.server.round().job().film().done());
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
         }
     }
@@ -190,22 +192,22 @@ class RenderServerTest {
     void whatIsDoneWhenTheServerIsStoppedIsThePictureSoFar() throws Exception {
         Path checkpoint = folder.resolve("checkpoint");
         int done;
-        try (Farm farm = new Farm(Farm.options().withCheckpoint(checkpoint)).begin()) {
+        try (Farm farm = new Farm(Farm.options().checkpoint(checkpoint)).begin()) {
             farm.join(Farm.slow(20));
-            Farm.until(() -> farm.server.job().film().done() > 10, "some tiles are done");
+            Farm.until(() -> farm.server.round().job().film().done() > 10, "some tiles are done");
             RenderResult result = farm.stop();
-            done = farm.server.job().film().done();
+            done = farm.server.round().job().film().done();
             assertFalse(result.complete());
             assertTrue(result.report().pixels() >= 64 * 5);
         }
-        try (Farm farm = new Farm(Farm.options().withCheckpoint(checkpoint).withWait(1, 30))) {
-            assertEquals(done, farm.server.job().film().done());
+        try (Farm farm = new Farm(Farm.options().checkpoint(checkpoint).awaitWorkers(1, 30))) {
+            assertEquals(done, farm.server.round().job().film().done());
             farm.begin().join(Farm.worker(2));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertTrue(farm.workers.get(0).get(10, TimeUnit.SECONDS).tiles()
-                    < farm.server.job().tiles());
+                    < farm.server.round().job().tiles());
         }
-        try (Farm farm = new Farm(Farm.options().withCheckpoint(checkpoint)).begin()) {
+        try (Farm farm = new Farm(Farm.options().checkpoint(checkpoint)).begin()) {
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
         }
     }
@@ -215,16 +217,14 @@ class RenderServerTest {
         Path checkpoint = folder.resolve("checkpoint");
         int port;
         CompletableFuture<RenderWorker.Outcome> worker;
-        try (Farm farm = new Farm(Farm.options().withCheckpoint(checkpoint)).begin()) {
+        try (Farm farm = new Farm(Farm.options().checkpoint(checkpoint)).begin()) {
             port = farm.server.port();
             worker = farm.join(Farm.slow(10), port, () -> false);
-            Farm.until(() -> farm.server.job().film().done() > 5, "some tiles are done");
+            Farm.until(() -> farm.server.round().job().film().done() > 5, "some tiles are done");
             farm.stop();
         }
-        ServerOptions again = Farm.options()
-                .withAddress("127.0.0.1", port)
-                .withCheckpoint(checkpoint)
-                .withWait(1, 30);
+        ServerOptions.Builder again =
+                Farm.options().address("127.0.0.1", port).checkpoint(checkpoint).awaitWorkers(1, 30);
         try (Farm farm = new Farm(again).begin()) {
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertTrue(worker.get(20, TimeUnit.SECONDS).isDone());
@@ -233,7 +233,9 @@ class RenderServerTest {
 
     @Test
     void sharesAreFoundByNameAndByAddress() {
-        ServerOptions options = ServerOptions.DEFAULT.withShares(Map.of("fast", 4.0, "10.0.0.7", 2.0));
+        ServerOptions options = ServerOptions.builder()
+                .shares(Map.of("fast", 4.0, "10.0.0.7", 2.0))
+                .build();
         assertEquals(4, options.weight("fast", "10.0.0.7"));
         assertEquals(2, options.weight("other", "10.0.0.7"));
         assertEquals(1, options.weight("other", "10.0.0.8"));

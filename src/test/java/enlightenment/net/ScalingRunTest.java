@@ -21,17 +21,17 @@ class ScalingRunTest {
         RenderSettings settings =
                 Farm.SETTINGS.withSize(400, 200).withAntialias(1).withShadowSamples(1);
         try (Farm farm = new Farm(
-                Farm.SCENE, settings, Farm.options().withWait(workers, 30).withAuditRate(0))) {
+                Farm.SCENE, settings, Farm.options().awaitWorkers(workers, 30).auditRate(0))) {
             for (int i = 0; i < workers; i++) {
-                farm.join(Farm.slow(TILE_MILLIS).withMachine("machine " + i));
+                farm.join(Farm.slow(TILE_MILLIS).machine("machine " + i));
             }
             farm.begin();
-            Farm.until(() -> farm.server.snapshot().done() > 0, "the first tile is done");
+            Farm.until(() -> farm.server.round().snapshot().done() > 0, "the first tile is done");
             long start = System.nanoTime();
             farm.result();
             double seconds = (System.nanoTime() - start) / 1e9;
-            List<Snapshot.Worker> list = farm.server.snapshot().workers();
-            double work = farm.server.job().tiles() * TILE_MILLIS / 1e3 / workers;
+            List<Snapshot.Worker> list = farm.server.round().snapshot().workers();
+            double work = farm.server.round().job().tiles() * TILE_MILLIS / 1e3 / workers;
             assertTrue(
                     work / seconds >= least,
                     workers + " workers were busy " + work / seconds + " of the time: " + list);

@@ -32,11 +32,11 @@ class SecretsTest {
 
     private final List<String> log = new ArrayList<>();
 
-    private Secrets open(ServerOptions options) throws IOException {
-        return Secrets.open(options.withLog(log::add));
+    private Secrets open(ServerOptions.Builder options) throws IOException {
+        return Secrets.open(options.build().secrets(), log::add);
     }
 
-    private String failure(ServerOptions options) {
+    private String failure(ServerOptions.Builder options) {
         return assertThrows(IOException.class, () -> open(options)).getMessage();
     }
 
@@ -56,7 +56,8 @@ class SecretsTest {
 
     @Test
     void certificateAndTokenAreMadeOnceAndKept() throws IOException {
-        ServerOptions options = ServerOptions.DEFAULT.withTls(file("tls.pem")).withTokenFile(file("token"));
+        ServerOptions.Builder options =
+                ServerOptions.builder().tls(file("tls.pem")).tokenFile(file("token"));
         Secrets first = open(options);
         assertTrue(said("made a new certificate"), log.toString());
         assertTrue(said("made a new secret token"), log.toString());
@@ -65,7 +66,7 @@ class SecretsTest {
         log.clear();
         Secrets second = open(options);
         assertEquals(List.of(), log);
-        assertEquals(first.certificate(), second.certificate());
+        assertEquals(first.certificateHash(), second.certificateHash());
         assertArrayEquals(first.token(), second.token());
         try (Stream<Path> files = Files.list(folder)) {
             assertEquals(2, files.count());
@@ -74,9 +75,9 @@ class SecretsTest {
 
     @Test
     void everyTokenAndCertificateIsAnother() throws IOException {
-        Secrets a = open(ServerOptions.DEFAULT.withTls(file("a.pem")).withTokenFile(file("a")));
-        Secrets b = open(ServerOptions.DEFAULT.withTls(file("b.pem")).withTokenFile(file("b")));
-        assertNotEquals(a.certificate(), b.certificate());
+        Secrets a = open(ServerOptions.builder().tls(file("a.pem")).tokenFile(file("a")));
+        Secrets b = open(ServerOptions.builder().tls(file("b.pem")).tokenFile(file("b")));
+        assertNotEquals(a.certificateHash(), b.certificateHash());
         assertFalse(java.util.Arrays.equals(a.token(), b.token()));
         // 128 bits, four to a character.
         assertEquals(32, a.token().length);
@@ -84,7 +85,7 @@ class SecretsTest {
 
     @Test
     void theCertificateHoldsFromYesterdayForTenYears() throws Exception {
-        open(ServerOptions.DEFAULT.withTls(file("tls.pem")));
+        open(ServerOptions.builder().tls(file("tls.pem")));
         X509Certificate made = (X509Certificate) CertificateFactory.getInstance("X.509")
                 .generateCertificate(new ByteArrayInputStream(Files.readAllBytes(file("tls.pem"))));
         Instant now = Instant.now();
@@ -96,10 +97,10 @@ class SecretsTest {
     @Test
     void aServerThatMadeItsSecretsIsJoinedWithTokenAndPin() throws Exception {
         Path token = file("token");
-        ServerOptions options = Farm.options().withTls(file("tls.pem")).withTokenFile(token);
+        ServerOptions.Builder options = Farm.options().tls(file("tls.pem")).tokenFile(token);
         try (Farm farm = new Farm(options).begin()) {
-            farm.join(Farm.worker(1).withPin(farm.server.pin()).withTokenFile(token));
-            farm.join(Farm.worker(1).withPin(farm.server.pin()).withToken(Files.readString(token)));
+            farm.join(Farm.worker(1).pin(farm.server.pin()).tokenFile(token));
+            farm.join(Farm.worker(1).pin(farm.server.pin()).token(Files.readString(token)));
             assertArrayEquals(Farm.alone(), Farm.png(farm.result().image()));
             for (var worker : farm.workers) {
                 assertTrue(worker.get(10, TimeUnit.SECONDS).isDone());
@@ -110,24 +111,24 @@ class SecretsTest {
     @Test
     void anExpiredCertificateIsToldOfAndStillPinned() throws Exception {
         OwnCertificate.make(file("old.pem"), OwnCertificate.keytool(), new OwnCertificate.Validity("-10d", 1));
-        try (Farm farm = new Farm(Farm.options().withTls(file("old.pem"))).begin()) {
+        try (Farm farm = new Farm(Farm.options().tls(file("old.pem"))).begin()) {
             assertTrue(farm.logHas("the certificate expired on "), farm.log.toString());
             RenderWorker.Outcome refused = farm.join(
-                            Farm.worker(1).withAuthorities(file("old.pem")).withReconnect(0))
+                            Farm.worker(1).authorities(file("old.pem")).reconnectSeconds(0))
                     .get(20, TimeUnit.SECONDS);
             assertFalse(refused.isDone());
-            farm.join(Farm.worker(1).withPin(farm.server.pin()));
+            farm.join(Farm.worker(1).pin(farm.server.pin()));
             assertArrayEquals(Farm.alone(), Farm.png(farm.result().image()));
         }
     }
 
     @Test
     void withoutAKeytoolOrWithAStrangeOneTheMessageSaysWhatToDo() {
-        ServerOptions options = ServerOptions.DEFAULT.withTls(file("tls.pem"));
-        String none = failure(options.withKeytool(file("keytool")));
+        ServerOptions.Builder options = ServerOptions.builder().tls(file("tls.pem"));
+        String none = failure(options.keytool(file("keytool")));
         assertTrue(none.contains("tls.pem: no certificate can be made: ") && none.contains("--tls-cert"), none);
         // The Java launcher knows none of keytool's options.
-        String strange = failure(options.withKeytool(Path.of(System.getProperty("java.home"), "bin", "java")));
+        String strange = failure(options.keytool(Path.of(System.getProperty("java.home"), "bin", "java")));
         assertTrue(strange.contains("keytool says: ") && strange.contains("-genkeypair"), strange);
         assertFalse(Files.exists(file("tls.pem")));
     }
@@ -135,9 +136,9 @@ class SecretsTest {
     @Test
     void aFolderThatIsNotThereIsNamed() {
         String missing = file("none").toString();
-        assertTrue(failure(ServerOptions.DEFAULT.withTokenFile(Path.of(missing, "token")))
+        assertTrue(failure(ServerOptions.builder().tokenFile(Path.of(missing, "token")))
                 .endsWith("there is no folder " + missing));
-        assertTrue(failure(ServerOptions.DEFAULT.withTls(Path.of(missing, "tls.pem")))
+        assertTrue(failure(ServerOptions.builder().tls(Path.of(missing, "tls.pem")))
                 .endsWith("there is no folder " + missing));
     }
 
@@ -145,7 +146,7 @@ class SecretsTest {
     void aFolderThatIsWriteProtectedIsNamed() throws IOException {
         Path locked = Files.createDirectory(file("locked"));
         assumeTrue(locked.toFile().setWritable(false) && !Files.isWritable(locked), "not as root");
-        assertTrue(failure(ServerOptions.DEFAULT.withTokenFile(locked.resolve("token")))
+        assertTrue(failure(ServerOptions.builder().tokenFile(locked.resolve("token")))
                 .endsWith("no permission to write to the folder " + locked));
     }
 
@@ -160,19 +161,19 @@ class SecretsTest {
     @Test
     void filesOfAnotherKindAreLeftAsTheyAre() throws IOException {
         Path scene = Files.writeString(file("scene.json"), "{ \"name\": \"no secret\" }");
-        assertTrue(failure(ServerOptions.DEFAULT.withTls(scene)).startsWith(scene + ": is no PEM file"));
+        assertTrue(failure(ServerOptions.builder().tls(scene)).startsWith(scene + ": is no PEM file"));
         assertEquals("{ \"name\": \"no secret\" }", Files.readString(scene));
     }
 
     @Test
     void encryptedKeysAndKeysOfOtherCertificatesAreRefusedAtTheStart() throws IOException {
-        open(ServerOptions.DEFAULT.withTls(file("a.pem")));
-        open(ServerOptions.DEFAULT.withTls(file("b.pem")));
-        String other = failure(ServerOptions.DEFAULT.withTls(file("a.pem"), file("b.pem")));
+        open(ServerOptions.builder().tls(file("a.pem")));
+        open(ServerOptions.builder().tls(file("b.pem")));
+        String other = failure(ServerOptions.builder().tls(file("a.pem"), file("b.pem")));
         assertTrue(other.contains("b.pem: does not go with") && other.contains("another certificate"), other);
         String text = Files.readString(file("a.pem"));
         Files.writeString(file("a.pem"), text.replace("PRIVATE KEY", "ENCRYPTED PRIVATE KEY"));
-        String encrypted = failure(ServerOptions.DEFAULT.withTls(file("a.pem")));
+        String encrypted = failure(ServerOptions.builder().tls(file("a.pem")));
         assertTrue(encrypted.contains("the private key is encrypted"), encrypted);
     }
 
@@ -181,21 +182,23 @@ class SecretsTest {
         Path token = Files.writeString(file("token"), "0123456789abcdef");
         assumeTrue(token.getFileSystem().supportedFileAttributeViews().contains("posix"));
         Files.setPosixFilePermissions(token, PosixFilePermissions.fromString("rw-r-----"));
-        open(ServerOptions.DEFAULT.withTokenFile(token));
+        open(ServerOptions.builder().tokenFile(token));
         assertTrue(said("others on this machine may read or change this secret"), log.toString());
         log.clear();
         Files.setPosixFilePermissions(token, PosixFilePermissions.fromString("r--------"));
-        open(ServerOptions.DEFAULT.withTokenFile(token));
+        open(ServerOptions.builder().tokenFile(token));
         assertEquals(List.of(), log);
     }
 
     @Test
     void aWorkerMakesNoTokenAndSaysWhereItComesFrom() {
-        WorkerOptions options = WorkerOptions.DEFAULT.withTokenFile(file("token"));
-        String message = assertThrows(IOException.class, () -> RenderWorker.run("127.0.0.1", 1, options, () -> true))
+        WorkerOptions.Builder options = WorkerOptions.builder().tokenFile(file("token"));
+        String message = assertThrows(
+                        IOException.class, () -> RenderWorker.run("127.0.0.1", 1, options.build(), () -> true))
                 .getMessage();
         assertTrue(message.endsWith("there is no such file; copy the server's token to it"), message);
         assertFalse(Files.exists(file("token")));
-        assertThrows(IllegalArgumentException.class, () -> WorkerOptions.DEFAULT.withToken("0123456789abcde\n"));
+        assertThrows(
+                IllegalArgumentException.class, () -> WorkerOptions.builder().token("0123456789abcde\n"));
     }
 }

@@ -30,7 +30,7 @@ class ServerDoorsTest {
     @TempDir
     Path folder;
 
-    private static WorkerOptions.Tamper liar() {
+    private static RenderPool.Tamper liar() {
         return (tile, bytes) -> {
             byte[] wrong = bytes.clone();
             ByteBuffer.wrap(wrong).putDouble(wrong.length - 36, 0.125);
@@ -45,11 +45,11 @@ class ServerDoorsTest {
 
     @Test
     void whoCallsItselfAsTheServerDoesIsAuditedLikeAnybodyElse() throws Exception {
-        ServerOptions options =
-                Farm.options().withTiming(PATIENT).withAuditRate(1).withLocalThreads(1);
-        try (Farm farm = new Farm(options.withWait(2, 60)).begin()) {
-            farm.join(Farm.worker(1).withMachine("local").withTamper(liar()));
-            end(farm, farm.join(Farm.worker(1).withMachine("honest")));
+        ServerOptions.Builder options =
+                Farm.options().timing(PATIENT).auditRate(1).localThreads(1);
+        try (Farm farm = new Farm(options.awaitWorkers(2, 60)).begin()) {
+            farm.join(Farm.worker(1).machine("local").tamper(liar()));
+            end(farm, farm.join(Farm.worker(1).machine("honest")));
             assertTrue(farm.logHas(RawPeer.called("local", farm) + " expelled"));
             assertFalse(farm.logHas(RawPeer.called("honest", farm) + " expelled"));
         }
@@ -57,7 +57,7 @@ class ServerDoorsTest {
 
     @Test
     void whoRepeatsWhatAnotherSaidOfItselfDoesNotTakeItsPlace() throws Exception {
-        try (Farm farm = new Farm(Farm.options().withTiming(PATIENT)).begin()) {
+        try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
             CompletableFuture<RenderWorker.Outcome> honest = farm.join(Farm.slow(30));
             Farm.until(() -> farm.logHas("joined"), "the honest one is there");
             for (String name : new String[] {Machine.name(), "local", "this process"}) {
@@ -74,15 +74,15 @@ class ServerDoorsTest {
 
     @Test
     void whoTakesManyNamesDoesNotOutvoteTheHonestOne() throws Exception {
-        try (Farm farm = new Farm(Farm.options().withTiming(PATIENT)).begin()) {
+        try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
             AtomicReference<byte[]> first = new AtomicReference<>();
             CompletableFuture<RenderWorker.Outcome> honest =
-                    farm.join(Farm.worker(1).withMachine("honest").withTamper((tile, bytes) -> {
+                    farm.join(Farm.worker(1).machine("honest").tamper((tile, bytes) -> {
                         Farm.sleep(30);
                         first.compareAndSet(null, tile == 0 ? bytes : null);
                         return bytes;
                     }));
-            Farm.until(() -> farm.server.job().film().has(0) && first.get() != null, "tile 0 is there");
+            Farm.until(() -> farm.server.round().job().film().has(0) && first.get() != null, "tile 0 is there");
             List<RawPeer> peers = new ArrayList<>();
             for (int i = 0; i < 3; i++) {
                 RawPeer peer = new RawPeer(farm.server.port());
@@ -92,7 +92,7 @@ class ServerDoorsTest {
             }
             byte[] wrong = liar().change(0, first.get());
             for (RawPeer peer : peers) {
-                peer.send(new Message.Result(0, farm.server.job().hash(), 0, wrong));
+                peer.send(new Message.Result(0, farm.server.round().job().hash(), 0, wrong));
             }
             end(farm, honest);
             assertTrue(farm.logHas(RawPeer.called("liar 0", farm) + " expelled"));
@@ -105,7 +105,7 @@ class ServerDoorsTest {
 
     @Test
     void strangersWhoSitAndSayNothingDoNotKeepAWorkerOut() throws Exception {
-        try (Farm farm = new Farm(Farm.options().withTiming(PATIENT)).begin()) {
+        try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
             List<RawPeer> strangers = new ArrayList<>();
             for (int i = 0; i < 3 * Limits.STRANGERS; i++) {
                 strangers.add(new RawPeer(farm.server.port()));
@@ -124,7 +124,7 @@ class ServerDoorsTest {
     void whereNoThreadCanBeStartedNoPlaceIsLostAndNothingIsPrinted() throws Exception {
         AtomicInteger refused = new AtomicInteger();
         AtomicReference<Throwable> uncaught = new AtomicReference<>();
-        ServerOptions options = Farm.options().withTiming(PATIENT).withThreads(work -> new Thread(work) {
+        ServerOptions.Builder options = Farm.options().timing(PATIENT).threads(work -> new Thread(work) {
             @Override
             public void start() {
                 if (getName().equals("server connection") && refused.getAndIncrement() < 300) {
@@ -151,10 +151,11 @@ class ServerDoorsTest {
     @Test
     void aMachineThatWasExpelledIsLetInAgainOnlyIfItIsPardoned() throws Exception {
         Path checkpoint = folder.resolve("checkpoint");
-        ServerOptions options = Farm.options().withTiming(PATIENT).withCheckpoint(checkpoint);
+        ServerOptions options =
+                Farm.options().timing(PATIENT).checkpoint(checkpoint).build();
         String digits;
-        try (Farm farm = new Farm(options).begin()) {
-            digits = Peers.machine("odd", farm.server.job().hash()).toString();
+        try (Farm farm = new Farm(options.toBuilder()).begin()) {
+            digits = Peers.machine("odd", farm.server.round().job().hash()).toString();
             try (RawPeer peer = new RawPeer(farm.server.port())) {
                 Message.Job job = peer.join("odd", Token.NONE);
                 peer.send(new Message.Result(0, job.job(), 0, new byte[3]));
@@ -162,26 +163,27 @@ class ServerDoorsTest {
             }
             farm.stop();
         }
-        try (Farm farm = new Farm(options.withWait(1, 60)).begin();
+        try (Farm farm = new Farm(options.toBuilder().awaitWorkers(1, 60)).begin();
                 RawPeer peer = new RawPeer(farm.server.port())) {
             peer.join("odd", Token.NONE);
             assertTrue(peer.receive(Message.Refuse.class).reason().contains("expelled"));
         }
         IllegalArgumentException e = assertThrows(
-                IllegalArgumentException.class, () -> new Farm(options.withPardoned(List.of("0123456789"))).close());
+                IllegalArgumentException.class,
+                () -> new Farm(options.toBuilder().pardoned(List.of("0123456789"))).close());
         assertTrue(e.getMessage().contains("these are: " + digits), e.getMessage());
-        try (Farm farm = new Farm(options.withPardoned(List.of(digits.substring(0, 8))))) {
+        try (Farm farm = new Farm(options.toBuilder().pardoned(List.of(digits.substring(0, 8))))) {
             assertTrue(farm.logHas("machine " + digits + " is pardoned"));
-            assertEquals(0, farm.server.snapshot().expelled().size());
+            assertEquals(0, farm.server.round().snapshot().expelled().size());
         }
-        try (Farm farm = new Farm(options)) {
-            assertEquals(0, farm.server.snapshot().expelled().size(), "the checkpoint remembers");
+        try (Farm farm = new Farm(options.toBuilder())) {
+            assertEquals(0, farm.server.round().snapshot().expelled().size(), "the checkpoint remembers");
         }
     }
 
     @Test
     void onlyAMachineThatIsExpelledCanBePardoned() throws IOException {
         assertThrows(
-                IllegalArgumentException.class, () -> new Farm(Farm.options().withPardoned(List.of("01234567"))));
+                IllegalArgumentException.class, () -> new Farm(Farm.options().pardoned(List.of("01234567"))));
     }
 }

@@ -33,12 +33,12 @@ class ServerFaultsTest {
 
     @BeforeEach
     void server() throws IOException {
-        farm = new Farm(Farm.options().withTiming(Farm.QUICK)).begin();
+        farm = new Farm(Farm.options().timing(Farm.QUICK)).begin();
     }
 
     @AfterEach
     void theHonestWorkerEndsThePicture() throws Exception {
-        farm.join(Farm.worker(2).withMachine("honest"));
+        farm.join(Farm.worker(2).machine("honest"));
         assertArrayEquals(ALONE, Farm.png(farm.result().image()));
         farm.close();
     }
@@ -105,7 +105,7 @@ class ServerFaultsTest {
     void afterTheHandshakeAFrameMustComeInTimeToo() throws Exception {
         // Idleness is far away: a busy machine must not meet it first.
         Timing timing = new Timing(30_000, 600, 600, 30_000, 50, 30_000);
-        try (Farm patient = new Farm(Farm.options().withTiming(timing)).begin();
+        try (Farm patient = new Farm(Farm.options().timing(timing)).begin();
                 RawPeer peer = new RawPeer(patient.server.port())) {
             peer.enter("slow", Token.NONE);
             peer.bytes("00001000");
@@ -127,7 +127,7 @@ class ServerFaultsTest {
     void aWorkerThatFallsSilentLosesItsTiles() throws Exception {
         // Idleness is far away: a tick that is late must not meet both deadlines at once.
         Timing timing = new Timing(600, 600, 600, 30_000, 50, 400);
-        try (Farm patient = new Farm(Farm.options().withTiming(timing)).begin();
+        try (Farm patient = new Farm(Farm.options().timing(timing)).begin();
                 RawPeer peer = new RawPeer(patient.server.port())) {
             peer.join("silent", Token.NONE);
             peer.receive(Message.Grant.class);
@@ -153,7 +153,7 @@ class ServerFaultsTest {
     @Test
     void anotherVersionIsRefusedWithBothNumbers() throws Exception {
         RenderWorker.Outcome outcome =
-                farm.join(Farm.worker(1).withBuild("0.0.7")).get(20, TimeUnit.SECONDS);
+                farm.join(Farm.worker(1).version("0.0.7")).get(20, TimeUnit.SECONDS);
         assertFalse(outcome.isDone());
         assertTrue(outcome.reason().contains("the worker 0.0.7: install the same version"), outcome.reason());
         try (RawPeer peer = peer()) {
@@ -181,9 +181,8 @@ class ServerFaultsTest {
     @Test
     void aWrongTokenIsRefusedAndTheWorkerSaysSoInTheEnd() throws Exception {
         Path token = Files.writeString(folder.resolve("token"), "0123456789abcdef wrong");
-        RenderWorker.Outcome outcome = farm.join(
-                        Farm.worker(1).withTokenFile(token).withReconnect(0.3))
-                .get(20, TimeUnit.SECONDS);
+        RenderWorker.Outcome outcome =
+                farm.join(Farm.worker(1).tokenFile(token).reconnectSeconds(0.3)).get(20, TimeUnit.SECONDS);
         assertTrue(outcome.reason().contains("does not know the server's token"), outcome.reason());
     }
 
@@ -201,12 +200,12 @@ class ServerFaultsTest {
             }
         }
         assertLogged("no hello");
-        assertEquals(0, farm.server.job().film().done());
+        assertEquals(0, farm.server.round().job().film().done());
     }
 
     @Test
     void resultsOfWrongSizeOrWithNanExpelTheirMachine() throws Exception {
-        int length = farm.server.job().film().length(0);
+        int length = farm.server.round().job().film().length(0);
         byte[] nan =
                 ByteBuffer.allocate(length).putDouble(length - 36, Double.NaN).array();
         int n = 0;
@@ -235,7 +234,7 @@ class ServerFaultsTest {
             peer.send(new Message.Result(5, ContentHash.of(new byte[4]), 3, new byte[8]));
             assertEquals(3, peer.receive(Message.Acknowledge.class).tile());
         }
-        assertEquals(0, farm.server.job().film().done());
+        assertEquals(0, farm.server.round().job().film().done());
     }
 
     @Test

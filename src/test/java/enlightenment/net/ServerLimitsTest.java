@@ -25,7 +25,7 @@ class ServerLimitsTest {
     @Test
     void moreWorkersThanThereArePlacesAreToldToComeAgain() throws Exception {
         Timing patient = new Timing(15_000, 10_000, 10_000, 30_000, 5_000, 20_000);
-        try (Farm farm = new Farm(Farm.options().withTiming(patient).withWait(300, 60)).begin()) {
+        try (Farm farm = new Farm(Farm.options().timing(patient).awaitWorkers(300, 60)).begin()) {
             List<RawPeer> peers = new ArrayList<>();
             for (int i = 0; i < Limits.WORKERS; i++) {
                 RawPeer peer = new RawPeer(farm.server.port());
@@ -46,7 +46,7 @@ class ServerLimitsTest {
 
     @Test
     void framesAreBoundedAfterTheHandshakeToo() throws Exception {
-        try (Farm farm = new Farm(Farm.options().withTiming(Farm.QUICK)).begin();
+        try (Farm farm = new Farm(Farm.options().timing(Farm.QUICK)).begin();
                 RawPeer peer = new RawPeer(farm.server.port())) {
             peer.enter("large", Token.NONE);
             peer.bytes("00800001");
@@ -58,7 +58,7 @@ class ServerLimitsTest {
     }
 
     /** What a worker makes of a server that answers its first request with this. */
-    private static WorkerSession.End fetch(ContentHash wanted, Message answer, WorkerJobs jobs) throws Exception {
+    private static SessionEnd fetch(ContentHash wanted, Message answer, WorkerJobs jobs) throws Exception {
         try (ServerSocket listening = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
                 RawPeer server = new RawPeer(listening.getLocalPort());
                 Socket socket = listening.accept();
@@ -72,8 +72,8 @@ class ServerLimitsTest {
     @Test
     void aWorkerTakesNoJobOfMoreThanOneGibibyte() throws Exception {
         ContentHash hash = ContentHash.of(new byte[1]);
-        WorkerJobs jobs = new WorkerJobs(WorkerOptions.DEFAULT);
-        WorkerSession.End end = fetch(hash, new Message.Content(hash, 0, Limits.JOB + 1, new byte[9]), jobs);
+        WorkerJobs jobs = new WorkerJobs(1, Build.number(), (tile, bytes) -> bytes);
+        SessionEnd end = fetch(hash, new Message.Content(hash, 0, Limits.JOB + 1, new byte[9]), jobs);
         assertTrue(end.isFinal());
         assertTrue(end.reason().contains("more than 1073741824 bytes"), end.reason());
     }
@@ -82,7 +82,7 @@ class ServerLimitsTest {
     void contentWithAnotherHashIsNotKept() throws Exception {
         byte[] content = "the right one".getBytes(StandardCharsets.US_ASCII);
         ContentHash hash = ContentHash.of(content);
-        WorkerJobs jobs = new WorkerJobs(WorkerOptions.DEFAULT);
+        WorkerJobs jobs = new WorkerJobs(1, Build.number(), (tile, bytes) -> bytes);
         IOException e =
                 assertThrows(IOException.class, () -> fetch(hash, new Message.Content(hash, 0, 3, new byte[3]), jobs));
         assertTrue(e.getMessage().contains("came with other bytes"), e.getMessage());

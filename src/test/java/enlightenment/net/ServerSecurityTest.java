@@ -43,15 +43,15 @@ class ServerSecurityTest {
         return file;
     }
 
-    private ServerOptions secured() {
-        return Farm.options().withTls(certificate, key).withTokenFile(token);
+    private ServerOptions.Builder secured() {
+        return Farm.options().tls(certificate, key).tokenFile(token);
     }
 
     @Test
     void overTlsWithAPinnedCertificateThePictureIsTheSame() throws Exception {
         try (Farm farm = new Farm(secured()).begin()) {
-            farm.join(Farm.worker(1).withPin(farm.server.pin()).withTokenFile(token));
-            farm.join(Farm.worker(1).withAuthorities(certificate).withTokenFile(token));
+            farm.join(Farm.worker(1).pin(farm.server.pin()).tokenFile(token));
+            farm.join(Farm.worker(1).authorities(certificate).tokenFile(token));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             for (var worker : farm.workers) {
                 assertTrue(worker.get(10, TimeUnit.SECONDS).isDone());
@@ -64,33 +64,31 @@ class ServerSecurityTest {
         try (Farm farm = new Farm(secured()).begin()) {
             String other = "00".repeat(32);
             RenderWorker.Outcome outcome = farm.join(
-                            Farm.worker(1).withPin(other).withTokenFile(token).withReconnect(FOR_EVER))
+                            Farm.worker(1).pin(other).tokenFile(token).reconnectSeconds(FOR_EVER))
                     .get(60, TimeUnit.SECONDS);
             String words = "certificate is not trusted: it is " + farm.server.pin() + ", not " + other;
             assertTrue(outcome.reason().contains(words), outcome.reason());
-            assertEquals(0, farm.server.job().film().done());
+            assertEquals(0, farm.server.round().job().film().done());
         }
     }
 
     @Test
     void aServerThatNoAuthorityVouchesForIsNotTriedAgain() throws Exception {
         Path other = folder.resolve("other.pem");
-        OwnCertificate.make(other, OwnCertificate.keytool(), OwnCertificate.Validity.USUAL);
+        OwnCertificate.make(other, OwnCertificate.keytool(), OwnCertificate.Validity.DEFAULT);
         try (Farm farm = new Farm(secured()).begin()) {
             assertUntrusted(farm, other);
         }
         // It vouches for itself, but not for the name that is connected to.
-        ServerOptions nameless = Farm.options().withTokenFile(token).withTls(other);
+        ServerOptions.Builder nameless = Farm.options().tokenFile(token).tls(other);
         try (Farm farm = new Farm(nameless).begin()) {
             assertUntrusted(farm, other);
         }
     }
 
     private void assertUntrusted(Farm farm, Path authorities) throws Exception {
-        RenderWorker.Outcome outcome = farm.join(Farm.worker(1)
-                        .withAuthorities(authorities)
-                        .withTokenFile(token)
-                        .withReconnect(FOR_EVER))
+        RenderWorker.Outcome outcome = farm.join(
+                        Farm.worker(1).authorities(authorities).tokenFile(token).reconnectSeconds(FOR_EVER))
                 .get(60, TimeUnit.SECONDS);
         assertEquals(false, outcome.isDone());
         assertTrue(outcome.reason().startsWith("the server's certificate is not trusted: "), outcome.reason());
@@ -113,10 +111,10 @@ class ServerSecurityTest {
             });
             closing.setDaemon(true);
             closing.start();
-            WorkerOptions options =
-                    Farm.worker(1).withPin("00".repeat(32)).withTokenFile(token).withReconnect(FOR_EVER);
-            RenderWorker.Outcome outcome =
-                    RenderWorker.run("127.0.0.1", breaker.getLocalPort(), options, () -> connections.get() >= 3);
+            WorkerOptions.Builder options =
+                    Farm.worker(1).pin("00".repeat(32)).tokenFile(token).reconnectSeconds(FOR_EVER);
+            RenderWorker.Outcome outcome = RenderWorker.run(
+                    "127.0.0.1", breaker.getLocalPort(), options.build(), () -> connections.get() >= 3);
             assertEquals("stopped", outcome.reason());
         }
     }
@@ -125,7 +123,7 @@ class ServerSecurityTest {
     void whoSpeaksPlainlyToATlsServerGetsNowhere() throws Exception {
         try (Farm farm = new Farm(secured()).begin()) {
             RenderWorker.Outcome outcome = farm.join(
-                            Farm.worker(1).withTokenFile(token).withReconnect(0))
+                            Farm.worker(1).tokenFile(token).reconnectSeconds(0))
                     .get(20, TimeUnit.SECONDS);
             assertEquals(false, outcome.isDone());
             Farm.until(() -> farm.logHas("TLS failed"), "the server says why");
@@ -135,9 +133,9 @@ class ServerSecurityTest {
     @Test
     void aWorkerDoesNotWorkForAServerThatDoesNotKnowTheToken() throws Exception {
         Path other = Files.writeString(folder.resolve("other"), "another token of some length");
-        try (Farm farm = new Farm(Farm.options().withTokenFile(other)).begin()) {
+        try (Farm farm = new Farm(Farm.options().tokenFile(other)).begin()) {
             RenderWorker.Outcome outcome = farm.join(
-                            Farm.worker(1).withTokenFile(token).withReconnect(0.3))
+                            Farm.worker(1).tokenFile(token).reconnectSeconds(0.3))
                     .get(20, TimeUnit.SECONDS);
             assertTrue(outcome.reason().contains("token"), outcome.reason());
         }
@@ -146,19 +144,19 @@ class ServerSecurityTest {
     @Test
     void beyondLoopbackATokenIsRequired() {
         IllegalArgumentException e = assertThrows(
-                IllegalArgumentException.class, () -> new Farm(Farm.options().withAddress("0.0.0.0", 0)));
+                IllegalArgumentException.class, () -> new Farm(Farm.options().address("0.0.0.0", 0)));
         assertTrue(e.getMessage().contains("need a token"), e.getMessage());
     }
 
     @Test
     void shortTokensAndFilesThatAreNoKeysAreRefused() throws IOException {
         Path small = Files.writeString(folder.resolve("small"), "0123456789abcde\n");
-        assertFails("at least 16 characters, not 15", Farm.options().withTokenFile(small));
-        assertFails("holds no \"BEGIN PRIVATE KEY\"", Farm.options().withTls(certificate, certificate));
-        assertFails("is no PEM file of certificates", Farm.options().withTls(key, key));
+        assertFails("at least 16 characters, not 15", Farm.options().tokenFile(small));
+        assertFails("holds no \"BEGIN PRIVATE KEY\"", Farm.options().tls(certificate, certificate));
+        assertFails("is no PEM file of certificates", Farm.options().tls(key, key));
     }
 
-    private static void assertFails(String words, ServerOptions options) {
+    private static void assertFails(String words, ServerOptions.Builder options) {
         IOException e = assertThrows(IOException.class, () -> new Farm(options).close());
         assertTrue(e.getMessage().contains(words), e.getMessage());
     }

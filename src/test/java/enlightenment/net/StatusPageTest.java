@@ -39,7 +39,7 @@ class StatusPageTest {
 
     @BeforeEach
     void server() throws Exception {
-        farm = new Farm(Farm.options().withStatusPort(0)).begin();
+        farm = new Farm(Farm.options().statusPort(0)).begin();
         origin = "http://127.0.0.1:" + farm.server.statusPort() + "/";
     }
 
@@ -63,14 +63,14 @@ class StatusPageTest {
     @Test
     void workersTilesAndPictureAreShownAndKeptUpToDate() throws Exception {
         farm.join(Farm.slow(100));
-        Farm.until(() -> farm.server.snapshot().done() > 2, "some tiles are done");
-        int before = farm.server.snapshot().done();
+        Farm.until(() -> farm.server.round().snapshot().done() > 2, "some tiles are done");
+        int before = farm.server.round().snapshot().done();
         browser.open(origin);
         browser.until("document.readyState == 'complete' && document.querySelectorAll('#workers tr').length == 1");
         browser.until("document.querySelector('#picture').naturalWidth > 0");
         int shown = Integer.parseInt(text("#numbers").split(" ")[0]);
-        assertTrue(before <= shown && shown <= farm.server.snapshot().done(), shown + " tiles shown");
-        int tiles = farm.server.job().tiles();
+        assertTrue(before <= shown && shown <= farm.server.round().snapshot().done(), shown + " tiles shown");
+        int tiles = farm.server.round().job().tiles();
         assertTrue(text("#numbers").startsWith(shown + " of " + tiles + " tiles done, "), text("#numbers"));
         assertEquals(100 * shown / tiles + " %", text("#state"));
         assertEquals(
@@ -80,7 +80,7 @@ class StatusPageTest {
                 Farm.SETTINGS.region().height(),
                 browser.value("document.querySelector('#picture').naturalHeight")
                         .asInt());
-        assertEquals(farm.server.snapshot().workers().get(0).name(), text("#workers tr td"));
+        assertEquals(farm.server.round().snapshot().workers().get(0).name(), text("#workers tr td"));
         assertEquals(
                 browser.value("document.querySelectorAll('th').length").asInt(),
                 browser.value("document.querySelectorAll('#workers td').length").asInt());
@@ -119,7 +119,7 @@ class StatusPageTest {
     @Test
     void onANarrowScreenOnlyTheTableScrollsSideways() throws Exception {
         farm.join(Farm.slow(100));
-        Farm.until(() -> farm.server.snapshot().done() > 0, "a tile is done");
+        Farm.until(() -> farm.server.round().snapshot().done() > 0, "a tile is done");
         browser.call(
                 "Emulation.setDeviceMetricsOverride",
                 "{\"width\":320,\"height\":600,\"deviceScaleFactor\":1,\"mobile\":false}");

@@ -26,7 +26,7 @@ class StatusServerTest {
 
     @BeforeEach
     void server() throws Exception {
-        farm = new Farm(Farm.options().withStatusPort(0)).begin();
+        farm = new Farm(Farm.options().statusPort(0)).begin();
     }
 
     @AfterEach
@@ -55,15 +55,15 @@ class StatusServerTest {
     void theJsonTellsOfWorkersTilesAndWhatHappened() throws Exception {
         assertEquals("rendering\n", text("/health"));
         farm.join(Farm.slow(50));
-        Farm.until(() -> farm.server.snapshot().done() > 2, "some tiles are done");
+        Farm.until(() -> farm.server.round().snapshot().done() > 2, "some tiles are done");
         String json = text("/status.json");
         assertTrue(json.contains("\"finished\":false"), json);
-        assertTrue(json.contains("\"tiles\":" + farm.server.job().tiles()), json);
+        assertTrue(json.contains("\"tiles\":" + farm.server.round().job().tiles()), json);
         assertTrue(json.contains("\"threads\":1"), json);
         assertTrue(json.contains("joined with 1 threads"), json);
         farm.join(Farm.worker(2));
         farm.result();
-        Snapshot end = farm.server.snapshot();
+        Snapshot end = farm.server.round().snapshot();
         assertTrue(StatusJson.of(end).contains("\"finished\":true"));
         assertEquals(end.tiles(), end.done());
     }
@@ -73,7 +73,7 @@ class StatusServerTest {
         long start = System.nanoTime();
         byte[] black = get("/picture.png");
         farm.join(Farm.slow(60));
-        Farm.until(() -> farm.server.snapshot().done() > 5, "some tiles are done");
+        Farm.until(() -> farm.server.round().snapshot().done() > 5, "some tiles are done");
         byte[] next = get("/picture.png");
         if (System.nanoTime() - start < 900_000_000L) {
             assertArrayEquals(black, next);

@@ -73,7 +73,7 @@ class TextsTest {
     @Test
     void logAndStatusShowOneHarmlessLine() throws Exception {
         List<String> lines = new ArrayList<>();
-        ServerOptions options = Farm.options().withLocalThreads(1).withWait(1, 60);
+        ServerOptions.Builder options = Farm.options().localThreads(1).awaitWorkers(1, 60);
         try (Farm farm = new Farm(options).begin();
                 RawPeer peer = new RawPeer(farm.server.port())) {
             Message.Hello h = RawPeer.hello(NASTY);
@@ -81,10 +81,10 @@ class TextsTest {
             Message.Job job = peer.receive(Message.Job.class);
             peer.send(RawPeer.ready(job, NASTY));
             Farm.until(
-                    () -> farm.server.snapshot().workers().stream()
+                    () -> farm.server.round().snapshot().workers().stream()
                             .anyMatch(w -> w.name().startsWith("?[2J")),
                     "it has joined");
-            String json = StatusJson.of(farm.server.snapshot());
+            String json = StatusJson.of(farm.server.round().snapshot());
             assertEquals(Plain.lines(json), json);
             peer.send(new Message.Bye(NASTY));
             Farm.until(() -> farm.logHas(" left: "), "it has left");

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -28,12 +29,12 @@ class ClusterUnbiasedTest {
     /** Seeds of raytrace must not be those of cluster: the two methods have their random numbers in common. */
     private static final long APART = 1000;
 
-    private static RenderSettings settings(Scene scene, String method, int width, int height) {
+    private static RenderSettings settings(Scene scene, Method method, int width, int height) {
         return RenderSettings.of(scene).withMethod(method).withSize(width, height);
     }
 
     private static RenderSettings cluster(Scene scene, double samples) {
-        return settings(scene, "cluster", WIDTH, HEIGHT).withBudget(Budget.NONE.withSamples(samples));
+        return settings(scene, Method.CLUSTER, WIDTH, HEIGHT).withBudget(Budget.NONE.withSamples(samples));
     }
 
     private static List<double[]> rgb(List<Picture> pictures) {
@@ -47,7 +48,7 @@ class ClusterUnbiasedTest {
     }
 
     private static List<double[]> traced(Scene scene, int width, int height, int seeds) {
-        RenderSettings s = settings(scene, "raytrace", width, height);
+        RenderSettings s = settings(scene, Method.RAYTRACE, width, height);
         return rgb(ManySeeds.render(scene, s.withAntialias(4).withShadowSamples(4), APART, seeds));
     }
 
@@ -108,7 +109,7 @@ class ClusterUnbiasedTest {
     void stoppingWhereTheFirstSamplesAgreeWouldBeDetected() {
         Scene scene = ManySeeds.shipped("keyhole");
         List<double[]> expected = traced(scene);
-        RenderSettings s = settings(scene, "raytrace", WIDTH, HEIGHT).withShadowSamples(1);
+        RenderSettings s = settings(scene, Method.RAYTRACE, WIDTH, HEIGHT).withShadowSamples(1);
         List<Picture> few = ManySeeds.render(scene, s.withAntialias(2), 0, SEEDS);
         List<Picture> many = ManySeeds.render(scene, s.withAntialias(4), 0, SEEDS);
         List<double[]> stopped = new ArrayList<>();
@@ -145,7 +146,7 @@ class ClusterUnbiasedTest {
     })
     void largerPicturesAreTheSameToo(String name, double samples) {
         Scene scene = ManySeeds.shipped(name);
-        RenderSettings s = settings(scene, "cluster", 96, 48).withBudget(Budget.NONE.withSamples(samples));
+        RenderSettings s = settings(scene, Method.CLUSTER, 96, 48).withBudget(Budget.NONE.withSamples(samples));
         BlockMeans blocks = new BlockMeans(96, 48);
         Verdict v = blocks.compare(rgb(ManySeeds.render(scene, s, 0, 4 * SEEDS)), traced(scene, 96, 48, 4 * SEEDS));
         System.out.println(name + " with " + samples + " samples: " + v);

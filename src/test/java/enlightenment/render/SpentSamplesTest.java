@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.file.Path;
@@ -25,7 +26,7 @@ class SpentSamplesTest {
     Path directory;
 
     private static double spent(Scene scene, RenderSettings settings, double samples) {
-        RenderSettings s = settings.withMethod("cluster").withBudget(Budget.NONE.withSamples(samples));
+        RenderSettings s = settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(samples));
         return ManySeeds.render(scene, s).sampling().samplesPerPixel() / samples;
     }
 

@@ -17,7 +17,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.net.WorkerOptions;
-import enlightenment.render.Renderer;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
@@ -45,7 +44,8 @@ class NamedFaultsTest {
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));
         fails("y: must be a finite number, not Infinity", () -> ExactPoint.of(0, 1 / 0.0, 0));
         fails("depth: must be 8 or 16 bits per component, not 24", () -> new PngOptions(24, Map.of()));
-        fails("pin: must have 64 hexadecimal digits, not \"x\"", () -> WorkerOptions.DEFAULT.withPin("x"));
+        fails("pin: must have 64 hexadecimal digits, not \"x\"", () -> WorkerOptions.builder()
+                .pin("x"));
     }
 
     @Test
@@ -69,9 +69,7 @@ class NamedFaultsTest {
         fails("threads: must lie in 1..4096, not 0", () -> s.withThreads(0));
         fails("antialias: must lie in 1..256, not 0", () -> s.withAntialias(0));
         fails("samples: must lie in 1..16777216, not 0.5", () -> s.withBudget(Budget.NONE.withSamples(0.5)));
-        fails(
-                "render/method: must be one of [raytrace, cluster], not \"magic\"",
-                () -> Renderer.render(scene, s.withMethod("magic")));
+        fails("method: must be one of [raytrace, cluster], not \"magic\"", () -> Method.named("magic"));
     }
 
     @Test

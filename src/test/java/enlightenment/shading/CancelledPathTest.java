@@ -63,13 +63,13 @@ class CancelledPathTest {
         ClassicShader shader = shader("mirror", 1);
         shader.stopWhen(() -> true);
         assertThrows(CancellationException.class, () -> shade(shader, 0));
-        assertTrue(counters.mirrorRays <= ClassicShader.ASK_EVERY, counters.mirrorRays + " bounces");
+        assertTrue(counters.mirrorRays <= ClassicShader.POLL_INTERVAL, counters.mirrorRays + " bounces");
         // Later, in the same number of steps.
         AtomicInteger asked = new AtomicInteger();
         shader.stopWhen(() -> asked.incrementAndGet() >= 5);
         long before = counters.mirrorRays;
         assertThrows(CancellationException.class, () -> shade(shader, 0));
-        assertTrue(counters.mirrorRays - before <= 5 * ClassicShader.ASK_EVERY, counters.mirrorRays + " bounces");
+        assertTrue(counters.mirrorRays - before <= 5 * ClassicShader.POLL_INTERVAL, counters.mirrorRays + " bounces");
         assertEquals(5, asked.get());
     }
 
@@ -78,7 +78,7 @@ class CancelledPathTest {
         ClassicShader shader = shader("matte", 1_000_000);
         shader.stopWhen(() -> true);
         assertThrows(CancellationException.class, () -> shade(shader, 0));
-        assertTrue(counters.shadowRays <= ClassicShader.ASK_EVERY, counters.shadowRays + " rays");
+        assertTrue(counters.shadowRays <= ClassicShader.POLL_INTERVAL, counters.shadowRays + " rays");
     }
 
     @Test
@@ -87,12 +87,12 @@ class CancelledPathTest {
         shader.stopWhen(() -> true);
         int shaded = 0;
         try {
-            while (shaded <= ClassicShader.ASK_EVERY) {
+            while (shaded <= ClassicShader.POLL_INTERVAL) {
                 shade(shader, shaded);
                 shaded++;
             }
         } catch (CancellationException e) {
-            assertTrue(shaded < ClassicShader.ASK_EVERY, shaded + " paths");
+            assertTrue(shaded < ClassicShader.POLL_INTERVAL, shaded + " paths");
             return;
         }
         throw new AssertionError("nobody was asked");

@@ -3,6 +3,7 @@ package enlightenment.measure.analysis;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
@@ -16,9 +17,6 @@ import java.util.List;
  * @param grid whether budgets are given as {@code --antialias} instead of {@code --samples}: the positions in the pixel differ
  */
 public record Configuration(String method, int lightSamples, boolean grid) {
-    /** The method that takes a fixed number of light samples per hit; the other one chooses their number itself. */
-    private static final String TAKES_LIGHT_SAMPLES = "raytrace";
-
     /** The ratio of neighbouring variants. Measured: within a factor of two of the best number the cost hardly differs. */
     private static final int STEP = 4;
 
@@ -38,7 +36,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
      */
     public static List<Configuration> variants(Configuration own) {
         List<Configuration> variants = new ArrayList<>();
-        if (!own.method.equals(TAKES_LIGHT_SAMPLES)) {
+        if (!own.takesLightSamples()) {
             return variants;
         }
         for (int n = 1; 2 * n <= own.lightSamples; n *= STEP) {
@@ -50,6 +48,13 @@ public record Configuration(String method, int lightSamples, boolean grid) {
         return variants;
     }
 
+    /** Whether the method takes a fixed number of light samples per hit instead of choosing it. */
+    private boolean takesLightSamples() {
+        return Method.of(method)
+                .filter(m -> m.has(Method.Setting.SHADOW_SAMPLES))
+                .isPresent();
+    }
+
     /** Whether a run has this configuration. */
     public boolean made(TradeRun run) {
         return equals(of(run));
@@ -57,8 +62,9 @@ public record Configuration(String method, int lightSamples, boolean grid) {
 
     /** The settings of a render with this budget of camera rays per pixel. */
     public RenderSettings settings(RenderSettings base, double samples, long seed) {
-        RenderSettings own =
-                base.withMethod(method).withShadowSamples(lightSamples).withSeed(seed);
+        RenderSettings own = base.withMethod(Method.named(method))
+                .withShadowSamples(lightSamples)
+                .withSeed(seed);
         return grid
                 ? own.withAntialias(side(samples)).withBudget(Budget.NONE)
                 : own.withBudget(Budget.NONE.withSamples(samples));
@@ -71,7 +77,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     /** Its name in sentences: the method, and how many light samples it takes. */
     public String name() {
         String name = grid ? method + " --antialias" : method;
-        return method.equals(TAKES_LIGHT_SAMPLES)
+        return takesLightSamples()
                 ? name + " with " + lightSamples + (lightSamples == 1 ? " light sample" : " light samples")
                 : name;
     }

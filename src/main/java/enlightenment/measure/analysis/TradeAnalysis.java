@@ -43,7 +43,7 @@ public record TradeAnalysis(
                         .toList(),
                 costs(settings, runs, variance),
                 settings.sweeps().stream()
-                        .map(s -> SweepResult.of(s, settings.base().method(), runs, variance))
+                        .map(s -> SweepResult.of(s, settings.base().method().word(), runs, variance))
                         .toList());
     }
 

@@ -2,7 +2,7 @@ package enlightenment.measure.trade;
 
 import enlightenment.check.Check;
 import enlightenment.image.Image;
-import enlightenment.render.Renderer;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.HashSet;
 import java.util.List;
@@ -12,7 +12,7 @@ import java.util.Optional;
  * What to measure. {@link #of} has the usual values, the {@code with} methods change one.
  *
  * @param base the settings that all renders share; its method is that of the sweeps, its budget is not used
- * @param methods the methods to compare, each once, at least one
+ * @param methods the words of the methods to compare, each once, at least one
  * @param budgetSeconds about how long the measurement may take by the clock; greater than 0. The fewest renders that give a result
  *     are made in any case
  * @param seeds how many times each budget is rendered, each time with other random numbers; 1..{@link #MAX_SEEDS}
@@ -48,9 +48,9 @@ public record TradeSettings(
         sweeps = List.copyOf(sweeps);
         Check.that(!methods.isEmpty(), "methods", "must name at least one method");
         Check.that(
-                Renderer.METHODS.containsAll(methods),
+                Method.words().containsAll(methods),
                 "methods",
-                "must be some of " + Renderer.METHODS + ", not " + methods);
+                "must be some of " + Method.words() + ", not " + methods);
         Check.that(new HashSet<>(methods).size() == methods.size(), "methods", "must name each method once");
         Check.that(
                 budgetSeconds > 0 && budgetSeconds < Double.POSITIVE_INFINITY,
@@ -73,7 +73,7 @@ public record TradeSettings(
 
     /** All methods, {@link #BUDGET_SECONDS}, {@link #SEEDS}, no sweeps, and a reference to be made. */
     public static TradeSettings of(RenderSettings base, String sceneKey) {
-        return new TradeSettings(base, Renderer.METHODS, BUDGET_SECONDS, SEEDS, List.of(), Optional.empty(), sceneKey);
+        return new TradeSettings(base, Method.words(), BUDGET_SECONDS, SEEDS, List.of(), Optional.empty(), sceneKey);
     }
 
     /** The same with another list of {@link #methods}. */

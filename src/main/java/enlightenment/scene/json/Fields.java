@@ -5,6 +5,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.json.Vocabulary.Keys;
+import enlightenment.text.Suggestion;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;

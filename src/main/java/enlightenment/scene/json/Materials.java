@@ -3,6 +3,8 @@ package enlightenment.scene.json;
 import enlightenment.color.DisplayRgb;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.text.Plain;
+import enlightenment.text.Suggestion;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,10 +44,7 @@ final class Materials {
                 String there = Suggestion.of(s.text, named.keySet(), "there are");
                 String none = "; the scene names no materials (/materials)";
                 values.problems()
-                        .add(
-                                v,
-                                place,
-                                "unknown material " + JsonValue.quoted(s.text) + (named.isEmpty() ? none : there));
+                        .add(v, place, "unknown material " + Plain.quoted(s.text) + (named.isEmpty() ? none : there));
             }
             return material;
         }

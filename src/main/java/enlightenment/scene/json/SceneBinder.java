@@ -5,6 +5,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.light.Light;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -116,10 +117,10 @@ final class SceneBinder {
             return null;
         }
         RenderDefaults d = RenderDefaults.DEFAULT;
-        String method = f.word("method", Vocabulary.METHODS, List.of(), d.method());
+        String method = f.word("method", Method.words(), List.of(), d.method().word());
         int antialias = f.integer("antialias", 1, RenderDefaults.MAX_ANTIALIAS, d.antialias());
         int shadowSamples = f.integer("shadowSamples", 1, RenderDefaults.MAX_SHADOW_SAMPLES, d.shadowSamples());
         long seed = f.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, d.seed());
-        return f.make(() -> new RenderDefaults(method, antialias, shadowSamples, seed));
+        return f.make(() -> new RenderDefaults(Method.named(method), antialias, shadowSamples, seed));
     }
 }

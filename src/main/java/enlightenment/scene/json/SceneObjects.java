@@ -14,6 +14,7 @@ import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneObject;
+import enlightenment.text.Plain;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -91,7 +92,7 @@ final class SceneObjects {
         if (first != null) {
             f.problem(
                     "name",
-                    "the name " + JsonValue.quoted(name) + " is used twice; first in line " + first.line + ", column "
+                    "the name " + Plain.quoted(name) + " is used twice; first in line " + first.line + ", column "
                             + first.column);
         }
         return name;

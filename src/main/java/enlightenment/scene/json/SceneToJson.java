@@ -8,7 +8,6 @@ import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -121,13 +120,7 @@ final class SceneToJson {
     }
 
     private static JsonValue render(RenderDefaults r, JsonObjectBuilder p) {
-        if (!Vocabulary.METHODS.contains(r.method())) {
-            throw SceneException.of(
-                    "/render/method",
-                    "unknown: " + JsonValue.quoted(r.method())
-                            + Suggestion.of(r.method(), Vocabulary.METHODS, "expected one of"));
-        }
-        p.text("method", r.method()).whole("antialias", r.antialias()).whole("shadowSamples", r.shadowSamples());
+        p.text("method", r.method().word()).whole("antialias", r.antialias()).whole("shadowSamples", r.shadowSamples());
         return p.wholeUnless(0, "seed", r.seed()).json();
     }
 

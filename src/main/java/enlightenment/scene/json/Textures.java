@@ -1,7 +1,10 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.image.ImageFormat;
 import enlightenment.material.Texture;
+import enlightenment.text.Plain;
+import enlightenment.text.Suggestion;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -18,9 +21,6 @@ final class Textures {
     private static final Fields.Family FAMILY =
             new Fields.Family("a texture", Vocabulary.TEXTURES, List.of(), List.of());
     private static final String COLOR = Values.COLOR + ", [r, g, b] with components in 0..1, or {\"texture\": NAME}";
-    private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    private static final byte[] JPEG = {(byte) 0xff, (byte) 0xd8, (byte) 0xff};
-    private static final byte[] BMP = {'B', 'M'};
 
     private final Values values;
     private final Path folder;
@@ -66,7 +66,7 @@ final class Textures {
         }
         String there = Suggestion.of(name, named.keySet(), "there are");
         String none = "; the scene names no textures (/textures)";
-        f.problem("texture", "unknown texture " + JsonValue.quoted(name) + (named.isEmpty() ? none : there));
+        f.problem("texture", "unknown texture " + Plain.quoted(name) + (named.isEmpty() ? none : there));
         return null;
     }
 
@@ -113,7 +113,7 @@ final class Textures {
     private Path imageFile(Fields f, String written) {
         if (fileNames != null) {
             if (!fileNames.contains(written)) {
-                f.problem("file", "there is no image " + JsonValue.quoted(written));
+                f.problem("file", "there is no image " + Plain.quoted(written));
                 return null;
             }
             return Path.of(written);
@@ -122,36 +122,25 @@ final class Textures {
         try {
             file = folder.resolve(written).normalize();
         } catch (InvalidPathException e) {
-            f.problem("file", "is not a path: " + JsonValue.quoted(written));
+            f.problem("file", "is not a path: " + Plain.quoted(written));
             return null;
         }
-        String meant = JsonValue.quoted(written) + " (" + file + ")";
+        String meant = Plain.quoted(written) + " (" + file + ")";
         if (!Files.exists(file)) {
             f.problem("file", "there is no file " + meant);
         } else if (!Files.isRegularFile(file)) {
             f.problem("file", "is not a file: " + meant);
         } else {
             try (InputStream in = Files.newInputStream(file)) {
-                byte[] start = in.readNBytes(PNG.length);
-                if (!startsWith(start, PNG) && !startsWith(start, JPEG) && !startsWith(start, BMP)) {
-                    f.problem("file", "is not an image: " + meant + " is neither PNG nor JPEG nor BMP");
+                byte[] start = in.readNBytes(ImageFormat.SIGNATURE_LENGTH);
+                List<ImageFormat> usable = ImageFormat.textures();
+                if (ImageFormat.ofContent(start).filter(usable::contains).isEmpty()) {
+                    f.problem("file", "is not an image: " + meant + " is neither " + ImageFormat.names(usable, "nor"));
                 }
             } catch (IOException e) {
                 f.problem("file", "cannot be read: " + meant + ": " + e);
             }
         }
         return file;
-    }
-
-    private static boolean startsWith(byte[] data, byte[] start) {
-        if (data.length < start.length) {
-            return false;
-        }
-        for (int i = 0; i < start.length; i++) {
-            if (data[i] != start[i]) {
-                return false;
-            }
-        }
-        return true;
     }
 }

@@ -97,7 +97,6 @@ final class Vocabulary {
 
     static final List<String> SHADING_MODELS = List.of("classic");
     static final List<String> PLANNED_SHADING_MODELS = List.of("physical");
-    static final List<String> METHODS = List.of("raytrace", "cluster");
     static final List<String> FILTERS = List.of("nearest", "bilinear");
     static final List<String> ENCODINGS = List.of("srgb", "linear");
 

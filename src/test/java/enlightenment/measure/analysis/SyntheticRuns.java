@@ -5,6 +5,7 @@ import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -79,7 +80,7 @@ public final class SyntheticRuns {
 
     public static TradeSettings settings() {
         RenderSettings base = new RenderSettings(
-                "raytrace", 8, 8, Optional.empty(), 4, LIGHT_SAMPLES, 0, Budget.NONE, "normal", 2, 8);
+                Method.RAYTRACE, 8, 8, Optional.empty(), 4, LIGHT_SAMPLES, 0, Budget.NONE, "normal", 2, 8);
         return new TradeSettings(base, List.of("raytrace", "cluster"), 1, 1, List.of(), Optional.empty(), "a scene");
     }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.Advice.Basis;
 import enlightenment.measure.trade.TradeRun;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -283,7 +284,7 @@ class VerdictTest {
                 verdict.sentence().contains("--method raytrace --shadow-samples 1 --samples 256"), verdict.sentence());
         Advice advice = verdict.advice(trade.settings());
         RenderSettings settings = advice.settings().orElseThrow();
-        assertEquals("raytrace", settings.method());
+        assertEquals(Method.RAYTRACE, settings.method());
         assertEquals(1, settings.shadowSamples());
         assertEquals(256, settings.budget().samples().orElseThrow());
         assertEquals(trade.settings().base().seed(), settings.seed());

@@ -8,7 +8,7 @@ import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.analysis.SyntheticImages;
 import enlightenment.measure.analysis.SyntheticRuns;
-import enlightenment.render.Renderer;
+import enlightenment.scene.Method;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -20,7 +20,7 @@ class TradeSettingsTest {
 
     @Test
     void theUsualSettingsCompareAllMethods() {
-        assertEquals(Renderer.METHODS, USUAL.methods());
+        assertEquals(Method.words(), USUAL.methods());
         assertTrue(USUAL.reference().isEmpty() && USUAL.sweeps().isEmpty());
     }
 

@@ -3,6 +3,7 @@ package enlightenment.scene.json;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.scene.Method;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -44,7 +45,7 @@ class SceneFormatDocumentTest {
                 .filter(w -> !document.contains("`" + w + "`") && !document.contains("\"" + w + "\": "))
                 .toList();
         assertEquals(List.of(), missing);
-        Stream.of(Vocabulary.METHODS, Vocabulary.FILTERS, Vocabulary.ENCODINGS)
+        Stream.of(Method.words(), Vocabulary.FILTERS, Vocabulary.ENCODINGS)
                 .flatMap(List::stream)
                 .forEach(w -> assertTrue(document.contains("`\"" + w + "\"`"), w));
     }

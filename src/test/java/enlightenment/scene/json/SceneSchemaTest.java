@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
+import enlightenment.scene.Method;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -140,8 +141,7 @@ class SceneSchemaTest {
                             type,
                             property(keys.schemaName(), "type").get("const").asString()));
                 });
-        assertEquals(
-                words(Vocabulary.METHODS), strings(property("render", "method").get("enum")));
+        assertEquals(words(Method.words()), strings(property("render", "method").get("enum")));
         assertEquals(
                 words(Vocabulary.SHADING_MODELS),
                 strings(property("shading", "model").get("enum")));

@@ -1,0 +1,262 @@
+package enlightenment.net;
+
+import enlightenment.render.TiledRender;
+import java.security.SecureRandom;
+import java.util.List;
+
+/**
+ * The coordinator among threads: gives it a clock and a lock, and has what it decides done by the connections and the
+ * server's own threads. For use by several threads at once.
+ */
+final class Coordination implements ServerConnection.Host {
+    private static final double NANOS = 1e9;
+
+    private final ServerOptions options;
+    private final ServerLog log;
+    private final Secrets secrets;
+    private final ServerJob job;
+    private final Connections connections;
+    private final Coordinator coordinator;
+    private final long started = System.nanoTime();
+
+    /** Since when no worker is connected. */
+    private long aloneSince = started;
+
+    private LocalWorker local;
+    private boolean hasBegun;
+    private volatile boolean isFinished;
+    private boolean isClosed;
+    private Throwable failure;
+
+    Coordination(ServerOptions options, ServerLog log, Secrets secrets, ServerJob job, Connections connections) {
+        this.options = options;
+        this.log = log;
+        this.secrets = secrets;
+        this.job = job;
+        this.connections = connections;
+        SecureRandom random = new SecureRandom();
+        CoordinatorSettings settings = CoordinatorSettings.of(job.tiles(), random.nextLong(), random.nextLong())
+                .withAuditRate(options.auditRate)
+                .withSilence(options.timing.silenceMillis() * 1_000_000L);
+        coordinator = new Coordinator(settings, job.restored(), System.nanoTime());
+    }
+
+    @Override
+    public Secrets secrets() {
+        return secrets;
+    }
+
+    @Override
+    public Timing timing() {
+        return options.timing;
+    }
+
+    @Override
+    public String version() {
+        return options.version;
+    }
+
+    @Override
+    public ServerJob job() {
+        return job;
+    }
+
+    @Override
+    public ServerLog log() {
+        return log;
+    }
+
+    @Override
+    public double weight(String name, String address) {
+        return options.weight(name, address);
+    }
+
+    @Override
+    public synchronized boolean isClosed() {
+        return isClosed;
+    }
+
+    @Override
+    public synchronized boolean admit(ServerConnection connection) {
+        return !isClosed && connections.admit(connection);
+    }
+
+    @Override
+    public synchronized void ready(ServerConnection connection) {
+        if (!connections.addWaiting(connection)) {
+            return;
+        }
+        connection.tell(connection + " joined");
+        if (hasBegun || connections.waiting() >= options.minWorkers) {
+            begin();
+        }
+    }
+
+    @Override
+    public synchronized void beginNow() {
+        begin();
+    }
+
+    private void begin() {
+        if (!hasBegun) {
+            hasBegun = true;
+            if (options.localThreads > 0) {
+                startLocal(options.localThreads);
+            }
+        }
+        connections.takeWaiting().forEach(c -> handle(c.joined()));
+    }
+
+    private void startLocal(int threads) {
+        if (local == null) {
+            local = new LocalWorker(job.render(), threads, this::handle, this::failed);
+            local.start();
+        }
+    }
+
+    /** Something in this process went wrong: the render ends. */
+    synchronized void failed(Throwable thrown) {
+        failure = thrown;
+        notifyAll();
+    }
+
+    @Override
+    public synchronized void handle(Event event) {
+        if (isClosed) {
+            return;
+        }
+        for (Action action : coordinator.handle(System.nanoTime(), event)) {
+            if (!job.keep(action)) {
+                perform(action);
+            }
+        }
+    }
+
+    private void perform(Action action) {
+        if (action instanceof Action.Grant a) {
+            toWorker(a.worker(), new Message.Grant(a.lease(), job.hash(), a.first(), a.last()));
+        } else if (action instanceof Action.Cancel a) {
+            toWorker(a.worker(), new Message.Cancel(a.lease()));
+        } else if (action instanceof Action.Skip a) {
+            toWorker(a.worker(), new Message.Skip(a.lease(), a.first(), a.last()));
+        } else if (action instanceof Action.Answer a) {
+            toWorker(a.worker(), new Message.Alive(a.done(), job.tiles()));
+        } else if (action instanceof Action.Acknowledge a) {
+            toWorker(a.worker(), new Message.Acknowledge(a.tile()));
+        } else if (action instanceof Action.HangUp a) {
+            refuse(a.worker(), a.reason(), true);
+        } else if (action instanceof Action.Refuse a) {
+            refuse(a.worker(), a.reason(), false);
+        } else if (action instanceof Action.CallLocal) {
+            startLocal(Math.max(options.localThreads, 1));
+        } else if (action instanceof Action.Finish) {
+            isFinished = true;
+            notifyAll();
+        }
+    }
+
+    private void refuse(long worker, String reason, boolean again) {
+        ServerConnection connection = connections.get(worker);
+        if (connection != null) {
+            connection.refuse(reason, again);
+        }
+    }
+
+    private void toWorker(long worker, Message message) {
+        if (worker == LocalWorker.ID) {
+            local.hear(message);
+            return;
+        }
+        ServerConnection connection = connections.get(worker);
+        if (connection != null) {
+            connection.send(message);
+        }
+    }
+
+    @Override
+    public void ended(ServerConnection connection, String reason) {
+        connections.remove(connection);
+        if (connection.isJoined()) {
+            handle(new Event.Left(connection.id(), reason));
+        }
+        if (!reason.isEmpty()) {
+            connection.tell(connection + " left: " + reason);
+        }
+    }
+
+    /** Time has passed: begins without the workers that have not come, and renders here where none is left. */
+    synchronized void tick(long now, List<ServerConnection> connected) {
+        job.tick();
+        boolean waited = (now - started) / NANOS >= options.waitSeconds;
+        if (!hasBegun && (options.minWorkers == 0 || waited)) {
+            begin();
+        }
+        if (connected.stream().anyMatch(ServerConnection::isJoined)) {
+            aloneSince = now;
+        } else if (hasBegun && (now - aloneSince) / NANOS >= options.waitSeconds) {
+            startLocal(Math.max(options.localThreads, Runtime.getRuntime().availableProcessors()));
+        }
+        if (local != null) {
+            local.beat();
+        }
+        handle(new Event.Tick());
+    }
+
+    /** Waits until it is over, but no longer than this; an interrupt ends the wait and stays set. */
+    synchronized void awaitEnd(long millis) {
+        if (isOver()) {
+            return;
+        }
+        try {
+            wait(millis);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Whether the picture is done, or will not be done here. */
+    synchronized boolean isOver() {
+        return isFinished || isClosed || failure != null;
+    }
+
+    /** What went wrong in this process; null for nothing. */
+    synchronized Throwable failure() {
+        return failure;
+    }
+
+    /** Whether all is done; answered without waiting for anything. */
+    boolean isFinished() {
+        return isFinished;
+    }
+
+    /** How far it is. */
+    synchronized Snapshot snapshot() {
+        return coordinator.snapshot(System.nanoTime());
+    }
+
+    /** What goes on with more samples: machines that were found out stay expelled. */
+    synchronized ServerJob jobFollowing(TiledRender more) {
+        return job.with(more, options.version, coordinator.expelled());
+    }
+
+    /** Decides nothing from now on; false if that was so already. */
+    synchronized boolean stop() {
+        if (isClosed) {
+            return false;
+        }
+        isClosed = true;
+        notifyAll();
+        return true;
+    }
+
+    /** Ends this process's own rendering. */
+    void stopLocal() {
+        LocalWorker mine;
+        synchronized (this) {
+            mine = local;
+        }
+        if (mine != null) {
+            mine.close();
+        }
+    }
+}

@@ -1,0 +1,214 @@
+package enlightenment.net;
+
+import enlightenment.image.Image;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.TiledRender;
+import java.io.Closeable;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+
+/**
+ * One render of a server's picture, with the ports that it listens at and the threads that serve it. To workers a round that
+ * follows another is a server that was started anew.
+ */
+final class ServerRound implements StatusServer.Source {
+    private static final long TICK_MILLIS = 200;
+    private static final long ACCEPT_END_MILLIS = 2_000;
+
+    /** What workers are told where another round follows. */
+    private static final String MORE = "the picture is rendered again with more samples";
+
+    private final ServerOptions options;
+    private final ServerLog log;
+    private final ServerJob job;
+    private final Connections connections = new Connections();
+    private final Coordination coordination;
+    private final Reception reception;
+    private final StatusServer status;
+
+    /** The thread that listens. */
+    private Thread accepting;
+
+    private ServerRound(ServerOptions options, ServerLog log, Secrets secrets, ServerJob job) throws IOException {
+        this.options = options;
+        this.log = log;
+        this.job = job;
+        coordination = new Coordination(options, log, secrets, job, connections);
+        try {
+            reception = openReception();
+            status = openStatus();
+        } catch (IOException e) {
+            job.close();
+            throw e;
+        }
+    }
+
+    private Reception openReception() throws IOException {
+        try {
+            return Reception.at(InetAddress.getByName(options.host), options.port, log);
+        } catch (IOException e) {
+            throw new IOException("cannot listen at " + options.host + ":" + options.port + ": " + e.getMessage(), e);
+        }
+    }
+
+    private StatusServer openStatus() throws IOException {
+        try {
+            return options.statusPort < 0 ? null : StatusServer.start(this, options.statusPort, options.threads, log);
+        } catch (IOException e) {
+            reception.close();
+            throw new IOException("cannot show a status page at " + options.statusPort + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Begins to listen. */
+    static ServerRound start(ServerOptions options, ServerLog log, Secrets secrets, ServerJob job) throws IOException {
+        Optional<Path> checkpoint = options.checkpointOfRound();
+        if (checkpoint.isPresent()) {
+            job.open(checkpoint.get(), options.pardoned);
+        }
+        ServerRound round = new ServerRound(options, log, secrets, job);
+        Lobby lobby = new Lobby(round.coordination, round.connections, options.threads, log);
+        round.accepting = lobby.startThread(() -> round.reception.accept(lobby::welcome, lobby::makeRoom), "accept");
+        lobby.startThread(round::tickAll, "tick");
+        return round;
+    }
+
+    /**
+     * The render that goes on where this one ended, with more samples and at the same ports.
+     *
+     * @param more what it renders
+     * @param following the options of this server, for that render
+     */
+    ServerRound follow(TiledRender more, ServerOptions following) throws IOException {
+        return start(following, log, coordination.secrets(), coordination.jobFollowing(more));
+    }
+
+    /** The options of the round that renders this after this one. */
+    ServerOptions optionsFor(TiledRender more) {
+        return options.following(port(), statusPort(), more.round());
+    }
+
+    int port() {
+        return reception.port();
+    }
+
+    /** The port of the status page, or -1. */
+    int statusPort() {
+        return status == null ? -1 : status.port();
+    }
+
+    /** Renders until the picture is done, it is cancelled or ended; leaves the server open. */
+    RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
+        long told = -1;
+        while (!coordination.isOver() && !cancelled.getAsBoolean()) {
+            coordination.awaitEnd(TICK_MILLIS);
+            long done = job.film().pixelsDone();
+            if (done != told) {
+                told = done;
+                progress.progress(done, job.film().pixels(), job.film()::image);
+            }
+        }
+        Throwable failure = coordination.failure();
+        if (failure != null) {
+            end(false);
+            throw new IOException("rendering failed here: " + failure, failure);
+        }
+        return job.film().result();
+    }
+
+    private void tickAll() {
+        try {
+            while (!reception.isClosed()) {
+                Thread.sleep(TICK_MILLIS);
+                try {
+                    tick();
+                } catch (OutOfMemoryError e) {
+                    // The next tick comes in any case, when there may be memory again.
+                    log.seldom("memory", "out of memory for a moment: " + e.getMessage());
+                }
+            }
+        } catch (InterruptedException e) {
+            end(false);
+        } catch (RuntimeException | Error e) {
+            coordination.failed(e);
+        }
+    }
+
+    private void tick() {
+        long now = System.nanoTime();
+        List<ServerConnection> all = connections.list();
+        all.forEach(c -> c.check(now));
+        log.tick();
+        if (status != null) {
+            status.check(now);
+        }
+        coordination.tick(now, all);
+    }
+
+    /** What is rendered. */
+    ServerJob job() {
+        return job;
+    }
+
+    void say(String line) {
+        log.say(line);
+    }
+
+    @Override
+    public Snapshot snapshot() {
+        return coordination.snapshot();
+    }
+
+    @Override
+    public Image image() {
+        return job.film().image();
+    }
+
+    @Override
+    public boolean isFinished() {
+        return coordination.isFinished();
+    }
+
+    /** Ends this round, which another one may follow that the workers are to come to. Harmless if it has ended already. */
+    void end(boolean goesOn) {
+        if (!coordination.stop()) {
+            return;
+        }
+        Message last = !isFinished()
+                ? new Message.Refuse("the server was stopped", true)
+                : goesOn ? new Message.Refuse(MORE, true) : new Message.Bye("the picture is done");
+        connections.list().forEach(c -> c.sayLast(last));
+        coordination.stopLocal();
+        connections.waitForFarewells();
+        closeQuietly(reception);
+        waitUntilNobodyListens();
+        if (status != null) {
+            closeQuietly(status::close);
+        }
+        closeQuietly(job);
+    }
+
+    /** Its thread holds the port until it has noticed: whoever closes a server may open another one there. */
+    private void waitUntilNobodyListens() {
+        if (accepting != null && accepting != Thread.currentThread()) {
+            try {
+                accepting.join(ACCEPT_END_MILLIS);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    private void closeQuietly(Closeable what) {
+        try {
+            what.close();
+        } catch (IOException e) {
+            log.say("while ending: " + e.getMessage());
+        }
+    }
+}

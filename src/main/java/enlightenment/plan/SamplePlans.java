@@ -17,7 +17,7 @@ final class SamplePlans {
     /**
      * With fewer samples per pixel than this, method {@code cluster} is exactly {@code raytrace}: its survey takes 1.27, every
      * pixel takes at least one, and what is left does not buy more than evenly spaced rays do. Measured: from 2.3 on fire and ice
-     * to 2.6 on the keyhole, docs/cluster-sampler.md.
+     * to 2.6 on the keyhole, docs/cluster-laboratory.md.
      */
     static final double FEWEST_OF_CLUSTER = 2.45;
 

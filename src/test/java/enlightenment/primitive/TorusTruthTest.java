@@ -93,7 +93,7 @@ class TorusTruthTest {
         assertTrue(crossings > 25_000, crossings + " crossings");
     }
 
-    /** The least parameter difference of neighbouring crossings; 0 if the line all but touches the surface. */
+    /** The smallest parameter difference of neighbouring crossings; 0 if the line almost touches the surface. */
     private static double shortestChord(Scenario s) {
         TorusTruth truth = s.truth();
         if (truth.clearance() < 16 * U * s.distance()) {

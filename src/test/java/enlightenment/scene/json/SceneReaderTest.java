@@ -66,7 +66,7 @@ class SceneReaderTest {
         Material glass = new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true);
         assertEquals(Map.of("ice", matte, "chrome", chrome, "glass", glass), s.materials());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
-        assertEquals(new ClassicShading(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 100), s.shading());
+        assertEquals(new ClassicShading(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());
         assertEquals(new RenderDefaults(Method.CLUSTER, 3, 7, 99), s.render());
         assertEquals(
                 List.of(

@@ -96,12 +96,12 @@ class ProposalTest {
         for (int i = 0; i < 500; i++) {
             double u = i == 0 ? 0 : i == 1 ? Math.nextDown(1.0) : Hash.unit(Hash.of(11, i));
             double x = p.sample(u);
-            assertTrue(x >= c.low && x <= c.high, c + ": " + x);
+            assertTrue(x >= c.low && x <= c.high, () -> c + ": " + x);
             double offset = p.offset(u);
             double density = p.densityAtOffset(offset);
-            assertTrue(density > 0 && density < Double.POSITIVE_INFINITY, c + " at " + u + ": " + density);
+            assertTrue(density > 0 && density < Double.POSITIVE_INFINITY, () -> c + " at " + u + ": " + density);
             double ofValue = p.density(x);
-            assertTrue(ofValue > 0 && ofValue < Double.POSITIVE_INFINITY, c + " at " + u + ": " + ofValue);
+            assertTrue(ofValue > 0 && ofValue < Double.POSITIVE_INFINITY, () -> c + " at " + u + ": " + ofValue);
             assertEquals(x, p.sample(u), "the same bits again");
             assertEquals(density, p.densityAtOffset(p.offset(u)));
         }

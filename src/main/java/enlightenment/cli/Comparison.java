@@ -6,13 +6,13 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * What {@code enlightenment compare} tells.
+ * What {@code enlightenment compare} found.
  *
- * @param maxRmse the largest RMSE that will do, or null if any does
+ * @param maxRmse the largest RMSE that passes, or null if any does
  */
 record Comparison(Path test, Path reference, ImageError error, Flip flip, double pixelsPerDegree, Double maxRmse) {
 
-    /** Whether the RMSE is small enough; what is no number is not. */
+    /** Whether the RMSE is small enough; NaN is not. */
     boolean passed() {
         return maxRmse == null || error.rmse() <= maxRmse;
     }

@@ -6,15 +6,15 @@ import enlightenment.scene.Budget;
 import java.util.function.Supplier;
 
 /**
- * Says what becomes of a budget: which number of samples a time has become, so that the picture can be made again, what cannot be
- * kept, and why a picture is rendered once more. Tells on all that it hears.
+ * Says what becomes of a budget: the number of samples that a time amounts to, so that the picture can be made again, what cannot
+ * be met, and why a picture is rendered once more. Passes everything on to the display.
  */
-final class PlanNote implements RenderProgress {
+final class BudgetNotes implements RenderProgress {
     private final RenderProgress display;
     private final Budget budget;
     private final Terminal terminal;
 
-    PlanNote(RenderProgress display, Budget budget, Terminal terminal) {
+    BudgetNotes(RenderProgress display, Budget budget, Terminal terminal) {
         this.display = display;
         this.budget = budget;
         this.terminal = terminal;
@@ -24,8 +24,8 @@ final class PlanNote implements RenderProgress {
     public void planned(double samples, String decidedBy) {
         if (decidedBy.equals("time")) {
             terminal.err()
-                    .println("time " + RenderOptions.number(budget.seconds().orElse(0)) + " s: --samples "
-                            + RenderOptions.number(samples) + " makes the same picture");
+                    .println("time " + DecimalNumber.plain(budget.seconds().orElse(0)) + " s: --samples "
+                            + DecimalNumber.plain(samples) + " makes the same picture");
         }
         display.planned(samples, decidedBy);
     }

@@ -29,7 +29,7 @@ import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** No command writes over what it reads, nor two files into one place, whatever the paths look like. */
-class OutputFilesTest {
+class CommandFilesTest {
     /** Options that speak of files, but neither read nor write one of their own. */
     private static final Set<String> ABOUT_FILES = Set.of(
             "render --depth",
@@ -75,9 +75,9 @@ class OutputFilesTest {
         Set<String> found = new TreeSet<>();
         for (String command : Commands.NAMES) {
             Subcommand made = Commands.create(command, new Terminal(nowhere, nowhere, new ShutdownSignal()));
-            CommandLine line = Commands.line(made);
+            CommandLine line = new CommandLine(made);
             line.getCommandSpec().args().stream()
-                    .filter(OutputFilesTest::mayBeAFile)
+                    .filter(CommandFilesTest::mayBeAFile)
                     .forEach(arg -> found.add(key(command, arg)));
         }
         Set<String> known = new TreeSet<>(READ_ONLY);

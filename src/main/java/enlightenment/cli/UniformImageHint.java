@@ -8,14 +8,14 @@ import enlightenment.scene.Scene;
 import java.util.List;
 import java.util.Locale;
 
-/** A picture of one colour is hardly what was meant: what may be the reason. */
-final class OneColor {
-    private OneColor() {}
+/** Hints for a picture of one colour, which is hardly what was meant. */
+final class UniformImageHint {
+    private UniformImageHint() {}
 
-    /** Says so if the whole picture has one colour, and there is a reason to be told. */
+    /** Says so if the whole picture has one colour and a reason is known. */
     static void tell(Scene scene, RenderSettings settings, RenderResult result, Terminal terminal) {
         Image image = result.image();
-        if (image.width() * image.height() == 1 || !isOne(image)) {
+        if (image.width() * image.height() == 1 || !isUniform(image)) {
             return;
         }
         List<String> hints = Renderer.inspect(scene, settings).hints();
@@ -34,7 +34,7 @@ final class OneColor {
         hints.forEach(hint -> terminal.say("hint: " + hint));
     }
 
-    private static boolean isOne(Image image) {
+    private static boolean isUniform(Image image) {
         for (int y = 0; y < image.height(); y++) {
             for (int x = 0; x < image.width(); x++) {
                 for (int c = 0; c < 3; c++) {

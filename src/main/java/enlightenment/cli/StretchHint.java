@@ -9,16 +9,16 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Pictures of another shape than the window that they show. All other cameras have no shape of their own: with another size
- * they show more or less at the sides.
+ * The hint for pictures whose aspect ratio is not that of the camera's window. The other cameras have no aspect ratio of their own:
+ * with another size they show more or less at the sides.
  */
-final class Stretch {
-    /** Less is not seen, and the shipped windows are not more exact. */
-    private static final double UNSEEN = 0.01;
+final class StretchHint {
+    /** A smaller stretch is invisible, and the shipped windows are no more exact. */
+    private static final double INVISIBLE = 0.01;
 
-    private Stretch() {}
+    private StretchHint() {}
 
-    /** What is to be said of it, if the picture is stretched by more than its pixels make inevitable. */
+    /** The hint, if the picture is stretched by more than whole pixels make inevitable. */
     static Optional<String> of(Scene scene, RenderSettings settings) {
         if (!(scene.camera() instanceof Camera.Window window)) {
             return Optional.empty();
@@ -30,7 +30,7 @@ final class Stretch {
         double stretch = settings.width() / wide;
         if (Math.abs(settings.width() - wide) <= 1
                 || Math.abs(settings.height() - high) <= 1
-                || Math.abs(stretch - 1) <= UNSEEN) {
+                || Math.abs(stretch - 1) <= INVISIBLE) {
             return Optional.empty();
         }
         String fitting =

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.measure.Sweep;
-import enlightenment.measure.TradeSettings;
+import enlightenment.measure.trade.Sweep;
+import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
@@ -156,7 +156,7 @@ class TradeCommandTest {
         assertTrue(threads.err().contains("holds runs with 2 threads, not 3"), threads.err());
         CliRun points = trade("--evaluate", "--threads", "2", "--shadow-samples", "77");
         assertEquals(2, points.code());
-        assertTrue(points.err().contains("holds no runs with 77 light points"), points.err());
+        assertTrue(points.err().contains("holds no runs with 77 light samples"), points.err());
     }
 
     @Test
@@ -197,7 +197,7 @@ class TradeCommandTest {
             assertTrue(page.contains(sentence.replace("'", "&#39;")) || page.contains(sentence), sentence);
         }
         assertTrue(Files.readString(out.resolve("measured.txt")).contains("reference.part=raytrace,2,"));
-        // raytrace was measured with other numbers of light points than the scene's, too.
+        // raytrace was measured with other numbers of light samples than the scene's, too.
         String runs = Files.readString(out.resolve("trade.csv"));
         assertTrue(runs.contains("ladder,raytrace,")
                 && runs.lines().map(l -> l.split(",")[3]).distinct().count() > 2);

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.ContentHash;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
@@ -18,11 +19,8 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HashSet;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -222,22 +220,14 @@ final class TradeCommand extends Subcommand {
             throw e.getCause();
         }
         String frame = options.frame().map(f -> ", frame " + f).orElse("");
-        return sceneFile.getFileName() + ", SHA-256 " + hash(json.getBytes(StandardCharsets.UTF_8)) + frame;
+        return sceneFile.getFileName() + ", SHA-256 " + ContentHash.of(json.getBytes(StandardCharsets.UTF_8)) + frame;
     }
 
     private static String hashOf(Path image) {
         try {
-            return hash(Files.readAllBytes(image));
+            return ContentHash.of(Files.readAllBytes(image)).toString();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        }
-    }
-
-    private static String hash(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
         }
     }
 }

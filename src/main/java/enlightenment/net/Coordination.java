@@ -1,5 +1,18 @@
 package enlightenment.net;
 
+import enlightenment.net.listen.ServerLog;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.schedule.Action;
+import enlightenment.net.schedule.Coordinator;
+import enlightenment.net.schedule.CoordinatorSettings;
+import enlightenment.net.schedule.Event;
+import enlightenment.net.schedule.Snapshot;
+import enlightenment.net.secure.Secrets;
+import enlightenment.net.server.Connections;
+import enlightenment.net.server.LocalWorker;
+import enlightenment.net.server.ServerConnection;
+import enlightenment.net.server.ServerJob;
 import enlightenment.render.TiledRender;
 import java.security.SecureRandom;
 import java.util.List;

@@ -1,5 +1,9 @@
 package enlightenment.net;
 
+import enlightenment.file.ContentHash;
+import enlightenment.net.job.Build;
+import enlightenment.net.job.JobContent;
+import enlightenment.net.job.PartFile;
 import enlightenment.render.FilmAssembly;
 import enlightenment.render.RenderOutline;
 import enlightenment.render.RenderProgress;

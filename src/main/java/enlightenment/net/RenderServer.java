@@ -1,5 +1,10 @@
 package enlightenment.net;
 
+import enlightenment.net.job.Canary;
+import enlightenment.net.job.JobContent;
+import enlightenment.net.listen.ServerLog;
+import enlightenment.net.secure.Secrets;
+import enlightenment.net.server.ServerJob;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.TiledRender;
@@ -38,8 +43,7 @@ public final class RenderServer implements Closeable {
      *     pardoned is not expelled, or scene and textures are too large to be sent
      */
     public static RenderServer start(
-            Scene scene, RenderSettings settings, ServerOptions options, BooleanSupplier cancelled)
-            throws IOException {
+            Scene scene, RenderSettings settings, ServerOptions options, BooleanSupplier cancelled) throws IOException {
         ServerLog log = new ServerLog(options.log, System::nanoTime);
         if (options.checkpoint.isPresent() && settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException(

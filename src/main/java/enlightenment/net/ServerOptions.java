@@ -1,6 +1,12 @@
 package enlightenment.net;
 
 import enlightenment.check.Check;
+import enlightenment.net.job.Build;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.schedule.CoordinatorSettings;
+import enlightenment.net.secure.OwnCertificate;
+import enlightenment.net.secure.Secrets;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;

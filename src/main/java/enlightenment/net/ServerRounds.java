@@ -1,5 +1,6 @@
 package enlightenment.net;
 
+import enlightenment.net.server.Connections;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.TiledRender;

@@ -1,6 +1,13 @@
 package enlightenment.net;
 
 import enlightenment.check.Check;
+import enlightenment.file.ContentHash;
+import enlightenment.net.job.Build;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.secure.Token;
+import enlightenment.net.worker.Machine;
+import enlightenment.net.worker.RenderPool;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HexFormat;
@@ -98,8 +105,7 @@ public final class WorkerOptions {
          * @throws enlightenment.math.InvalidValueException if it is something else
          */
         public Builder pin(String pin) {
-            Check.that(
-                    pin.matches("[0-9a-fA-F]{64}"), "pin", "must have 64 hexadecimal digits, not \"" + pin + "\"");
+            Check.that(pin.matches("[0-9a-fA-F]{64}"), "pin", "must have 64 hexadecimal digits, not \"" + pin + "\"");
             this.pin = Optional.of(ContentHash.fromBytes(HexFormat.of().parseHex(pin)));
             return this;
         }
@@ -124,7 +130,8 @@ public final class WorkerOptions {
 
         /** The machine that it claims to be on; for tests. */
         Builder machine(String machine) {
-            this.machine = ContentHash.of(machine.getBytes(StandardCharsets.UTF_8)).toBytes();
+            this.machine =
+                    ContentHash.of(machine.getBytes(StandardCharsets.UTF_8)).toBytes();
             return this;
         }
 

@@ -3,6 +3,8 @@ package enlightenment.net;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.worker.RenderPool;
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.nio.file.Path;
@@ -93,7 +95,8 @@ class ChaosTest {
                 worker();
             }
             while (faults < 14
-                    && farm.server.round().job().film().done() < farm.server.round().job().tiles()) {
+                    && farm.server.round().job().film().done()
+                            < farm.server.round().job().tiles()) {
                 Farm.sleep(20 + random.nextInt(60));
                 Fault fault = Fault.values()[random.nextInt(Fault.values().length)];
                 strike(fault);

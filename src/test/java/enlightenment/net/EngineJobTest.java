@@ -83,7 +83,8 @@ class EngineJobTest {
             }
         }
         byte[] whole = Files.readAllBytes(checkpoint);
-        int first = JournalFormat.START;
+        // Two headers of 56 bytes each come before the records.
+        int first = 2 * 56;
         for (int at : new int[] {0, 60, first, first + 9, first + 500, whole.length / 2, whole.length - 1}) {
             byte[] damaged = whole.clone();
             damaged[at] ^= 16;

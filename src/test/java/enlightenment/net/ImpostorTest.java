@@ -5,6 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.file.ContentHash;
+import enlightenment.net.protocol.Frames;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.secure.Handshake;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetAddress;
@@ -115,10 +120,8 @@ class ImpostorTest {
         }
         // The thread that listened there may need a moment to let go of the place.
         Farm.until(() -> Farm.isFree(port), "the place is free again");
-        ServerOptions.Builder real = Farm.options()
-                .address("127.0.0.1", port)
-                .tokenFile(token)
-                .awaitWorkers(1, 60);
+        ServerOptions.Builder real =
+                Farm.options().address("127.0.0.1", port).tokenFile(token).awaitWorkers(1, 60);
         try (Farm farm = new Farm(real).begin()) {
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertEquals("the picture is done", worker.get(60, TimeUnit.SECONDS).reason());
@@ -129,7 +132,10 @@ class ImpostorTest {
     void inTheEndTheWorkerSaysWhatItWasToldAndByWhom() throws Exception {
         try (Impostor impostor = new Impostor(List.of(new Message.Bye("the picture\u001b[2J\nis done")))) {
             RenderWorker.Outcome outcome = RenderWorker.run(
-                    "127.0.0.1", impostor.port(), Farm.worker(1).reconnectSeconds(0.1).build(), () -> false);
+                    "127.0.0.1",
+                    impostor.port(),
+                    Farm.worker(1).reconnectSeconds(0.1).build(),
+                    () -> false);
             assertFalse(outcome.isDone());
             assertTrue(
                     outcome.reason().endsWith("not proved to be the server, says: the picture?[2J?is done"),

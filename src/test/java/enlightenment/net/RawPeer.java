@@ -1,5 +1,13 @@
 package enlightenment.net;
 
+import enlightenment.net.job.Build;
+import enlightenment.net.job.Canary;
+import enlightenment.net.protocol.Frames;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.schedule.Peers;
+import enlightenment.net.secure.Handshake;
+import enlightenment.net.secure.Tls;
 import java.io.Closeable;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -8,11 +16,11 @@ import java.net.Socket;
 import java.util.HexFormat;
 
 /** Somebody who speaks to a server byte by byte or message by message, rightly or wrongly. */
-final class RawPeer implements Closeable {
+public final class RawPeer implements Closeable {
     final Socket socket;
     private final InputStream in;
 
-    RawPeer(int port) throws IOException {
+    public RawPeer(int port) throws IOException {
         socket = new Socket("127.0.0.1", port);
         socket.setSoTimeout(15_000);
         socket.setTcpNoDelay(true);
@@ -32,7 +40,7 @@ final class RawPeer implements Closeable {
         bytes(HexFormat.of().parseHex(hex));
     }
 
-    void send(Message message) throws IOException {
+    public void send(Message message) throws IOException {
         DataOutputStream out = new DataOutputStream(socket.getOutputStream());
         Frames.write(out, message, Limits.FRAME);
         out.flush();

@@ -153,8 +153,8 @@ class RenderServerTest {
     @Test
     void anInterruptEndsTheServerWithWhatThereIs() throws Exception {
         int port;
-        try (RenderServer server =
-                RenderServer.start(Farm.SCENE, Farm.SETTINGS, Farm.options().localThreads(1).build(), () -> false)) {
+        try (RenderServer server = RenderServer.start(
+                Farm.SCENE, Farm.SETTINGS, Farm.options().localThreads(1).build(), () -> false)) {
             port = server.port();
             Thread.currentThread().interrupt();
             assertFalse(server.await(RenderProgress.NONE, () -> false).complete());
@@ -221,10 +221,8 @@ class RenderServerTest {
             Farm.until(() -> farm.server.round().job().film().done() > 5, "some tiles are done");
             farm.stop();
         }
-        ServerOptions.Builder again = Farm.options()
-                .address("127.0.0.1", port)
-                .checkpoint(checkpoint)
-                .awaitWorkers(1, 30);
+        ServerOptions.Builder again =
+                Farm.options().address("127.0.0.1", port).checkpoint(checkpoint).awaitWorkers(1, 30);
         try (Farm farm = new Farm(again).begin()) {
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertTrue(worker.get(20, TimeUnit.SECONDS).isDone());
@@ -234,7 +232,8 @@ class RenderServerTest {
     @Test
     void sharesAreFoundByNameAndByAddress() {
         ServerOptions options = ServerOptions.builder()
-.shares(Map.of("fast", 4.0, "10.0.0.7", 2.0)).build();
+                .shares(Map.of("fast", 4.0, "10.0.0.7", 2.0))
+                .build();
         assertEquals(4, options.weight("fast", "10.0.0.7"));
         assertEquals(2, options.weight("other", "10.0.0.7"));
         assertEquals(1, options.weight("other", "10.0.0.8"));

@@ -2,6 +2,7 @@ package enlightenment.net;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.net.schedule.Snapshot;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import org.junit.jupiter.api.Tag;

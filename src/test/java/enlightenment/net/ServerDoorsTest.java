@@ -6,6 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.net.listen.ServerLog;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.schedule.Peers;
+import enlightenment.net.secure.Token;
+import enlightenment.net.worker.Machine;
+import enlightenment.net.worker.RenderPool;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
@@ -152,7 +160,7 @@ class ServerDoorsTest {
     void aMachineThatWasExpelledIsLetInAgainOnlyIfItIsPardoned() throws Exception {
         Path checkpoint = folder.resolve("checkpoint");
         ServerOptions options =
-Farm.options().timing(PATIENT).checkpoint(checkpoint).build();
+                Farm.options().timing(PATIENT).checkpoint(checkpoint).build();
         String digits;
         try (Farm farm = new Farm(options.toBuilder()).begin()) {
             digits = Peers.machine("odd", farm.server.round().job().hash()).toString();
@@ -169,7 +177,8 @@ Farm.options().timing(PATIENT).checkpoint(checkpoint).build();
             assertTrue(peer.receive(Message.Refuse.class).reason().contains("expelled"));
         }
         IllegalArgumentException e = assertThrows(
-                IllegalArgumentException.class, () -> new Farm(options.toBuilder().pardoned(List.of("0123456789"))).close());
+                IllegalArgumentException.class,
+                () -> new Farm(options.toBuilder().pardoned(List.of("0123456789"))).close());
         assertTrue(e.getMessage().contains("these are: " + digits), e.getMessage());
         try (Farm farm = new Farm(options.toBuilder().pardoned(List.of(digits.substring(0, 8))))) {
             assertTrue(farm.logHas("machine " + digits + " is pardoned"));

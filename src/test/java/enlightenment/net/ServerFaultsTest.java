@@ -7,6 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.file.ContentHash;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.secure.Token;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -181,9 +185,8 @@ class ServerFaultsTest {
     @Test
     void aWrongTokenIsRefusedAndTheWorkerSaysSoInTheEnd() throws Exception {
         Path token = Files.writeString(folder.resolve("token"), "0123456789abcdef wrong");
-        RenderWorker.Outcome outcome = farm.join(
-                        Farm.worker(1).tokenFile(token).reconnectSeconds(0.3))
-                .get(20, TimeUnit.SECONDS);
+        RenderWorker.Outcome outcome =
+                farm.join(Farm.worker(1).tokenFile(token).reconnectSeconds(0.3)).get(20, TimeUnit.SECONDS);
         assertTrue(outcome.reason().contains("does not know the server's token"), outcome.reason());
     }
 

@@ -45,7 +45,8 @@ class NamedFaultsTest {
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));
         fails("y: must be a finite number, not Infinity", () -> ExactPoint.of(0, 1 / 0.0, 0));
         fails("depth: must be 8 or 16 bits per component, not 24", () -> new PngOptions(24, Map.of()));
-        fails("pin: must have 64 hexadecimal digits, not \"x\"", () -> WorkerOptions.builder().pin("x"));
+        fails("pin: must have 64 hexadecimal digits, not \"x\"", () -> WorkerOptions.builder()
+                .pin("x"));
     }
 
     @Test

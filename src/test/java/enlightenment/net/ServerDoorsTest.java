@@ -118,7 +118,7 @@ class ServerDoorsTest {
             for (int i = 0; i < 3 * Limits.STRANGERS; i++) {
                 strangers.add(new RawPeer(farm.server.port()));
             }
-            strangers.get(0).millisUntilClosed();
+            strangers.get(0).awaitClose();
             farm.join(Farm.worker(2));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertTrue(farm.log.size() < 3 * ServerLog.LINES_ABOUT_ONE + 20, "lines: " + farm.log.size());
@@ -145,7 +145,7 @@ class ServerDoorsTest {
         try (Farm farm = new Farm(options).begin()) {
             for (int i = 0; i < 300; i++) {
                 try (RawPeer peer = new RawPeer(farm.server.port())) {
-                    peer.millisUntilClosed();
+                    peer.awaitClose();
                 }
             }
             farm.join(Farm.worker(1));

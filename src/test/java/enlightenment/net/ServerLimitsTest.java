@@ -46,7 +46,7 @@ class ServerLimitsTest {
                 RawPeer peer = new RawPeer(farm.server.port())) {
             peer.enter("large", Token.NONE);
             peer.bytes("00800001");
-            peer.millisUntilClosed();
+            peer.awaitClose();
             Farm.until(() -> farm.logHas("a frame of 8388609 bytes is outside the limits 1..8388608"), "it is refused");
             farm.join(Farm.worker(2));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));

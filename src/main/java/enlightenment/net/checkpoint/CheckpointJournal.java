@@ -24,6 +24,7 @@ public final class CheckpointJournal implements Closeable {
 
     private final FileChannel file;
     private final FileLock lock;
+    private final Forcing forcing;
     private final JournalFormat.Header header;
     private final long cutBytes;
     private final JournalScan scan;
@@ -31,13 +32,26 @@ public final class CheckpointJournal implements Closeable {
     private boolean dirty;
 
     private CheckpointJournal(
-            FileChannel file, FileLock lock, JournalFormat.Header header, JournalScan scan, long cutBytes, long now) {
+            FileChannel file,
+            FileLock lock,
+            Forcing forcing,
+            JournalFormat.Header header,
+            JournalScan scan,
+            long cutBytes,
+            long now) {
         this.file = file;
         this.lock = lock;
+        this.forcing = forcing;
         this.header = header;
         this.scan = scan;
         this.cutBytes = cutBytes;
         lastForce = now;
+    }
+
+    /** Brings what was written to the disk. */
+    @FunctionalInterface
+    interface Forcing {
+        void force(FileChannel file) throws IOException;
     }
 
     /** Hears what a journal holds, in the order in which it was written. */
@@ -54,6 +68,12 @@ public final class CheckpointJournal implements Closeable {
      */
     public static CheckpointJournal open(Path path, ContentHash job, int tiles, long now, Reader reader)
             throws IOException {
+        return open(path, job, tiles, now, reader, file -> file.force(true));
+    }
+
+    /** The same with another way to force, for tests. */
+    static CheckpointJournal open(Path path, ContentHash job, int tiles, long now, Reader reader, Forcing forcing)
+            throws IOException {
         FileChannel file =
                 FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
         try {
@@ -66,8 +86,9 @@ public final class CheckpointJournal implements Closeable {
             }
             file.truncate(scan.end());
             file.position(scan.end());
-            file.force(true);
-            return new CheckpointJournal(file, lock, header, scan, Math.max(length - scan.end(), 0), now);
+            forcing.force(file);
+            long cut = Math.max(length - scan.end(), 0);
+            return new CheckpointJournal(file, lock, forcing, header, scan, cut, now);
         } catch (IOException | RuntimeException e) {
             file.close();
             throw e;
@@ -137,15 +158,10 @@ public final class CheckpointJournal implements Closeable {
     /** Forces what was written to the disk if the last time was 200 ms ago. */
     public void tick(long now) throws IOException {
         if (dirty && now - lastForce >= FORCE_EVERY_NANOS) {
-            file.force(false);
+            forcing.force(file);
             lastForce = now;
             dirty = false;
         }
-    }
-
-    /** Whether something is written but not forced to the disk yet. */
-    boolean isDirty() {
-        return dirty;
     }
 
     /** Bytes in the middle that were found damaged on opening; the records in them are lost, those after them are not. */
@@ -168,7 +184,9 @@ public final class CheckpointJournal implements Closeable {
     public void close() throws IOException {
         try (file;
                 lock) {
-            file.force(true);
+            if (dirty) {
+                forcing.force(file);
+            }
         }
     }
 

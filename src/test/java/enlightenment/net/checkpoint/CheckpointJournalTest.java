@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -43,9 +44,14 @@ class CheckpointJournalTest {
         file = folder.resolve("job.journal");
     }
 
+    /** As a server opens it, but without waiting for the disk. */
+    private CheckpointJournal journal(ContentHash job, CheckpointJournal.Reader reader) throws IOException {
+        return CheckpointJournal.open(file, job, TILES, 0, reader, channel -> {});
+    }
+
     private List<String> open(ContentHash job) throws IOException {
         List<String> found = new ArrayList<>();
-        CheckpointJournal.open(file, job, TILES, 0, r -> found.add(text(r))).close();
+        journal(job, r -> found.add(text(r))).close();
         return found;
     }
 
@@ -60,7 +66,7 @@ class CheckpointJournalTest {
     }
 
     private byte[] write() throws IOException {
-        try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, 0, r -> {})) {
+        try (CheckpointJournal journal = journal(JOB, r -> {})) {
             for (JournalRecord record : RECORDS) {
                 journal.append(0, record);
             }
@@ -90,7 +96,7 @@ class CheckpointJournalTest {
             int length = cut;
             int complete = (int) ends.stream().filter(end -> end <= length).count();
             List<String> found = new ArrayList<>();
-            try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, 0, r -> found.add(text(r)))) {
+            try (CheckpointJournal journal = journal(JOB, r -> found.add(text(r)))) {
                 int good = complete == 0 ? JournalFormat.START : ends.get(complete - 1);
                 assertEquals(Math.max(cut - good, 0), journal.cutBytes(), "cut at " + cut);
                 journal.append(0, more);
@@ -131,7 +137,7 @@ class CheckpointJournalTest {
                 String place = "bit " + bit + " of byte " + at;
                 assertEquals(texts(rest), open(JOB), place);
                 boolean isLast = lost == RECORDS.size() - 1;
-                try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, 0, r -> {})) {
+                try (CheckpointJournal journal = journal(JOB, r -> {})) {
                     assertEquals(lost < 0 || isLast ? 0 : 1, journal.gaps(), place);
                     journal.append(0, RECORDS.get(0));
                 }
@@ -177,7 +183,7 @@ class CheckpointJournalTest {
         List<byte[]> signs = new ArrayList<>();
         for (int i = 0; i < 2; i++) {
             Files.deleteIfExists(file);
-            try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, 0, r -> {})) {
+            try (CheckpointJournal journal = journal(JOB, r -> {})) {
                 journal.append(0, new JournalRecord.Kept(0, Peers.machine("liar"), planted));
                 journal.append(0, new JournalRecord.Revoked(1));
             }
@@ -255,7 +261,7 @@ class CheckpointJournalTest {
 
     @Test
     void twoServersCannotHaveTheSameJournal() throws IOException {
-        CheckpointJournal first = CheckpointJournal.open(file, JOB, TILES, 0, r -> {});
+        CheckpointJournal first = journal(JOB, r -> {});
         try (first) {
             String message =
                     assertThrows(JournalException.class, () -> open(JOB)).getMessage();
@@ -265,21 +271,28 @@ class CheckpointJournalTest {
     }
 
     @Test
-    void writesAreForcedAtMostEveryFifthOfASecond() throws IOException {
+    void writesAreForcedAtMostEveryFifthOfASecondAndWhenItIsClosed() throws IOException {
         long millis = 1_000_000;
         long start = Long.MAX_VALUE - 100 * millis;
-        try (CheckpointJournal journal = CheckpointJournal.open(file, JOB, TILES, start, r -> {})) {
+        AtomicInteger forced = new AtomicInteger();
+        try (CheckpointJournal journal = CheckpointJournal.open(
+                file, JOB, TILES, start, r -> {}, channel -> forced.incrementAndGet())) {
+            assertEquals(1, forced.get(), "the header");
             journal.append(start + 199 * millis, RECORDS.get(0));
-            assertTrue(journal.isDirty());
             journal.tick(start + 200 * millis - 1);
-            assertTrue(journal.isDirty());
+            assertEquals(1, forced.get());
             journal.tick(start + 200 * millis);
-            assertFalse(journal.isDirty());
+            assertEquals(2, forced.get());
+            journal.tick(start + 500 * millis);
+            assertEquals(2, forced.get(), "nothing was written");
             journal.append(start + 399 * millis, RECORDS.get(1));
-            assertTrue(journal.isDirty());
+            assertEquals(2, forced.get());
             journal.append(start + 400 * millis, RECORDS.get(2));
-            assertFalse(journal.isDirty());
+            assertEquals(3, forced.get());
+            journal.append(start + 401 * millis, RECORDS.get(3));
         }
+        assertEquals(4, forced.get());
+        assertEquals(texts(RECORDS.subList(0, 4)), open(JOB));
     }
 
     @Test

@@ -154,8 +154,8 @@ public final class ServerOptions {
         }
 
         /**
-         * Rendering begins when so many workers have joined, or after so long. Where no worker is connected for that long
-         * later on, this process renders by itself.
+         * Rendering begins when {@code minWorkers} have joined, or after {@code seconds}. Where no worker is connected for
+         * that time later on, this process renders by itself.
          *
          * @param minWorkers 0 to {@value #MAX_WORKERS}; 0 begins at once, as is usual
          * @param seconds at least 0; 30 as is usual

@@ -28,7 +28,7 @@ import java.util.function.BooleanSupplier;
  */
 final class ServerRound implements StatusServer.Source {
     private static final long TICK_MILLIS = 200;
-    private static final long ACCEPT_END_MILLIS = 2_000;
+    private static final long ACCEPT_END_TIMEOUT_MILLIS = 2_000;
 
     /** What workers are told where another round follows. */
     private static final String MORE = "the picture is rendered again with more samples";
@@ -209,7 +209,7 @@ final class ServerRound implements StatusServer.Source {
     private void waitUntilNobodyListens() {
         if (accepting != null && accepting != Thread.currentThread()) {
             try {
-                accepting.join(ACCEPT_END_MILLIS);
+                accepting.join(ACCEPT_END_TIMEOUT_MILLIS);
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }

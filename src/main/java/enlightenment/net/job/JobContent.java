@@ -29,9 +29,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A job as contents that are called by their hashes. The first is the job's document: build, settings, plan, the kinds of
- * primitives that tiles count (for clients that do not read scenes) and the scene, in which image files are called by their hashes too; so its hash is the hash of everything that decides bits. The others
- * are the image files.
+ * A job as contents that are addressed by their hashes. The first is the job's document: build, settings, plan, the kinds of
+ * primitives that tiles count (for clients that do not read scenes) and the scene, in which image files are named by their
+ * hashes too; so its hash is the hash of everything that decides bits. The others are the image files.
  *
  * <p>Files that are not PNG travel as PNG files of the same texels: two JDKs may decode the same JPEG file differently.
  */

@@ -18,10 +18,10 @@ import java.util.OptionalDouble;
  * same picture has the same bytes.
  */
 final class SettingsBytes {
-    /** Most texts in a list. */
-    private static final int MOST_TEXTS = 1_000;
+    /** Largest number of texts in a list. */
+    private static final int MAX_TEXTS = 1_000;
 
-    private static final int LONGEST_TEXT = 1 << 20;
+    private static final int MAX_TEXT_BYTES = 1 << 20;
 
     private SettingsBytes() {}
 
@@ -116,7 +116,7 @@ final class SettingsBytes {
 
     static List<String> readTexts(DataInputStream in) throws IOException {
         int count = in.readInt();
-        if (count < 0 || count > MOST_TEXTS) {
+        if (count < 0 || count > MAX_TEXTS) {
             throw new IllegalArgumentException("a list of " + count + " texts");
         }
         List<String> texts = new ArrayList<>();
@@ -135,7 +135,7 @@ final class SettingsBytes {
 
     static String text(DataInputStream in) throws IOException {
         int length = in.readInt();
-        if (length < 0 || length > LONGEST_TEXT) {
+        if (length < 0 || length > MAX_TEXT_BYTES) {
             throw new IllegalArgumentException("a text of " + length + " bytes");
         }
         byte[] bytes = in.readNBytes(length);

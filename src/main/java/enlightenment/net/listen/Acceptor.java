@@ -8,7 +8,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.function.Consumer;
 
-/** Takes connections at a port. Where this process has no more files it makes room, pauses, and goes on. */
+/** Accepts connections at a port. Where this process may open no more files it makes room, pauses, and goes on. */
 public final class Acceptor implements Closeable {
     static final long FIRST_PAUSE_MILLIS = 20;
     static final long LONGEST_PAUSE_MILLIS = 1_000;

@@ -10,27 +10,32 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The places of those whom nobody knows. Whoever is new gets one: where there is none the oldest of the address that has the
- * most loses its own, so that neither those who sit and say nothing nor one address can shut out anybody else. Not
+ * The bounded places of connections that have not authenticated yet. A new one always gets a place: where none is free, the
+ * oldest connection of the address that has the most loses its own, so that neither idle connections nor a single address
+ * can shut out anybody else. Not
  * for use by several threads at once.
  *
  * @param <T> what has a place
  */
 public final class Strangers<T> {
-    private final int most;
-    private final int mostOfAddress;
+    private final int limit;
+    private final int limitOfAddress;
 
     /** Who has a place, the oldest first, and by which address. */
     private final Map<T, String> places = new LinkedHashMap<>();
 
     private final Map<String, Integer> counts = new HashMap<>();
 
-    public Strangers(int most, int mostOfAddress) {
-        this.most = most;
-        this.mostOfAddress = mostOfAddress;
+    public Strangers(int limit, int limitOfAddress) {
+        this.limit = limit;
+        this.limitOfAddress = limitOfAddress;
     }
 
-    /** As many places as are wanted, if this process may have files enough for them and for what matters more. */
+    /**
+     * The number of places: at most a quarter of the files that this process may open, as the rest serves what matters more.
+     *
+     * @param descriptors how many files it may open; 0 if that is not known
+     */
     public static int places(int wanted, long descriptors) {
         return descriptors <= 0 ? wanted : (int) Math.max(Math.min(wanted, descriptors / 4), 1);
     }
@@ -45,9 +50,9 @@ public final class Strangers<T> {
     /** Gives a place; returns those who lost theirs for it. */
     public List<T> add(T who, String address) {
         List<T> gone = new ArrayList<>();
-        if (counts.getOrDefault(address, 0) >= mostOfAddress) {
+        if (counts.getOrDefault(address, 0) >= limitOfAddress) {
             gone.add(oldestOf(address));
-        } else if (places.size() >= most) {
+        } else if (places.size() >= limit) {
             gone.add(oldest());
         }
         gone.forEach(this::remove);

@@ -11,7 +11,7 @@ public final class Limits {
     /** Deepest nesting of a frame body. */
     public static final int NESTING = 16;
 
-    /** Most values in a frame body. */
+    /** Largest number of values in a frame body. */
     public static final int TOKENS = 16_384;
 
     /** Longest text in a message, in characters; longer ones are cut. */
@@ -20,37 +20,37 @@ public final class Limits {
     /** Longest name or build in a message, in characters; longer ones are cut. */
     public static final int NAME = 100;
 
-    /** Length of what a process or a machine is known by. */
+    /** Length in bytes of the secret that identifies a process or a machine. */
     public static final int SECRET_BYTES = 32;
 
-    /** Most bytes of content (scene, texture) in one message; longer content travels in pieces. */
+    /** Largest number of bytes of content (scene, texture) in one message; longer content travels in pieces. */
     public static final int CONTENT_PIECE = 4 << 20;
 
-    /** Most bytes of all contents of a job. */
+    /** Largest number of bytes of all contents of a job. */
     public static final long JOB = 1L << 30;
 
-    /** Most contents (scene and textures) of a job. */
+    /** Largest number of contents (scene and textures) of a job. */
     public static final int CONTENTS = 1_000;
 
-    /** Most leases that a heartbeat may name. */
+    /** Largest number of leases that a heartbeat may name. */
     public static final int LEASES_IN_HEARTBEAT = 64;
 
-    /** Most tiles that a worker may have sent without having heard that they arrived. */
+    /** Largest number of tiles that a worker may have sent without having heard that they arrived. */
     public static final int UNACKNOWLEDGED_TILES = 8;
 
-    /** Most threads that a worker may claim. */
+    /** Largest number of threads that a worker may claim. */
     public static final int THREADS = 65_536;
 
-    /** Most tiles of a job. */
+    /** Largest number of tiles of a job. */
     public static final int TILES = 1 << 24;
 
-    /** Most messages that wait to be sent over one connection. */
+    /** Largest number of messages that wait to be sent over one connection. */
     public static final int QUEUED_MESSAGES = 4_096;
 
-    /** Most connections that have not proved yet that they know the token; half of them from one address. */
+    /** Largest number of connections that have not proved yet that they know the token; half of them from one address. */
     public static final int STRANGERS = 128;
 
-    /** Most connected workers. */
+    /** Largest number of connected workers. */
     public static final int WORKERS = 1_024;
 
     private Limits() {}

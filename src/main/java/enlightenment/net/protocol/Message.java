@@ -91,9 +91,9 @@ public sealed interface Message {
      * Server to worker: so do I. What follows may be believed.
      *
      * @param mac the server's proof
-     * @param heartbeatMillis a heartbeat is wanted this often
+     * @param heartbeatMillis the period of heartbeats
      * @param silenceMillis after so long without a word either side hangs up
-     * @param unacknowledged most tiles sent and not acknowledged
+     * @param unacknowledged largest number of tiles that are sent and not acknowledged
      */
     record Welcome(byte[] mac, int heartbeatMillis, int silenceMillis, int unacknowledged) implements Message {
         public Welcome {

@@ -13,16 +13,16 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 
 /**
- * Messages over one connection. One thread receives; messages to be sent wait in a bounded queue for a thread of the link's
- * own, which {@link #begin} starts. {@link #check}, called several times a second, ends the link where a deadline is missed: closing the plain socket
+ * Messages over one connection. One thread receives; messages to be sent wait in a bounded queue for a thread of the channel's
+ * own, which {@link #begin} starts. {@link #check}, called several times a second, ends the channel where a deadline is missed: closing the plain socket
  * ends every read and write, whatever TLS is about.
  */
 public final class MessageChannel implements Closeable {
     private static final int BUFFER = 1 << 16;
     private static final long MILLI = 1_000_000L;
 
-    /** How long a link stays open for the other side to read the last word. */
-    private static final long FAREWELL_NANOS = 2_000 * MILLI;
+    /** How long a channel stays open for the other side to read the last word. */
+    private static final long FAREWELL_TIMEOUT_NANOS = 2_000 * MILLI;
 
     private final Socket plain;
     private final Timing timing;
@@ -43,7 +43,7 @@ public final class MessageChannel implements Closeable {
     private volatile long heard = System.nanoTime();
 
     /**
-     * A link over a connection.
+     * A channel over a connection.
      *
      * @param plain the socket itself
      * @param socket the same, or TLS over it
@@ -89,7 +89,7 @@ public final class MessageChannel implements Closeable {
         }
     }
 
-    /** Sends a message soon. Where too many wait already, the other side is too slow, and the link ends. */
+    /** Sends a message soon. Where too many wait already, the other side is too slow, and the channel ends. */
     public void send(Message message) {
         boolean full;
         synchronized (queue) {
@@ -121,7 +121,7 @@ public final class MessageChannel implements Closeable {
         send(message);
     }
 
-    /** Sends a last message; what comes is not listened to any more, and the link ends when the other side has closed it. */
+    /** Sends a last message; what comes is not listened to any more, and the channel ends when the other side has closed it. */
     public void sayLast(Message message) {
         if (writer.getState() == Thread.State.NEW) {
             close("");
@@ -186,7 +186,7 @@ public final class MessageChannel implements Closeable {
         }
     }
 
-    /** Ends the link if a deadline is missed. */
+    /** Ends the channel if a deadline is missed. */
     public void check(long now) {
         if (isLate(readingSince, timing.frameMillis(), now)) {
             close("sends a message too slowly");
@@ -194,7 +194,7 @@ public final class MessageChannel implements Closeable {
             close("does not read what it is sent");
         } else if (isLate(heard, timing.idleMillis(), now)) {
             close("is idle");
-        } else if (farewellSince != 0 && now - farewellSince > FAREWELL_NANOS) {
+        } else if (farewellSince != 0 && now - farewellSince > FAREWELL_TIMEOUT_NANOS) {
             close("");
         }
     }
@@ -208,7 +208,7 @@ public final class MessageChannel implements Closeable {
         return heard;
     }
 
-    /** Ends the link at once, for this reason. */
+    /** Ends the channel at once, for this reason. */
     public void close(String why) {
         synchronized (queue) {
             if (!isClosed) {
@@ -230,7 +230,7 @@ public final class MessageChannel implements Closeable {
         close("");
     }
 
-    /** Why the link was ended here; empty if it was not. */
+    /** Why the channel was ended here; empty if it was not. */
     public String reason() {
         synchronized (queue) {
             return reason;

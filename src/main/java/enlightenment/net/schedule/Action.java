@@ -33,7 +33,7 @@ public sealed interface Action {
     record HangUp(long worker, String reason) implements Action {}
 
     /**
-     * This machine is not to be trusted: write that to the journal and refuse it for ever. Its connections follow as
+     * This machine is not to be trusted: write that to the journal and refuse it from now on. Its connections follow as
      * {@link Refuse}.
      */
     record Expel(Origin.Peer machine, String reason) implements Action {}

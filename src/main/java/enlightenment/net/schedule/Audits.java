@@ -16,8 +16,7 @@ import java.util.TreeMap;
 /**
  * Who said what about which tile. Every result is a vote of its origin for a hash. A tile counts with its first vote; some
  * tiles are chosen to need a second one. Where two votes differ the server makes the tile itself, and its word decides:
- * what a majority of machines says may be said by one that has taken many names, and then honest ones would be
- * expelled.
+ * a majority may be a single machine under many names, which could otherwise have honest ones expelled.
  */
 final class Audits {
     private final double rate;

@@ -28,7 +28,7 @@ import java.util.Set;
 public final class Coordinator {
     private static final int EVENTS_REMEMBERED = 200;
     private static final int STALL_FACTOR = 8;
-    private static final int MOST_DOUBLINGS = 6;
+    private static final int MAX_DOUBLINGS = 6;
 
     private final CoordinatorSettings settings;
     private final TileBoard board;
@@ -295,7 +295,7 @@ public final class Coordinator {
     private void stall(WorkerState member, long time) {
         note(member.name + " delivers nothing; its tiles go to others");
         member.resting = true;
-        member.restsUntil = now + (time << Math.min(member.stalls, MOST_DOUBLINGS));
+        member.restsUntil = now + (time << Math.min(member.stalls, MAX_DOUBLINGS));
         member.stalls++;
         for (Lease lease : List.copyOf(member.leases.values())) {
             lease.stalled = true;

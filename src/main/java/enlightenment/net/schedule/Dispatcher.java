@@ -16,11 +16,11 @@ import java.util.function.Consumer;
  * that leases shrink towards the end; with workers alike that is what is free / (2 × workers).
  */
 final class Dispatcher {
-    private static final int AUDITS_LOOKED_AT = 16;
+    private static final int AUDITS_PER_CALL = 16;
     private static final double UNKNOWN_SPEED = 1;
 
-    /** Most leases of work that a worker holds: well below what a heartbeat can name. */
-    private static final int MOST_LEASES = 16;
+    /** Largest number of leases of work that a worker holds: well below what a heartbeat can name. */
+    private static final int MAX_LEASES = 16;
 
     private final CoordinatorSettings settings;
     private final TileBoard board;
@@ -58,7 +58,7 @@ final class Dispatcher {
     void changed(WorkerState member) {
         int leases = member.workLeases();
         boolean usable = !member.isStalled();
-        if (usable && leases < MOST_LEASES && member.owed() < member.threads) {
+        if (usable && leases < MAX_LEASES && member.owed() < member.threads) {
             idle.add(member);
         } else {
             idle.remove(member);
@@ -144,7 +144,7 @@ final class Dispatcher {
         if (idle.isEmpty() && hungry.isEmpty()) {
             return;
         }
-        for (Audits.Open open : audits.someWaiting(AUDITS_LOOKED_AT)) {
+        for (Audits.Open open : audits.someWaiting(AUDITS_PER_CALL)) {
             WorkerState auditor = firstAble(open, idle);
             auditor = auditor == null ? firstAble(open, hungry) : auditor;
             if (auditor != null) {
@@ -191,15 +191,15 @@ final class Dispatcher {
     int size(WorkerState member) {
         double speed = member.speedOr(unitSpeed());
         double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;
-        double wanted = member.threads;
+        double tiles = member.threads;
         if (member.speed.isKnown()) {
-            wanted = Math.max(wanted, speed * seconds);
+            tiles = Math.max(tiles, speed * seconds);
         } else if (isSpeedKnown()) {
-            wanted = Math.max(wanted, speed * seconds / 4);
+            tiles = Math.max(tiles, speed * seconds / 4);
         }
         double all = knownSpeed + unknownWeight * unitSpeed();
-        double most = board.free() * Math.min(speed / all, 1) / 2;
-        return (int) Math.max(1, Math.min(wanted, most));
+        double limit = board.free() * Math.min(speed / all, 1) / 2;
+        return (int) Math.max(1, Math.min(tiles, limit));
     }
 
     private Lease grant(WorkerState member, int first, int last, Lease.Kind kind, long now) {

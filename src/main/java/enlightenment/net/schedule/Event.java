@@ -45,6 +45,6 @@ public sealed interface Event {
     /** The worker sent what no honest worker sends. */
     record Misbehaved(long worker, String reason) implements Event {}
 
-    /** Time has passed; wanted at least every half second. */
+    /** Time has passed; to be told at least every half second. */
     record Tick() implements Event {}
 }

@@ -32,7 +32,7 @@ public final class WorkerCore {
      * A worker without work.
      *
      * @param threads number of tiles that are rendered at once
-     * @param window most tiles that travel unacknowledged
+     * @param window largest number of tiles that are sent and not acknowledged
      * @param resendNanos after so long without acknowledgement a tile is sent again; {@link Long#MAX_VALUE} for never,
      *     where the connection itself loses nothing
      */

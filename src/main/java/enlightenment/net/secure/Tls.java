@@ -123,7 +123,7 @@ public final class Tls {
         return certificate;
     }
 
-    /** Until when our own certificate holds; for ever if there is none. */
+    /** Until when our own certificate holds; without end if there is none. */
     Instant validUntil() {
         return validUntil;
     }

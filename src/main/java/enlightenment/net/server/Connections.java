@@ -17,8 +17,8 @@ import javax.management.ObjectName;
  * Strangers have places of their own ({@link Strangers}): they cannot take those of workers.
  */
 public final class Connections {
-    private static final long FAREWELL_MILLIS = 3_000;
-    private static final long ROOM_MILLIS = 1_000;
+    private static final long FAREWELL_TIMEOUT_MILLIS = 3_000;
+    private static final long ROOM_TIMEOUT_MILLIS = 1_000;
 
     private final Map<Long, ServerConnection> workers = new LinkedHashMap<>();
     private final List<ServerConnection> waiting = new ArrayList<>();
@@ -62,7 +62,7 @@ public final class Connections {
         return gone;
     }
 
-    /** The stranger that is to be closed if room is wanted; null if there is none. */
+    /** The unauthenticated connection that is to be closed where room is needed; null if there is none. */
     synchronized ServerConnection giveUpOne() {
         ServerConnection oldest = strangers.oldest();
         if (oldest != null) {
@@ -74,9 +74,9 @@ public final class Connections {
 
     /** Waits until not more are leaving than may be there: who comes faster than others can go has to wait. */
     synchronized void waitForRoom() throws InterruptedException {
-        long end = System.nanoTime() + ROOM_MILLIS * 1_000_000L;
+        long end = System.nanoTime() + ROOM_TIMEOUT_MILLIS * 1_000_000L;
         while (leaving.size() > places && end - System.nanoTime() > 0) {
-            wait(ROOM_MILLIS / 10);
+            wait(ROOM_TIMEOUT_MILLIS / 10);
         }
     }
 
@@ -132,7 +132,7 @@ public final class Connections {
 
     /** Waits a little until everybody has heard the last word and gone. */
     public void waitForFarewells() {
-        long deadline = System.nanoTime() + FAREWELL_MILLIS * 1_000_000L;
+        long deadline = System.nanoTime() + FAREWELL_TIMEOUT_MILLIS * 1_000_000L;
         while (!list().isEmpty() && System.nanoTime() - deadline < 0) {
             if (!sleep(10)) {
                 return;

@@ -30,7 +30,7 @@ public final class ServerConnection {
     private final Host server;
     private final Socket plain;
     private final long opened = System.nanoTime();
-    private volatile MessageChannel link;
+    private volatile MessageChannel channel;
     private volatile Message.Hello hello;
     private volatile Message.Ready ready;
     private volatile String closedBecause = "";
@@ -86,7 +86,7 @@ public final class ServerConnection {
         String reason = "";
         try {
             MessageChannel made = open();
-            link = made;
+            channel = made;
             if (shakeHands(made)) {
                 while (listen(made)) {
                     reason = "the connection was closed";
@@ -118,7 +118,7 @@ public final class ServerConnection {
     }
 
     private void end(String why) {
-        MessageChannel mine = link;
+        MessageChannel mine = channel;
         String here = mine == null ? closedBecause : mine.reason();
         String reason = here.isEmpty() ? why : here;
         close(reason);
@@ -262,14 +262,14 @@ public final class ServerConnection {
         long limit = server.timing().authenticationMillis() * 1_000_000L;
         if (!isKnown && now - opened > limit) {
             close("did not prove within " + limit / 1_000_000L + " ms who it is");
-        } else if (link != null) {
-            link.check(now);
+        } else if (channel != null) {
+            channel.check(now);
         }
     }
 
     public void refuse(String reason, boolean again) {
-        if (link != null) {
-            link.sayLast(new Message.Refuse(reason, again));
+        if (channel != null) {
+            channel.sayLast(new Message.Refuse(reason, again));
         }
         tell(this + " refused: " + reason);
     }
@@ -284,11 +284,11 @@ public final class ServerConnection {
     }
 
     public void send(Message message) {
-        link.send(message);
+        channel.send(message);
     }
 
     public void sayLast(Message message) {
-        MessageChannel mine = link;
+        MessageChannel mine = channel;
         if (mine == null) {
             close("");
         } else {
@@ -297,7 +297,7 @@ public final class ServerConnection {
     }
 
     void close(String reason) {
-        MessageChannel mine = link;
+        MessageChannel mine = channel;
         if (mine != null) {
             mine.close(reason);
             return;

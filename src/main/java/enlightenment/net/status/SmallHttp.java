@@ -20,16 +20,16 @@ import java.util.function.LongSupplier;
 /**
  * As much of HTTP/1.1 (RFC 9112) as a page for one machine takes: requests without a body, one for each connection. Every
  * connection has an end in sight, and where there are too many the oldest is closed: whoever sends half a request, or
- * many, keeps nobody else from an answer. (The JDK's own server waits for half a request for ever, with one of few threads.)
+ * many, keeps nobody else from an answer. (The JDK's own server waits for half a request without end, with one of few threads.)
  */
 final class SmallHttp implements Closeable {
     static final int PLACES = 32;
-    static final int LONGEST_HEAD = 8 << 10;
-    static final long REQUEST_NANOS = 5_000_000_000L;
-    static final long ANSWER_NANOS = 20_000_000_000L;
+    static final int MAX_HEAD_BYTES = 8 << 10;
+    static final long REQUEST_TIMEOUT_NANOS = 5_000_000_000L;
+    static final long ANSWER_TIMEOUT_NANOS = 20_000_000_000L;
 
-    private static final int DRAINED = 64 << 10;
-    private static final int DRAIN_MILLIS = 200;
+    private static final int MAX_DRAINED_BYTES = 64 << 10;
+    private static final int DRAIN_TIMEOUT_MILLIS = 200;
 
     private final Acceptor acceptor;
     private final Pages pages;
@@ -91,7 +91,7 @@ final class SmallHttp implements Closeable {
             gone = places.add(socket, "");
         }
         gone.forEach(this::end);
-        deadlines.put(socket, clock.getAsLong() + REQUEST_NANOS);
+        deadlines.put(socket, clock.getAsLong() + REQUEST_TIMEOUT_NANOS);
         try {
             startThread(() -> serve(socket));
         } catch (OutOfMemoryError e) {
@@ -113,7 +113,7 @@ final class SmallHttp implements Closeable {
     private void serve(Socket socket) {
         try {
             Request request = read(socket.getInputStream());
-            deadlines.computeIfPresent(socket, (s, old) -> clock.getAsLong() + ANSWER_NANOS);
+            deadlines.computeIfPresent(socket, (s, old) -> clock.getAsLong() + ANSWER_TIMEOUT_NANOS);
             write(socket.getOutputStream(), request == null ? badRequest() : pages.answer(request));
             socket.shutdownOutput();
             drain(socket);
@@ -133,7 +133,7 @@ final class SmallHttp implements Closeable {
     private static Request read(InputStream in) throws IOException {
         StringBuilder head = new StringBuilder();
         while (head.indexOf("\r\n\r\n", Math.max(head.length() - 4, 0)) < 0) {
-            int next = head.length() == LONGEST_HEAD ? -1 : in.read();
+            int next = head.length() == MAX_HEAD_BYTES ? -1 : in.read();
             if (next < 0) {
                 return null;
             }
@@ -171,9 +171,9 @@ final class SmallHttp implements Closeable {
 
     /** Lets a body that nobody wanted pass, as closing over it may take the answer from who sends it. */
     private static void drain(Socket socket) throws IOException {
-        socket.setSoTimeout(DRAIN_MILLIS);
+        socket.setSoTimeout(DRAIN_TIMEOUT_MILLIS);
         byte[] buffer = new byte[4 << 10];
-        for (int n = 0, sum = 0; n >= 0 && sum < DRAINED; sum += n) {
+        for (int n = 0, sum = 0; n >= 0 && sum < MAX_DRAINED_BYTES; sum += n) {
             n = socket.getInputStream().read(buffer);
         }
     }

@@ -32,7 +32,7 @@ public final class RenderPool implements AutoCloseable {
     /**
      * A pool that waits for work.
      *
-     * @param window most tiles that travel unacknowledged
+     * @param window largest number of tiles that are sent and not acknowledged
      * @param failed hears of what went wrong in a thread, which has then ended
      */
     public RenderPool(TiledRender render, int threads, int window, Consumer<Throwable> failed) {

@@ -10,12 +10,12 @@ import java.io.IOException;
 
 /** Fetches what a job needs, by hash; nothing is kept whose hash is another. */
 final class WorkerContents {
-    private final MessageChannel link;
+    private final MessageChannel channel;
     private final WorkerJobs jobs;
     private long fetched;
 
-    WorkerContents(MessageChannel link, WorkerJobs jobs) {
-        this.link = link;
+    WorkerContents(MessageChannel channel, WorkerJobs jobs) {
+        this.channel = channel;
         this.jobs = jobs;
     }
 
@@ -39,8 +39,8 @@ final class WorkerContents {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         long total;
         do {
-            link.send(new Message.ContentRequest(hash, bytes.size()));
-            Message message = link.receive();
+            channel.send(new Message.ContentRequest(hash, bytes.size()));
+            Message message = channel.receive();
             if (message instanceof Message.Refuse refusal) {
                 return new SessionEnd(!refusal.again(), false, refusal.reason());
             }

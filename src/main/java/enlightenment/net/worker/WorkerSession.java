@@ -19,7 +19,7 @@ import javax.net.ssl.SSLSocket;
 
 /** One connection of a worker, from its first byte to its last. */
 public final class WorkerSession {
-    private static final int CONNECT_MILLIS = 10_000;
+    private static final int CONNECT_TIMEOUT_MILLIS = 10_000;
     private static final long TICK_MILLIS = 100;
     private static final SecureRandom RANDOM = new SecureRandom();
 
@@ -30,7 +30,7 @@ public final class WorkerSession {
     private final AtomicReference<WorkerSession> current;
     private final Consumer<String> log;
     private final BooleanSupplier cancelled;
-    private volatile MessageChannel link;
+    private volatile MessageChannel channel;
     private volatile RenderPool pool;
     private volatile boolean wasWelcome;
     private volatile boolean isOver;
@@ -90,18 +90,18 @@ public final class WorkerSession {
             Thread ticker = new Thread(this::tickAll, "heartbeat");
             ticker.setDaemon(true);
             ticker.start();
-            plain.connect(new InetSocketAddress(server.host(), server.port()), CONNECT_MILLIS);
+            plain.connect(new InetSocketAddress(server.host(), server.port()), CONNECT_TIMEOUT_MILLIS);
             plain.setTcpNoDelay(true);
             return talk(plain);
         } catch (IOException e) {
-            MessageChannel mine = link;
+            MessageChannel mine = channel;
             String reason = mine == null || mine.reason().isEmpty() ? describe(e) : "the server " + mine.reason();
             return new SessionEnd(jobs.failure() != null || e instanceof Tls.UntrustedException, false, reason);
         } finally {
             isOver = true;
             current.compareAndSet(this, null);
-            if (link != null) {
-                link.close();
+            if (channel != null) {
+                channel.close();
             }
             if (pool != null) {
                 pool.disconnected();
@@ -124,7 +124,7 @@ public final class WorkerSession {
             over = secured;
         }
         MessageChannel on = new MessageChannel(plain, over, timing, "worker").begin();
-        link = on;
+        channel = on;
         byte[] nonce = new byte[Handshake.NONCE_BYTES];
         RANDOM.nextBytes(nonce);
         on.send(hello(nonce));
@@ -242,7 +242,7 @@ public final class WorkerSession {
         }
         for (WorkerCore.Outgoing tile : now.pool.outgoing()) {
             byte[] bytes = tile.data().bytes();
-            now.link.send(new Message.Result(tile.lease(), now.job, tile.tile(), bytes));
+            now.channel.send(new Message.Result(tile.lease(), now.job, tile.tile(), bytes));
         }
     }
 
@@ -258,13 +258,13 @@ public final class WorkerSession {
             tick(now);
             if (pool != null && now - lastBeat >= heartbeatMillis * 1_000_000L) {
                 lastBeat = now;
-                link.send(new Message.Heartbeat(pool.leases()));
+                channel.send(new Message.Heartbeat(pool.leases()));
             }
         }
     }
 
     private void tick(long now) {
-        MessageChannel on = link;
+        MessageChannel on = channel;
         if (cancelled.getAsBoolean() || jobs.failure() != null) {
             if (on == null || on.isLastSaid()) {
                 closeSocket();

@@ -118,11 +118,11 @@ class StrangersTest {
         List<Long> pauses = new ArrayList<>();
         int[] room = new int[1];
         Shortage shortage = new Shortage();
-        Acceptor reception = new Acceptor(shortage, 1, new ServerLog(lines::add, System::nanoTime), pauses::add);
-        reception.accept(
+        Acceptor acceptor = new Acceptor(shortage, 1, new ServerLog(lines::add, System::nanoTime), pauses::add);
+        acceptor.accept(
                 socket -> {
                     try {
-                        reception.close();
+                        acceptor.close();
                     } catch (IOException e) {
                         throw new AssertionError(e);
                     }

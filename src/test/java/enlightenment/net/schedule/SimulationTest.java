@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 /** The coordinator among machines and networks that fail: whole renders in simulated time, repeatable by their seeds. */
 class SimulationTest {
-    private static final int SCHEDULES = 10_000;
+    private static final int SCHEDULES = 3_000;
 
     /** What happened in many schedules. */
     private record Sum(
@@ -80,7 +80,7 @@ class SimulationTest {
     void whoKnowsTheTokenAndMeansHarmGetsNobodyElseExpelledAndCannotKeepARenderFromEnding() {
         int expulsions = 0;
         List<String> complaints = new ArrayList<>();
-        for (long seed = 1; seed <= 2_000; seed++) {
+        for (long seed = 1; seed <= 800; seed++) {
             SimSchedule schedule = new SimSchedule(seed).withIntruder().run();
             expulsions += schedule.server.expulsions;
             for (String complaint : schedule.complaints()) {
@@ -88,7 +88,7 @@ class SimulationTest {
             }
         }
         assertEquals(List.of(), complaints.stream().limit(20).toList());
-        assertTrue(expulsions > 1_000, "only " + expulsions + " expulsions");
+        assertTrue(expulsions > 400, "only " + expulsions + " expulsions");
     }
 
     @Test

@@ -163,11 +163,11 @@ class StatusServerTest {
             half.getOutputStream().write("GET /heal".getBytes(StandardCharsets.US_ASCII));
             // Whoever comes later has been taken later: so the half is known by now.
             assertEquals("rendering\n", text("/health"));
-            server.check(clock.get() + SmallHttp.REQUEST_NANOS);
+            server.check(clock.get() + SmallHttp.REQUEST_TIMEOUT_NANOS);
             half.setSoTimeout(1);
             assertThrows(java.net.SocketTimeoutException.class, () -> half.getInputStream()
                     .read());
-            server.check(clock.get() + SmallHttp.REQUEST_NANOS + 1);
+            server.check(clock.get() + SmallHttp.REQUEST_TIMEOUT_NANOS + 1);
             half.setSoTimeout(20_000);
             assertTrue(isEnded(half));
         }

@@ -16,7 +16,8 @@ public final class MillionSpheres {
         out.println("  \"materials\": { \"a\": { \"type\": \"matte\", \"color\": \"#d8a03c\" },"
                 + " \"b\": { \"type\": \"matte\", \"color\": \"#3c78d8\" },"
                 + " \"c\": { \"type\": \"matte\", \"color\": \"#e0e0d8\" } },");
-        out.println("  \"lights\": [ { \"type\": \"sphere\", \"center\": [60, 120, -80], \"radius\": 8, \"color\": \"#ffffff\" } ],");
+        out.println(
+                "  \"lights\": [ { \"type\": \"sphere\", \"center\": [60, 120, -80], \"radius\": 8, \"color\": \"#ffffff\" } ],");
         out.println("  \"objects\": [");
         out.println("    { \"type\": \"rectangle\", \"material\": \"c\", \"corners\": [[-200, 0, -200], [-200, 0, 200],"
                 + " [200, 0, 200], [200, 0, -200]] }");

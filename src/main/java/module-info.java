@@ -6,9 +6,10 @@
 module enlightenment {
     requires java.desktop; // javax.imageio, for JPEG and BMP textures
     requires tools.jackson.core;
-    requires java.management;
-    requires jdk.jfr;
-    requires jdk.management;
+    requires jdk.jfr; // renders can be watched in Java Flight Recorder
+    // Tell processor time and load best; without them there is less to tell.
+    requires static java.management;
+    requires static jdk.management;
     // Only server and workers need this.
     requires static tools.jackson.dataformat.cbor;
     // Only the command line needs these; whoever embeds the library does not.

@@ -1,16 +1,15 @@
 package enlightenment.bench;
 
-import enlightenment.primitive.Primitives;
-
 import enlightenment.accel.Bvh;
 import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
-import enlightenment.primitive.Primitive;
-import enlightenment.primitive.Ray;
+import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Sphere;
 import enlightenment.math.ExactPoint;
-import enlightenment.frame.SceneFrame;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Ray;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -50,8 +49,8 @@ public class BvhBenchmark {
         double radius = Math.cbrt(0.01 * 3 / (4 * Math.PI * spheres));
         primitives = new Primitive[spheres];
         for (int i = 0; i < spheres; i++) {
-            primitives[i] =
-                    Primitives.place(Sphere.of(ExactPoint.of(r.nextDouble(), r.nextDouble(), r.nextDouble()), radius), SceneFrame.WORLD);
+            primitives[i] = Primitives.place(
+                    Sphere.of(ExactPoint.of(r.nextDouble(), r.nextDouble(), r.nextDouble()), radius), SceneFrame.WORLD);
         }
         bvh = Bvh.build(primitives);
         closest = new Closest(new int[spheres], new long[1]);

@@ -1,22 +1,21 @@
 package enlightenment.bench;
 
-import enlightenment.primitive.Primitives;
-
+import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
-import enlightenment.primitive.Primitive;
-import enlightenment.primitive.Ray;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.math.ExactPoint;
-import enlightenment.frame.SceneFrame;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Ray;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -42,7 +41,19 @@ import org.openjdk.jmh.annotations.Warmup;
 public class PrimitiveBenchmark {
     private static final int RAYS = 4096;
 
-    @Param({"sphere", "rectangle", "tilted rectangle", "disk", "cylinder", "cone", "frustum", "cube", "box", "torus", "triangle"})
+    @Param({
+        "sphere",
+        "rectangle",
+        "tilted rectangle",
+        "disk",
+        "cylinder",
+        "cone",
+        "frustum",
+        "cube",
+        "box",
+        "torus",
+        "triangle"
+    })
     public String shape;
 
     private Primitive primitive;
@@ -53,7 +64,9 @@ public class PrimitiveBenchmark {
         primitive = Primitives.place(shape(), SceneFrame.WORLD);
         Random r = new Random(1);
         for (int i = 0; i < RAYS; i++) {
-            Vec3 o = new Vec3(r.nextGaussian(), r.nextGaussian(), r.nextGaussian()).normalized().times(8);
+            Vec3 o = new Vec3(r.nextGaussian(), r.nextGaussian(), r.nextGaussian())
+                    .normalized()
+                    .times(8);
             Vec3 to = new Vec3(r.nextGaussian(), r.nextGaussian(), r.nextGaussian()).times(0.6);
             rays[i] = Ray.of(o, to.minus(o).normalized());
         }
@@ -63,9 +76,18 @@ public class PrimitiveBenchmark {
         ExactPoint o = ExactPoint.ORIGIN;
         return switch (shape) {
             case "sphere" -> Sphere.of(o, 1);
-            case "rectangle" -> new Rectangle(ExactPoint.of(-1, -1, 0), ExactPoint.of(-1, 1, 0), ExactPoint.of(1, 1, 0), ExactPoint.of(1, -1, 0));
+            case "rectangle" ->
+                new Rectangle(
+                        ExactPoint.of(-1, -1, 0),
+                        ExactPoint.of(-1, 1, 0),
+                        ExactPoint.of(1, 1, 0),
+                        ExactPoint.of(1, -1, 0));
             case "tilted rectangle" ->
-                new Rectangle(ExactPoint.of(-1, -1, 0), ExactPoint.of(-1, 1, 1), ExactPoint.of(1, 1, 1), ExactPoint.of(1, -1, 0));
+                new Rectangle(
+                        ExactPoint.of(-1, -1, 0),
+                        ExactPoint.of(-1, 1, 1),
+                        ExactPoint.of(1, 1, 1),
+                        ExactPoint.of(1, -1, 0));
             case "disk" -> new Disk(o, new Vec3(1, 2, 3), 1);
             case "cylinder" -> new Cylinder(ExactPoint.of(-0.5, -1, 0), ExactPoint.of(0.5, 1, 0.25), 0.7, true);
             case "cone" -> new Cone(ExactPoint.of(-0.5, -1, 0), ExactPoint.of(0.5, 1, 0.25), 1, 0, true);

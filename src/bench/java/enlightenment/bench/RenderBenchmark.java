@@ -36,7 +36,11 @@ public class RenderBenchmark {
     @Setup
     public void setUp() {
         read = SceneReader.read(Path.of("scenes", scene + ".json"));
-        settings = RenderSettings.of(read).withSize(200, 100).withAntialias(4).withShadowSamples(10).withThreads(1);
+        settings = RenderSettings.of(read)
+                .withSize(200, 100)
+                .withAntialias(4)
+                .withShadowSamples(10)
+                .withThreads(1);
     }
 
     @Benchmark

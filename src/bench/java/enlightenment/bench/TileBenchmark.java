@@ -46,7 +46,8 @@ public class TileBenchmark {
     @Setup
     public void setUp() {
         Scene read = SceneReader.read(Path.of("scenes", scene + ".json"));
-        RenderSettings settings = RenderSettings.of(read).withMethod(method).withThreads(1);
+        RenderSettings settings =
+                RenderSettings.of(read).withMethod(Method.named(method)).withThreads(1);
         CompiledScene compiled = SceneCompiler.compile(read, settings);
         double level = method.equals("cluster")
                 ? ClusterCost.of(compiled, settings, COST_BLOCKS).effort(SAMPLES)

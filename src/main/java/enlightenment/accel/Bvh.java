@@ -7,17 +7,17 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
 /**
- * A bounding volume hierarchy: finds what a ray meets without asking every primitive. Immutable, safe for any number of
- * threads.
+ * A bounding volume hierarchy: finds the closest or any intersection of a ray without testing every primitive. Immutable,
+ * safe for any number of threads.
  *
  * <p>A binary tree of boxes, built by the surface area heuristic ({@link BvhBuilder}). Nodes lie in depth-first order in
- * flat arrays: the left child of an inner node is the next node, its right child is named by {@code link}; {@code skip}
- * is the node that follows the whole subtree, so that a search in fixed order needs no stack. The answers are those of a
+ * flat arrays: the left child of an inner node is the next node, its right child is {@code link}; {@code skip} is the
+ * node that follows the whole subtree, so that a traversal in fixed order needs no stack. The answers are those of a
  * loop over all primitives, bit for bit: boxes are tested conservatively ({@link SlabTest}), and {@link Closest} decides
  * what is closer.
  */
 public final class Bvh {
-    /** No node lies deeper. */
+    /** The depth of the tree is at most this. */
     static final int MAX_DEPTH = 64;
 
     private static final int NUMBERS_PER_BOX = 6;
@@ -40,11 +40,11 @@ public final class Bvh {
         link = builder.link();
         count = builder.count();
         skip = builder.skip();
-        double greatest = 0;
+        double largest = 0;
         for (int i = 0; i < NUMBERS_PER_BOX && i < boxes.length; i++) {
-            greatest = Math.max(greatest, Math.abs(boxes[i]));
+            largest = Math.max(largest, Math.abs(boxes[i]));
         }
-        reach = greatest;
+        reach = largest;
     }
 
     /** Builds the hierarchy of these primitives. Ids are indices into the array, which is not kept. */
@@ -93,7 +93,7 @@ public final class Bvh {
                     }
                 }
             }
-            // A box that begins exactly where the best crossing lies may hold one that wins the tie.
+            // A box entered exactly where the best crossing lies may hold one that wins the tie.
             while (next < 0 && depth > 0) {
                 depth--;
                 if (stackEntry[depth] <= slabs.limit(state.t())) {
@@ -112,7 +112,7 @@ public final class Bvh {
         }
     }
 
-    /** Whether any primitive has a crossing with tMin &le; t &le; tMax; stops at the first that is found. */
+    /** Whether any primitive has a crossing with tMin ≤ t ≤ tMax; stops at the first one found. */
     public boolean occluded(Ray ray, double tMax, BvhQuery query) {
         SlabTest slabs = query.slabs;
         slabs.set(ray, reach);
@@ -142,7 +142,7 @@ public final class Bvh {
         return false;
     }
 
-    /** Adds the ids of all primitives in boxes that do not surely keep clear of a cone. */
+    /** Adds the ids of all primitives in leaves whose boxes may intersect a cone; conservative. */
     public void gather(BallCone cone, BvhQuery query) {
         int node = 0;
         while (node < count.length) {
@@ -150,7 +150,7 @@ public final class Bvh {
         }
     }
 
-    /** Sets the list to the ids of all primitives in leaves whose boxes have a point in common with a box. */
+    /** Sets the list to the ids of all primitives in leaves whose boxes overlap a box. */
     public void overlapping(Bounds box, BvhQuery query) {
         query.clear();
         int node = 0;
@@ -159,12 +159,12 @@ public final class Bvh {
         }
     }
 
-    /** Adds the ids of a leaf, unless it is clear of what is looked for; returns the node to go on with. */
-    private int gather(int node, boolean clear, BvhQuery query) {
-        if (!clear && count[node] == 0) {
+    /** Adds the ids of a leaf, unless the node is disjoint from the query; returns the next node of the traversal. */
+    private int gather(int node, boolean disjoint, BvhQuery query) {
+        if (!disjoint && count[node] == 0) {
             return node + 1;
         }
-        int end = clear ? 0 : link[node] + count[node];
+        int end = disjoint ? 0 : link[node] + count[node];
         for (int i = link[node]; i < end; i++) {
             query.add(ids[i]);
         }

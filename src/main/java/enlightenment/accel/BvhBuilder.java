@@ -4,24 +4,24 @@ import enlightenment.primitive.Primitive;
 import java.util.Arrays;
 
 /**
- * Builds a {@link Bvh} from the top down: a node is cut where the surface area heuristic, evaluated at the borders of
- * equal bins of the centroids on each axis, expects the least work (Wald, "On fast construction of SAH-based bounding
- * volume hierarchies", 2007). One thread, plain arithmetic: the same tree on every machine.
+ * Builds a {@link Bvh} top-down: a node is split where the surface area heuristic, evaluated at the borders of equal bins
+ * of centroids on each axis, expects the least work (Wald, "On fast construction of SAH-based bounding volume hierarchies",
+ * 2007). One thread, plain arithmetic: the same tree on every machine.
  *
- * <p>Where no such cut exists (all centroids coincide), or where the tree has become so deep that it is degenerate, a
- * node is cut in the middle, so the depth is bounded whatever the scene.
+ * <p>Where no such split exists (all centroids coincide), or where the tree is so deep that it has degenerated, a node is
+ * split at the median, so the depth is bounded whatever the scene.
  */
 final class BvhBuilder {
     private static final int MAX_LEAF = 4;
 
-    /** From this depth on nodes are halved: 2^31 primitives then end before {@link Bvh#MAX_DEPTH}. */
-    private static final int HALVING_DEPTH = Bvh.MAX_DEPTH - 32;
+    /** From this depth on, nodes are split at the median: 2^31 primitives then end before {@link Bvh#MAX_DEPTH}. */
+    private static final int MEDIAN_DEPTH = Bvh.MAX_DEPTH - 32;
 
-    /** Work of one step of a search, in tests of primitives. */
-    private static final double STEP_COST = 2;
+    /** The cost of visiting a node, in tests of primitives. */
+    private static final double NODE_COST = 2;
 
     private final PrimitiveBoxes items;
-    private final BinnedCut cut;
+    private final BinnedSplit split;
     private final Primitive[] primitives;
     private double[] boxes;
     private int[] link;
@@ -30,7 +30,7 @@ final class BvhBuilder {
 
     BvhBuilder(Primitive[] original) {
         items = new PrimitiveBoxes(original);
-        cut = new BinnedCut(items);
+        split = new BinnedSplit(items);
         int capacity = Math.max(1, original.length);
         boxes = new double[6 * capacity];
         link = new int[capacity];
@@ -66,7 +66,7 @@ final class BvhBuilder {
                 link[node] = start;
                 count[node] = end - start;
             } else {
-                // The left half is taken next and becomes the next node; only the right one must be linked.
+                // The left part is popped next and becomes the next node; only the right one must be linked.
                 top = push(todo, top, middle, end, depth + 1, node);
                 top = push(todo, top, start, middle, depth + 1, -1);
             }
@@ -92,24 +92,24 @@ final class BvhBuilder {
         return nodes++;
     }
 
-    /** Where to cut a range, the items rearranged to fit; -1 if it becomes a leaf. */
+    /** Splits a range and partitions its items; returns where the second part begins, -1 if the range becomes a leaf. */
     private int split(int node, int start, int end, int depth) {
         int n = end - start;
         if (n == 1) {
             return -1;
         }
-        if (depth < HALVING_DEPTH && cut.find(start, end)) {
+        if (depth < MEDIAN_DEPTH && split.find(start, end)) {
             double whole = items.area(boxes, 6 * node);
-            if (n <= MAX_LEAF && n * whole <= STEP_COST * whole + cut.cost()) {
+            if (n <= MAX_LEAF && n * whole <= NODE_COST * whole + split.cost()) {
                 return -1;
             }
-            return cut.partition(start, end);
+            return split.partition(start, end);
         }
         if (n <= MAX_LEAF) {
             return -1;
         }
         int middle = (start + end) >>> 1;
-        items.select(start, end, middle, cut.widestAxis(start, end));
+        items.select(start, end, middle, split.widestAxis(start, end));
         return middle;
     }
 

@@ -4,14 +4,14 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
-/** A growing list of primitive ids, and the scratch memory of a search. A mutable work object, one per thread. */
+/** A growing list of primitive ids, and the scratch memory of a traversal. A mutable work object, one per thread. */
 public final class BvhQuery {
     private int[] ids = new int[64];
     private int size;
     private final int[] kinds;
     private final long[] tests;
 
-    /** The search's ray, prepared for boxes. */
+    /** The ray, prepared for boxes. */
     final SlabTest slabs = new SlabTest();
 
     /**
@@ -31,11 +31,12 @@ public final class BvhQuery {
         return p.nearest(ray, tMax) <= tMax;
     }
 
-    /** Forgets all ids. Those that were there can still be read by {@link #get} until they are overwritten. */
+    /** Empties the list. Its ids can still be read by {@link #get} until they are overwritten. */
     public void clear() {
         size = 0;
     }
 
+    /** Appends an id. */
     public void add(int id) {
         if (size == ids.length) {
             ids = Arrays.copyOf(ids, 2 * size);
@@ -43,10 +44,12 @@ public final class BvhQuery {
         ids[size++] = id;
     }
 
+    /** The number of ids. */
     public int size() {
         return size;
     }
 
+    /** The id at an index. */
     public int get(int k) {
         return ids[k];
     }

@@ -18,10 +18,10 @@ public final class Closest {
 
     private final Hit scratch = new Hit();
 
-    /** The search's ray, prepared for boxes. */
+    /** The ray, prepared for boxes. */
     final SlabTest slabs = new SlabTest();
 
-    /** Nodes that {@link Bvh#closest} has put off, and where the ray comes into them. */
+    /** The traversal stack of {@link Bvh#closest}: nodes to visit later, and the t at which the ray enters them. */
     final int[] stack = new int[Bvh.MAX_DEPTH];
 
     final double[] stackEntry = new double[Bvh.MAX_DEPTH];
@@ -37,14 +37,14 @@ public final class Closest {
         this.tests = tests;
     }
 
-    /** Starts a search for crossings up to this t. */
+    /** Starts a search for crossings with t up to this limit. */
     public void reset(double limit) {
         t = limit;
         id = -1;
         primitive = null;
     }
 
-    /** Tests a primitive. */
+    /** Tests a primitive and keeps its crossing if it is the closest. */
     public void offer(Ray ray, Primitive p, int candidate) {
         tests[kinds[candidate]]++;
         double s = p.nearest(ray, t);
@@ -68,7 +68,7 @@ public final class Closest {
         return scratch.side == Ray.INSIDE;
     }
 
-    /** The closest crossing's t, or the limit. */
+    /** The t of the closest crossing, or the limit. */
     public double t() {
         return t;
     }

@@ -4,12 +4,12 @@ import enlightenment.frame.Bounds;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 
-/** The boxes of primitives in one flat array that is rearranged while a hierarchy is built: neighbours stay neighbours. */
+/** The boxes of primitives in one flat array that is rearranged while a hierarchy is built, so that siblings are adjacent. */
 final class PrimitiveBoxes {
     private final double[] b;
     private final int[] ids;
 
-    /** Extents are multiplied by this before their products are taken: areas of any scene then stay in range. */
+    /** A power of two that extents are multiplied by before areas are computed, so that these stay in range. */
     private final double unit;
 
     PrimitiveBoxes(Primitive[] primitives) {
@@ -27,7 +27,7 @@ final class PrimitiveBoxes {
             b[6 * i + 5] = box.max().z();
             reach = Math.max(reach, box.maxAbs());
         }
-        // Clamped so that the factor itself is an ordinary number.
+        // Clamped so that the factor itself is a normal number.
         unit = Math.scalb(1.0, -Math.max(-1000, Math.min(1000, Scale.exponent(reach))));
     }
 
@@ -39,7 +39,7 @@ final class PrimitiveBoxes {
         return ids;
     }
 
-    /** The middle of item i on an axis, without overflow. */
+    /** The centroid of item i on an axis, without overflow. */
     double center(int i, int axis) {
         return 0.5 * b[6 * i + axis] + 0.5 * b[6 * i + 3 + axis];
     }
@@ -77,7 +77,7 @@ final class PrimitiveBoxes {
         }
     }
 
-    /** Half the surface of the box at box[at], in a unit that is the same for the whole scene. */
+    /** Half the surface area of the box at box[at], in a unit that is the same for the whole scene. */
     double area(double[] box, int at) {
         double x = (box[at + 3] - box[at]) * unit;
         double y = (box[at + 4] - box[at + 1]) * unit;
@@ -98,7 +98,7 @@ final class PrimitiveBoxes {
         }
     }
 
-    /** Rearranges start..end−1 so that no centre before position m is greater on the axis than one from m on (Hoare). */
+    /** Partitions start..end−1 so that no centroid before position m exceeds one from m on, on the axis (Hoare's select). */
     void select(int start, int end, int m, int axis) {
         int lo = start;
         int hi = end - 1;

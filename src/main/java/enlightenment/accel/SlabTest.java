@@ -4,17 +4,17 @@ import enlightenment.numeric.Scale;
 import enlightenment.primitive.Ray;
 
 /**
- * The test of a ray against boxes parallel to the axes. It never refuses a box that holds something the ray meets: boxes
- * are widened by a bound of what primitives round, some units in the last place of the coordinates involved (Ize,
- * "Robust BVH ray traversal", JCGT 2013, pads the far end in t instead; a width in space costs the same and also covers
+ * The test of a ray against axis-aligned boxes. It is conservative: a box that contains an intersection is never missed,
+ * because boxes are widened by a bound of the roundings of primitives, some units in the last place of the coordinates involved
+ * (Ize, "Robust BVH ray traversal", JCGT 2013, pads the far end in t instead; a width in space costs the same and also covers
  * rays that graze a face).
  *
  * <p>A ray parallel to an axis has an infinite inverse there, and 0·∞ is NaN. It arises only where the origin lies
- * exactly the width outside a face, and then it refuses the box, which is right; so {@link Math#min} and
+ * exactly the width outside a face, and then it rejects the box, which is right; so {@link Math#min} and
  * {@link Math#max} may be used, which have no branches to predict and measured a third faster than comparisons.
  */
 final class SlabTest {
-    /** More roundings than any primitive's test of hit or miss adds up, relative to the coordinates involved. */
+    /** Exceeds the accumulated roundings of any primitive's test, relative to the coordinates involved. */
     private static final double WIDENING = Scale.gamma(64);
 
     /** The origin plus the width: subtracted from lower corners, it moves them down. */
@@ -55,7 +55,7 @@ final class SlabTest {
         if (ray.extreme) {
             rescale(ray);
         }
-        double width = WIDENING * (greatest(ray.ox, ray.oy, ray.oz) + reach);
+        double width = WIDENING * (maxAbs(ray.ox, ray.oy, ray.oz) + reach);
         lowerX = ray.ox + width;
         lowerY = ray.oy + width;
         lowerZ = ray.oz + width;
@@ -69,25 +69,25 @@ final class SlabTest {
     }
 
     private void rescale(Ray ray) {
-        shift = -Scale.exponent(greatest(ray.dx, ray.dy, ray.dz));
+        shift = -Scale.exponent(maxAbs(ray.dx, ray.dy, ray.dz));
         invX = 1 / Scale.scalb(ray.dx, shift);
         invY = 1 / Scale.scalb(ray.dy, shift);
         invZ = 1 / Scale.scalb(ray.dz, shift);
         tMin = Math.nextDown(Scale.scalb(ray.tMin, -shift));
     }
 
-    private static double greatest(double x, double y, double z) {
+    private static double maxAbs(double x, double y, double z) {
         return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
     }
 
-    /** A bound of t in the units of {@link #entry}. */
+    /** A limit of t in the units of {@link #entry}, rounded up. */
     double limit(double t) {
         return shift == 0 ? t : Math.nextUp(Scale.scalb(t, -shift));
     }
 
     /**
-     * Where the ray comes into the box at b[at..at+5] (x, y, z of the lower, then of the upper corner), at least tMin;
-     * infinity if it misses the box or comes into it beyond the limit.
+     * Where the ray enters the box at b[at..at+5] (x, y, z of the lower, then of the upper corner), at least tMin;
+     * infinity if it misses the box or enters it beyond the limit.
      */
     double entry(double[] b, int at, double limit) {
         double lx = (b[at] - lowerX) * invX;

@@ -6,34 +6,42 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.util.List;
+import java.util.Objects;
 
-/** Where the picture is seen from. */
+/**
+ * Where the picture is seen from: an immutable description in scene coordinates and scene units, exact, validated when it is
+ * made.
+ *
+ * <p>The constructors throw {@link InvalidValueException}, with the key of the scene format, for a value out of range or a
+ * degenerate view, and {@link NullPointerException} for a missing value. Angles are degrees.
+ */
 public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera.Orthographic, Camera.Isometric {
 
-    /** The name of this kind of camera in the scene format. */
+    /** The name of this kind of camera in the scene format, such as {@code "window"}. */
     String type();
 
     /** The point that becomes the origin of the frame that the scene is rendered in. */
     ExactPoint origin();
 
-    /** Points that belong to the camera. */
+    /** The points that define where rays start, at least one. */
     List<ExactPoint> anchors();
 
-    /** The height of a view of parallel rays; 0 where rays meet in one point. */
+    /** The height of a parallel view in scene units; 0 for a camera whose rays meet in one point. */
     default double reach() {
         return 0;
     }
 
     /**
-     * The paper's camera: an eye behind a window. Rays start on the window, so what stands between eye and window is not
-     * seen. The window may have any orientation and need not stand straight before the eye.
+     * The paper's camera: an eye behind a window. Rays start on the window, so what lies between eye and window is not seen.
+     * The window is a parallelogram in any orientation and need not be centred before the eye.
      *
      * @param eye where the viewer is; not in the window's plane
      * @param lowerLeft the window's corner at the picture's lower left
-     * @param upperLeft next corner
-     * @param upperRight next corner
-     * @param lowerRight last corner
-     * @param pupilRadius the eye's size; only light tracing looks at it
+     * @param upperLeft the window's corner at the picture's upper left
+     * @param upperRight the window's corner at the picture's upper right: {@code upperLeft + (lowerRight − lowerLeft)}, up to
+     *     rounding of the decimals
+     * @param lowerRight the window's corner at the picture's lower right
+     * @param pupilRadius the radius of the eye's pupil, at least 0; only light tracing uses it
      */
     record Window(
             ExactPoint eye,
@@ -43,6 +51,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
             ExactPoint lowerRight,
             double pupilRadius)
             implements Camera {
+        /** Validates the components, as {@link Camera} states. */
         public Window {
             checkCorners(lowerLeft, upperLeft, upperRight, lowerRight);
             Check.notNegative("pupilRadius", pupilRadius);
@@ -72,11 +81,12 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * A pinhole camera.
      *
      * @param eye where the viewer is
-     * @param lookAt what is seen in the middle of the picture; differs from the eye
-     * @param up what points upwards in the picture; not along the line of sight
+     * @param lookAt the point in the middle of the picture; differs from the eye
+     * @param up a direction that points upwards in the picture, of any length but 0; not along the line of sight
      * @param fieldOfView the vertical angle of view in degrees, greater than 0 and less than 180
      */
     record Perspective(ExactPoint eye, ExactPoint lookAt, Vec3 up, double fieldOfView) implements Camera {
+        /** Validates the components, as {@link Camera} states. */
         public Perspective {
             checkView(eye, lookAt, up);
             Check.that(
@@ -104,12 +114,13 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
     /**
      * A camera of parallel rays that start in the plane through the eye.
      *
-     * @param eye the middle of the picture's plane
-     * @param lookAt what is seen in the middle of the picture; differs from the eye
-     * @param up what points upwards in the picture; not along the line of sight
+     * @param eye the middle of the plane that rays start in
+     * @param lookAt the point in the middle of the picture; differs from the eye
+     * @param up a direction that points upwards in the picture, of any length but 0; not along the line of sight
      * @param height the height of the picture in scene units, greater than 0
      */
     record Orthographic(ExactPoint eye, ExactPoint lookAt, Vec3 up, double height) implements Camera {
+        /** Validates the components, as {@link Camera} states. */
         public Orthographic {
             checkView(eye, lookAt, up);
             Check.positive("height", height);
@@ -138,13 +149,15 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
 
     /**
      * The 30° view of technical drawings (the paper's {@code OrthoDraw}): x' = (x − z)·cos 30°, y' = y + (x + z)·sin 30°,
-     * seen from above, from the side of negative x and z. Everything is seen, however far.
+     * seen from above, from the side of negative x and z. Rays start behind the whole scene, so that nothing is cut off.
      *
-     * @param lookAt what is seen in the middle of the picture
+     * @param lookAt the point in the middle of the picture
      * @param height the height of the picture in scene units, greater than 0
      */
     record Isometric(ExactPoint lookAt, double height) implements Camera {
+        /** Validates the components, as {@link Camera} states. */
         public Isometric {
+            Objects.requireNonNull(lookAt, "lookAt");
             Check.positive("height", height);
         }
 
@@ -169,7 +182,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         }
     }
 
-    /** The check of four corners counts them; here they have names. */
+    /** Checks the window's corners, with keys of their own: the shared check numbers them. */
     private static void checkCorners(
             ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight) {
         try {

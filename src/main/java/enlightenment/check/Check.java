@@ -4,12 +4,13 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 
 /**
- * Checks of values that come from outside. A failed check names the key of the scene format (or the setting) that holds the
- * value, so that a reader can point at it, and whoever makes the value in a program knows which it is.
+ * Checks of values that come from outside. A failed check throws {@link InvalidValueException} with the key of the scene format
+ * (or the setting) that holds the value, so that a reader of files can point at its place and a program's author recognises it.
  */
 public final class Check {
     private Check() {}
 
+    /** Throws, with this problem at this key, unless the condition holds. */
     public static void that(boolean condition, String key, String problem) {
         if (!condition) {
             throw new InvalidValueException(key, problem);
@@ -38,6 +39,7 @@ public final class Check {
         }
     }
 
+    /** Neither infinite nor NaN. */
     public static void finite(String key, double v) {
         if (!Double.isFinite(v)) {
             throw new InvalidValueException(key, "must be a finite number, not " + v);

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 
-/** A render's report for people. */
+/** A render's report as a table to read. */
 final class StatsTable {
     private static final double MEBI = 1 << 20;
 
@@ -38,8 +38,8 @@ final class StatsTable {
 
     private void sampling(RenderReport report) {
         RenderReport.Sampling s = report.sampling();
-        boolean own = s.method().equals(report.settings().method());
-        String plain = own ? "" : ", too few for a survey: evenly spaced, as with raytrace";
+        boolean own = s.method() == report.settings().method();
+        String plain = own ? "" : ", too few for a survey: evenly spaced, as with " + s.method();
         line("samples per pixel", "%,18.2f   decided by %s%s", s.samplesPerPixel(), s.decidedBy(), plain);
         line(
                 "estimated error",

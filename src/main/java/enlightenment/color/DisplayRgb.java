@@ -5,27 +5,40 @@ import enlightenment.check.Check;
 /**
  * A display-referred colour: sRGB-encoded components, 0 (none) to 1 (as bright as the screen gets).
  *
- * <p>Classic shading works on these directly, as the paper does; nothing is decoded, so no gamma is applied twice.
+ * <p>Classic shading works on these directly, as the paper does: nothing is decoded or encoded again.
  *
- * @param r red, encoded
- * @param g green, encoded
- * @param b blue, encoded
+ * @param r red, encoded, 0..1
+ * @param g green, encoded, 0..1
+ * @param b blue, encoded, 0..1
  */
 public record DisplayRgb(double r, double g, double b) {
+    /** All components 0. */
     public static final DisplayRgb BLACK = new DisplayRgb(0, 0, 0);
+
+    /** All components 1. */
     public static final DisplayRgb WHITE = new DisplayRgb(1, 1, 1);
 
+    /**
+     * The colour with these components.
+     *
+     * @throws enlightenment.math.InvalidValueException (key {@code r}, {@code g} or {@code b}) for a component outside 0..1 or NaN
+     */
     public DisplayRgb {
         Check.range("r", r, 0, 1);
         Check.range("g", g, 0, 1);
         Check.range("b", b, 0, 1);
     }
 
+    /** The colour with these components, 0..1 each; as the constructor. */
     public static DisplayRgb of(double r, double g, double b) {
         return new DisplayRgb(r, g, b);
     }
 
-    /** The colour with these 8-bit components, 0..255 each. */
+    /**
+     * The colour with these 8-bit components, 0..255 each.
+     *
+     * @throws enlightenment.math.InvalidValueException (key {@code r}, {@code g} or {@code b}) for a component outside 0..255
+     */
     public static DisplayRgb ofBytes(int r, int g, int b) {
         return new DisplayRgb(r / 255.0, g / 255.0, b / 255.0);
     }

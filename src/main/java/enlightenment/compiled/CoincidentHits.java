@@ -6,16 +6,15 @@ import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
 /**
- * The surfaces that lie in one another where a ray hits one of them. Surfaces that are the same in a scene's description
- * (the wall of a glass and that of the water in it, a table's top and the cloth on it) differ by a few units in the last place
- * when they are hit; which of them is hit first means nothing, so they are treated as one. A mutable work object, one per
- * thread.
+ * The surfaces that coincide where a ray hits one of them. Surfaces that are the same in a scene's description (the wall of a
+ * glass and that of the water in it, a table's top and the cloth on it) differ by a few units in the last place when they are
+ * hit; which of them comes first means nothing, so they are treated as one event. A mutable work object, one per thread.
  */
 public final class CoincidentHits {
-    /** Cosine of the angle beyond which two surfaces merely meet in an edge. */
+    /** Surfaces whose normals have a smaller cosine than this only meet in an edge. */
     private static final double SAME_DIRECTION = 0.5;
 
-    /** How far to look for a face that is known to coincide, in tolerances: enough for it never to be missed. */
+    /** How far to search for a face that is known to coincide, in tolerances: enough never to miss it. */
     private static final double REACH = 4;
 
     private final CompiledScene scene;
@@ -30,12 +29,12 @@ public final class CoincidentHits {
         this.scene = scene;
     }
 
-    /** Forgets all surfaces. */
+    /** Removes all surfaces. */
     public void clear() {
         size = 0;
     }
 
-    /** Finds what coincides with a hit: that primitive comes first. */
+    /** Finds the surfaces that coincide with a hit; that of the hit itself comes first. */
     public void find(Ray ray, int id, Hit hit) {
         size = 0;
         add(id, hit);
@@ -53,9 +52,9 @@ public final class CoincidentHits {
     }
 
     /**
-     * Of the opaque surfaces among those that coincide with a hit, makes the one that is seen the hit's.
+     * Replaces a hit on an opaque surface by that on the coincident surface that is seen.
      *
-     * @return its id
+     * @return the id of the primitive that is seen
      */
     int choose(Ray ray, int id, Hit hit) {
         if (scene.isGlass(id, hit.face)) {
@@ -64,7 +63,7 @@ public final class CoincidentHits {
         find(ray, id, hit);
         int best = seen(false);
         Hit chosen = hits[best];
-        // As if nothing else were there: the ray's own crossing, to the last bit.
+        // The ray's own crossing, to the last bit, as if the other surfaces were not there.
         if (best > 0) {
             boolean same = scene.primitives[ids[best]].intersect(ray, own) && own.face == chosen.face;
             hit.set(same ? own : chosen);
@@ -73,9 +72,9 @@ public final class CoincidentHits {
     }
 
     /**
-     * Which of the opaque surfaces is seen: one that is met from outside or is open, before the inside of a solid.
+     * Which of the opaque surfaces is seen: one met from outside, or an open one, before the inside of a solid.
      *
-     * @param metFromOutside whether the inside of solids does not count, but for the first surface's
+     * @param metFromOutside whether the insides of solids do not count, except for the first surface's
      * @return its index, or -1 if none is opaque
      */
     public int seen(boolean metFromOutside) {
@@ -99,7 +98,7 @@ public final class CoincidentHits {
         return best;
     }
 
-    /** Whether the ray has just left the primitive for good. */
+    /** Whether the ray starts on the primitive and cannot meet it again. */
     private static boolean leaves(Ray ray, Primitive p) {
         int side = ray.sideOf(p);
         return side == Ray.OUTSIDE && p.isConvex() || side != 0 && p.isFlat();
@@ -141,15 +140,17 @@ public final class CoincidentHits {
         return size;
     }
 
+    /** The number of surfaces. */
     public int size() {
         return size;
     }
 
+    /** The id of the primitive that surface k belongs to. */
     public int id(int k) {
         return ids[k];
     }
 
-    /** Where the ray meets that surface: its side is the one that the ray arrives on. */
+    /** Where the ray meets surface k; its side is the one that the ray arrives on. */
     public Hit hit(int k) {
         return hits[k];
     }

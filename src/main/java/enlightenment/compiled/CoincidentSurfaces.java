@@ -13,37 +13,37 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Which faces of a scene lie in one another, and which of those that do is seen.
+ * Which faces of a scene coincide, and which of two coincident faces is seen.
  *
  * <p>Whether two faces coincide is decided once, when the scene is compiled, by their support surfaces: never by the t of two
- * crossings, whose last bits would make it noise. Coincident are faces whose surfaces are no farther apart than roundings can
- * put one and the same surface; whatever is farther apart is a gap.
+ * crossings, whose last bits are noise. Faces coincide if their surfaces are no farther apart than rounding can move copies of
+ * the same surface; if they are farther apart, there is a gap.
  *
- * <p>The rule of what is seen (docs/geometry.md): of opaque faces in the same place the one with the smaller
- * {@linkplain SupportSurface#extent outline}, so that a carpet shows on the floor and a poster on the wall; if they are alike,
- * the first in the alphabetical order of their materials. What is opaque hides what is glass.
+ * <p>What is seen (docs/geometry.md): of opaque faces in the same place the one of smaller {@linkplain SupportSurface#extent
+ * extent}, so that a carpet shows on the floor and a poster on the wall; at equal extents, the first in alphabetical order of
+ * material. An opaque face hides one of glass.
  */
 public final class CoincidentSurfaces {
     /**
-     * Bounds the distance of two placed copies of one surface, in units of the largest coordinate: hit points are within 8 units
-     * in the last place (16 times the unit roundoff) of it, so are corners, and a radius may be written with an ulp more.
+     * Bounds the distance of two placed copies of the same surface, in units of the largest coordinate: hit points are within 8
+     * units in the last place (16 times the unit roundoff) of it, so are corners, and a radius may be off by another ulp.
      */
     private static final double SAME_PLACE = Scale.gamma(64);
 
     private static final int[] NONE = {};
 
-    /** How the faces of one pair are kept: this primitive's face, the other primitive, its face. */
+    /** Numbers per entry: this primitive's face, the other primitive, that one's face. */
     static final int ENTRY = 3;
 
     private final CompiledPrimitives compiled;
 
-    /** By id: entries of the faces that lie in one of its own, by ascending id; null as a whole if there are none. */
+    /** By id: entries of the faces that coincide with its own, by ascending id; null as a whole if there are none. */
     private int[][] entries;
 
-    /** By id: for each entry how far the two surfaces may be apart. */
+    /** By id: for each entry, how far apart the two surfaces may be. */
     private double[][] tolerances;
 
-    /** By id: the place of each face in the order of what is seen; null where nothing coincides. */
+    /** By id: the rank of each face, the lowest is seen; null where nothing coincides. */
     private int[][] order;
 
     private CoincidentSurfaces(CompiledPrimitives compiled) {
@@ -66,26 +66,26 @@ public final class CoincidentSurfaces {
         return entries != null && entries[id] != null;
     }
 
-    /** For each coincidence of the primitive three numbers: its face, the other primitive, and that one's face. */
+    /** For each coincidence of the primitive, three numbers: its face, the other primitive, that one's face. */
     int[] of(int id) {
         return concerns(id) ? entries[id] : NONE;
     }
 
-    /** For each coincidence of the primitive how far the two surfaces may be apart, a length in the frame. */
+    /** For each coincidence of the primitive, how far apart the two surfaces may be: a length in the frame. */
     double[] tolerancesOf(int id) {
         return tolerances[id];
     }
 
     /** Whether the first of two coincident opaque faces is seen rather than the second. */
     boolean precedes(int id, int face, int other, int otherFace) {
-        return place(id, face) < place(other, otherFace);
+        return rank(id, face) < rank(other, otherFace);
     }
 
-    private int place(int id, int face) {
+    private int rank(int id, int face) {
         return order == null || order[id] == null ? 0 : order[id][face];
     }
 
-    /** Looks for the pairs. */
+    /** Finds the pairs. */
     private final class Finder {
         private final Primitive[] primitives = compiled.primitives();
         private final Bvh bvh;
@@ -103,7 +103,7 @@ public final class CoincidentSurfaces {
             List<Integer> whole = new ArrayList<>();
             List<Integer> others = new ArrayList<>();
             for (int id = 0; id < primitives.length; id++) {
-                (isWhole(primitives[id]) ? whole : others).add(id);
+                (primitives[id].isWhole() ? whole : others).add(id);
             }
             findWhole(whole);
             if (bvh == null) {
@@ -116,11 +116,7 @@ public final class CoincidentSurfaces {
             }
         }
 
-        /** Spheres and tori coincide only as wholes, so their centres do. */
-        private static boolean isWhole(Primitive p) {
-            return p.faceCount() == 1 && !p.isFlat() && !(p instanceof enlightenment.primitive.AxialPrimitive);
-        }
-
+        /** Whole surfaces coincide only if their centres do: a sweep along x. */
         private void findWhole(List<Integer> ids) {
             ids.sort(Comparator.comparingDouble(
                     (Integer id) -> bounds[id].center().x()));
@@ -129,7 +125,7 @@ public final class CoincidentSurfaces {
                 double x = bounds[a].center().x();
                 for (int k = i + 1; k < ids.size(); k++) {
                     int b = ids.get(k);
-                    // Twice: the boxes' centres are rounded once more.
+                    // Twice the tolerance, because the boxes' centres are rounded once more.
                     if (bounds[b].center().x() - x > 2 * tolerance(bounds[a], bounds[b])) {
                         break;
                     }
@@ -154,7 +150,7 @@ public final class CoincidentSurfaces {
                 bvh.overlapping(widened(bounds[id], by), query);
                 for (int k = 0; k < query.size(); k++) {
                     int other = query.get(k);
-                    if (other > id && !isWhole(primitives[other])) {
+                    if (other > id && !primitives[other].isWhole()) {
                         compare(id, other);
                     }
                 }
@@ -209,14 +205,18 @@ public final class CoincidentSurfaces {
             List<Face> faces = new ArrayList<>();
             for (int id = 0; id < entries.length; id++) {
                 for (int face = 0; concerns(id) && face < primitives[id].faceCount(); face++) {
-                    faces.add(new Face(id, face, supports(id)[face].extent(), compiled.material(id, face)));
+                    faces.add(new Face(
+                            id,
+                            face,
+                            supports(id)[face].extent(),
+                            compiled.materials().of(id, face)));
                 }
             }
             faces.sort(Comparator.comparingDouble(f -> f.extent));
             int size = 0;
             double last = 0;
             for (Face f : faces) {
-                // Extents that roundings alone may make differ are alike: a chain of them is one size.
+                // Extents that differ only by rounding are equal: a chain of them is one size.
                 double same = Face.ROUNDINGS * tolerance(bounds[f.id], bounds[f.id]);
                 size += f.extent - last > same ? 1 : 0;
                 last = f.extent;
@@ -234,13 +234,14 @@ public final class CoincidentSurfaces {
         }
     }
 
+    /** The box with every face moved outwards. */
     static Bounds widened(Bounds box, double by) {
         Vec3 d = new Vec3(by, by, by);
         return new Bounds(box.min().minus(d), box.max().plus(d));
     }
 
     private static final class Face {
-        /** How many roundings of a coordinate an extent may sum up, in tolerances. */
+        /** Bounds the roundings accumulated in an extent, in tolerances. */
         static final int ROUNDINGS = 16;
 
         static final Comparator<Face> SEEN_FIRST = Comparator.<Face, Boolean>comparing(f -> f.isGlass)

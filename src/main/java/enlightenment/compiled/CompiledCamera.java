@@ -8,12 +8,12 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 
 /**
- * A camera in the scene's frame: for a position in the picture, the ray that is seen there.
+ * A camera in the scene's frame: it makes the ray of a position in the picture.
  *
- * <p>All cameras are one affine form: origin and direction are linear in the position (x, y), 0..1 from the upper left.
+ * <p>All cameras have one affine form: origin and direction are linear in the position (x, y), 0..1 from the upper left.
  */
 public final class CompiledCamera {
-    /** Rays of the isometric view start this far behind; every coordinate of the frame is below 2. */
+    /** Rays of the isometric view start this far behind the picture's plane: every coordinate of the frame is below 2. */
     private static final double BEHIND_EVERYTHING = -16;
 
     private final Vec3 origin;
@@ -35,6 +35,12 @@ public final class CompiledCamera {
         this.tMin = tMin;
     }
 
+    /**
+     * The camera in a frame whose origin is {@link Camera#origin}.
+     *
+     * @param width the picture's width in pixels
+     * @param height its height; cameras without a window take the aspect ratio from the picture
+     */
     static CompiledCamera of(Camera camera, SceneFrame frame, int width, int height) {
         if (camera instanceof Camera.Window w) {
             return window(w, frame);
@@ -47,18 +53,19 @@ public final class CompiledCamera {
             return parallel(
                     new View(o.eye().directionTo(o.lookAt()), o.up()), frame.toFrame(o.height()) / 2, aspect, 0);
         }
-        Camera.Isometric i = (Camera.Isometric) camera;
-        // An upright edge of length 1 is sqrt(2/3) high when seen along (1, -1, 1); the drawing's units make it 1
-        // again.
-        double half = frame.toFrame(i.height()) / 2 * Math.sqrt(2.0 / 3);
-        return parallel(new View(new Vec3(1, -1, 1), Vec3.Y), half, aspect, BEHIND_EVERYTHING);
+        if (camera instanceof Camera.Isometric i) {
+            // Seen along (1, -1, 1), an upright edge of length 1 is √(2/3) high; in units of the drawing it is 1.
+            double half = frame.toFrame(i.height()) / 2 * Math.sqrt(2.0 / 3);
+            return parallel(new View(new Vec3(1, -1, 1), Vec3.Y), half, aspect, BEHIND_EVERYTHING);
+        }
+        throw new AssertionError("no compiled form of the camera " + camera.type());
     }
 
     private static CompiledCamera window(Camera.Window w, SceneFrame frame) {
         Vec3 upperLeft = frame.toFrame(w.upperLeft());
         Vec3 right = frame.toFrame(w.upperRight()).minus(upperLeft);
         Vec3 down = frame.toFrame(w.lowerLeft()).minus(upperLeft);
-        // The eye is the frame's origin; t = 1 is the window, and what stands before it is not seen.
+        // The eye is the frame's origin; t = 1 is the window, and what lies before it is not seen.
         return new CompiledCamera(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, upperLeft, right, down, 1);
     }
 
@@ -90,7 +97,7 @@ public final class CompiledCamera {
         return Bounds.around(box.center(), box.extent());
     }
 
-    /** Sets the ray that is seen at (x, y): 0..1 from the picture's upper left corner. */
+    /** Sets the ray through (x, y), 0..1 from the picture's upper left corner. */
     public void ray(double x, double y, Ray ray) {
         ray.set(
                 Math.fma(x, originX.x(), Math.fma(y, originY.x(), origin.x())),

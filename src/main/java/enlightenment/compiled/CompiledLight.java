@@ -3,8 +3,11 @@ package enlightenment.compiled;
 import enlightenment.color.DisplayRgb;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
 import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
@@ -21,13 +24,19 @@ public final class CompiledLight {
 
     /** The light's form. */
     public enum Kind {
+        /** A glowing ball. */
         SPHERE,
+        /** A glowing parallelogram. */
         RECTANGLE,
+        /** A light without extent. */
         POINT
     }
 
     public final Kind kind;
+
+    /** The display-referred colour, 0..1. */
     public final double r;
+
     public final double g;
     public final double b;
 
@@ -40,25 +49,25 @@ public final class CompiledLight {
     /** Radius of a sphere; 0 otherwise. */
     public final double radius;
 
-    /** Edges of a rectangle. */
+    /** Edges of a rectangle, from its lower left corner; zero otherwise. */
     public final Vec3 right;
 
     public final Vec3 up;
 
-    /** A ball around the light. */
+    /** Centre and radius of a ball around the light. */
     public final double ballX;
 
     public final double ballY;
     public final double ballZ;
     public final double ballRadius;
 
-    /** What a viewer sees, or null where nothing can be seen. */
+    /** The surface that rays meet; null for a light that cannot be seen. */
     public final Primitive surface;
 
     /** Bounds the sum of the absolute coordinates of any of its points. */
     private final double bound;
 
-    /** By id: on which sides of flat primitives' planes the light lies ({@link #sidesOf}); null where that is asked rarely. */
+    /** By id: the {@link #sidesOf} flat primitives' planes that the light lies on; null if they are computed when needed. */
     byte[] sides;
 
     private final EndFaces lyingOn = new EndFaces();
@@ -75,7 +84,7 @@ public final class CompiledLight {
             kind = Kind.SPHERE;
             at = frame.toFrame(s.center());
             radius = Sizes.inFrame(s.radius(), frame);
-            surface = Primitives.place(new enlightenment.geometry.Sphere(s.center(), s.radius(), 0), frame);
+            surface = Primitives.place(Sphere.of(s.center(), s.radius()), frame);
         } else if (light instanceof Light.Rectangle q) {
             kind = Kind.RECTANGLE;
             at = frame.toFrame(q.lowerLeft());
@@ -84,13 +93,14 @@ public final class CompiledLight {
             toTop = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.upperLeft());
             radius = 0;
             surface = Primitives.place(
-                    new enlightenment.geometry.Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight()),
-                    frame);
-        } else {
+                    new Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight()), frame);
+        } else if (light instanceof Light.Point p) {
             kind = Kind.POINT;
-            at = frame.toFrame(((Light.Point) light).position());
+            at = frame.toFrame(p.position());
             radius = 0;
             surface = null;
+        } else {
+            throw new AssertionError("no compiled form of the light " + light.type());
         }
         x = at.x();
         y = at.y();
@@ -104,15 +114,15 @@ public final class CompiledLight {
         double half = 0.5
                 * Math.max(toRight.plus(toTop).length(), toRight.minus(toTop).length());
         bound = 3 * bounds().maxAbs();
-        ballRadius = radius + half * (1 + enlightenment.numeric.Scale.gamma(16));
+        ballRadius = radius + half * (1 + Scale.gamma(16));
     }
 
-    /** The faces that the light lies on, so that they do not hide it. */
+    /** The faces that the light lies on: they do not occlude it. */
     public EndFaces lyingOn() {
         return lyingOn;
     }
 
-    /** Finds the faces of these primitives that the light lies on: that coincide with it or, a point, go through it. */
+    /** Finds the faces of these primitives that the light lies on: that coincide with it or, for a point, pass through it. */
     void lieOn(Primitive[] primitives) {
         Bounds own = bounds();
         SupportSurface shape = surface == null ? null : surface.support(0);
@@ -136,20 +146,20 @@ public final class CompiledLight {
     }
 
     /**
-     * On which side of a plane the light lies: {@link #ABOVE} if no point of it is below, {@link #BELOW} if none is above, both if
-     * all are in it.
+     * The sides of a plane that the light lies on: {@link #ABOVE} if no point of it is below, {@link #BELOW} if none is above, both
+     * if all are in it.
      *
      * @param offset n·q for the plane's points q, where n = (nx, ny, nz) is its unit normal
-     * @param error bounds the rounding of a distance from the plane, in units of the coordinates that are summed up
+     * @param error bounds the rounding of a distance from the plane, relative to the coordinates involved
      */
     byte sidesOf(double nx, double ny, double nz, double offset, double error) {
         double there = nx * x + ny * y + nz * z - offset;
         double toRight = nx * right.x() + ny * right.y() + nz * right.z();
         double toTop = nx * up.x() + ny * up.y() + nz * up.z();
         double least = there - radius + Math.min(toRight, 0) + Math.min(toTop, 0);
-        double greatest = there + radius + Math.max(toRight, 0) + Math.max(toTop, 0);
+        double largest = there + radius + Math.max(toRight, 0) + Math.max(toTop, 0);
         double slack = error * (bound + Math.abs(offset));
-        return (byte) ((least >= -slack ? ABOVE : 0) | (greatest <= slack ? BELOW : 0));
+        return (byte) ((least >= -slack ? ABOVE : 0) | (largest <= slack ? BELOW : 0));
     }
 
     /** A box around the light. */

@@ -18,19 +18,17 @@ import java.util.stream.Collectors;
  * The objects of a scene as primitives in canonical order, with their materials.
  *
  * @param primitives the primitives by id
- * @param firstMaterial for each id, where its materials begin; one entry more than primitives
- * @param materials one per primitive, or one per face
+ * @param materials the materials by id and face
  * @param kind by id: index into {@code kindNames}
- * @param kindNames the kinds of shapes that there are
+ * @param kindNames the kinds of shapes in the scene
  * @param glassSolids ids of solids made of glass
- * @param object by id: the place of its object in the scene's list
- * @param objects how many objects there are, twins included
- * @param mediumRank by id: rank among the glass solids, smaller fills overlaps; empty where there is no glass
+ * @param object by id: the index of its object in the scene's list
+ * @param objects the number of objects in the scene's list, duplicates included
+ * @param mediumRank by id: rank among the glass solids, the smallest fills overlaps; empty if there is no glass
  */
 record CompiledPrimitives(
         Primitive[] primitives,
-        int[] firstMaterial,
-        SurfaceMaterial[] materials,
+        FaceMaterials materials,
         int[] kind,
         List<String> kindNames,
         int[] glassSolids,
@@ -41,7 +39,7 @@ record CompiledPrimitives(
     private record Entry(
             int index, SceneObject object, Primitive primitive, double[] parameters, List<SurfaceMaterial> surfaces) {}
 
-    /** Kind, then numbers, then material: nothing that depends on names or on the order in the file. */
+    /** By kind, then parameters, then material: nothing that depends on names or on the order in the file. */
     private static final class Canonical implements Comparator<Entry> {
         @Override
         public int compare(Entry a, Entry b) {
@@ -53,7 +51,7 @@ record CompiledPrimitives(
             if (byNumbers != 0) {
                 return byNumbers;
             }
-            // Of things in one and the same place, what is opaque hides what is glass.
+            // Of two surfaces in the same place, an opaque one hides one of glass.
             int byGlass = Boolean.compare(isGlass(a), isGlass(b));
             return byGlass != 0 ? byGlass : appearance(a).compareTo(appearance(b));
         }
@@ -67,12 +65,6 @@ record CompiledPrimitives(
         }
     }
 
-    /** The material of a face of a primitive. */
-    SurfaceMaterial material(int id, int face) {
-        int first = firstMaterial[id];
-        return materials[firstMaterial[id + 1] - first == 1 ? first : first + face];
-    }
-
     static CompiledPrimitives of(List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces) {
         Entry[] entries = new Entry[objects.size()];
         for (int i = 0; i < entries.length; i++) {
@@ -84,49 +76,37 @@ record CompiledPrimitives(
             entries[i] = new Entry(i, o, p, p.parameters(), of);
         }
         Arrays.sort(entries, new Canonical());
-        entries = withoutTwins(entries);
-        Primitive[] primitives = new Primitive[entries.length];
-        int[] first = new int[entries.length + 1];
-        List<SurfaceMaterial> materials = new ArrayList<>(entries.length);
-        for (int i = 0; i < entries.length; i++) {
-            primitives[i] = entries[i].primitive;
-            first[i] = materials.size();
-            materials.addAll(entries[i].surfaces);
-        }
-        first[entries.length] = materials.size();
+        return of(withoutDuplicates(entries), objects.size());
+    }
+
+    private static CompiledPrimitives of(Entry[] entries, int objects) {
+        Primitive[] primitives = Arrays.stream(entries).map(Entry::primitive).toArray(Primitive[]::new);
+        FaceMaterials materials =
+                new FaceMaterials(Arrays.stream(entries).map(Entry::surfaces).toList());
         List<String> kindNames = new ArrayList<>();
         int[] kind = new int[entries.length];
         for (int i = 0; i < entries.length; i++) {
             String type = entries[i].object.shape().type();
             if (kindNames.isEmpty() || !kindNames.get(kindNames.size() - 1).equals(type)) {
-                // Entries are sorted by kind.
+                // Entries are sorted by kind, so each kind is one run.
                 kindNames.add(type);
             }
             kind[i] = kindNames.size() - 1;
         }
-        SurfaceMaterial[] flat = materials.toArray(SurfaceMaterial[]::new);
-        int[] glass = glassSolids(primitives, first, flat);
+        int[] glass = glassSolids(primitives, materials);
         int[] object = Arrays.stream(entries).mapToInt(Entry::index).toArray();
         return new CompiledPrimitives(
-                primitives,
-                first,
-                flat,
-                kind,
-                kindNames,
-                glass,
-                object,
-                objects.size(),
-                ranks(primitives, first, flat, glass));
+                primitives, materials, kind, kindNames, glass, object, objects, ranks(primitives, materials, glass));
     }
 
-    /** Fails if one of the objects has no place in the frame. */
+    /** Throws if one of the objects cannot be placed in the frame. */
     static void check(List<SceneObject> objects, SceneFrame frame) {
         for (int i = 0; i < objects.size(); i++) {
             place(objects.get(i), i, frame);
         }
     }
 
-    /** The primitive of the object at an index; what it refuses is told with the object's place in the scene. */
+    /** The primitive of the object at an index; the key of an invalid value becomes relative to the scene. */
     private static Primitive place(SceneObject object, int index, SceneFrame frame) {
         try {
             return Primitives.place(object.shape(), frame);
@@ -135,16 +115,16 @@ record CompiledPrimitives(
         }
     }
 
-    /** Of several things with exactly the same surface, the first: the others would only shine through by rounding. */
-    private static Entry[] withoutTwins(Entry[] sorted) {
+    /** Of several objects with exactly the same surface, the first: the others would only shine through by rounding. */
+    private static Entry[] withoutDuplicates(Entry[] sorted) {
         List<Entry> kept = new ArrayList<>(sorted.length);
         Entry last = null;
         for (Entry e : sorted) {
-            boolean twin = last != null
+            boolean duplicate = last != null
                     && last.primitive.getClass() == e.primitive.getClass()
                     && last.object.shape().type().equals(e.object.shape().type())
                     && Arrays.equals(last.parameters, e.parameters);
-            if (!twin) {
+            if (!duplicate) {
                 kept.add(e);
                 last = e;
             }
@@ -152,25 +132,25 @@ record CompiledPrimitives(
         return kept.toArray(Entry[]::new);
     }
 
-    private static int[] glassSolids(Primitive[] primitives, int[] first, SurfaceMaterial[] materials) {
+    private static int[] glassSolids(Primitive[] primitives, FaceMaterials materials) {
         int[] glass = new int[primitives.length];
         int n = 0;
         for (int i = 0; i < primitives.length; i++) {
-            if (primitives[i].isSolid() && materials[first[i]].kind == SurfaceMaterial.Kind.GLASS) {
+            if (primitives[i].isSolid() && materials.of(i, 0).kind == SurfaceMaterial.Kind.GLASS) {
                 glass[n++] = i;
             }
         }
         return Arrays.copyOf(glass, n);
     }
 
-    private static int[] ranks(Primitive[] primitives, int[] first, SurfaceMaterial[] materials, int[] glass) {
+    private static int[] ranks(Primitive[] primitives, FaceMaterials materials, int[] glass) {
         if (glass.length == 0) {
             return new int[0];
         }
         Integer[] order = Arrays.stream(glass).boxed().toArray(Integer[]::new);
         Arrays.sort(
                 order,
-                Comparator.<Integer>comparingInt(i -> -materials[first[i]].priority)
+                Comparator.<Integer>comparingInt(i -> -materials.of(i, 0).priority)
                         .thenComparingDouble(i -> size(primitives[i]))
                         .thenComparingInt(i -> i));
         int[] rank = new int[primitives.length];

@@ -12,12 +12,12 @@ import java.util.List;
 /**
  * A scene made ready for rendering: only what it requires, in flat arrays. Immutable, shared by all threads.
  *
- * <p>Primitives stand in a canonical order that does not depend on the order in the scene file, so that neither does the
+ * <p>Primitives are in a canonical order that does not depend on the order in the scene file, so that neither does the
  * picture.
  */
 public final class CompiledScene {
-    /** How far boxes are widened, in units of the largest coordinate: more than two surfaces' roundings together. */
-    private static final double WIDER = Scale.gamma(128);
+    /** How far boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
+    private static final double WIDENING = Scale.gamma(128);
 
     public final SceneFrame frame;
     public final CompiledCamera camera;
@@ -32,24 +32,21 @@ public final class CompiledScene {
     /** The primitives by id. */
     public final Primitive[] primitives;
 
-    /** Boxes around the primitives by id; empty where a hierarchy has them. */
+    /** Boxes around the primitives by id; empty if there is a hierarchy, which has its own. */
     final Bounds[] bounds;
 
-    /** For each id, where its faces' materials begin in {@link #materials}. */
-    private final int[] firstMaterial;
-
-    private final SurfaceMaterial[] materials;
+    private final FaceMaterials materials;
 
     /** The hierarchy over the primitives, or null where a plain loop is faster. */
     public final Bvh bvh;
 
-    /** What may stand before a light. */
+    /** Finds the primitives that may occlude a light. */
     final OccluderSet occluders;
 
     /** By id: the kind of shape, an index into {@link #kindNames}. */
     public final int[] kind;
 
-    /** The kinds of shapes that there are. */
+    /** The kinds of shapes in the scene. */
     public final List<String> kindNames;
 
     /** Ids of solids made of glass. */
@@ -58,7 +55,7 @@ public final class CompiledScene {
     /** Ids of those glass solids that a camera ray may start in. */
     public final int[] cameraSolids;
 
-    /** Which faces lie in one another. */
+    /** Which faces coincide. */
     public final CoincidentSurfaces coincident;
 
     /** Whether a light that can be seen lies on a face of a primitive. */
@@ -67,13 +64,13 @@ public final class CompiledScene {
     /** By id: boxes around glass solids, a little wider than they are; null for others. */
     private final Bounds[] glassBounds;
 
-    /** By id: rank of a glass solid in overlaps, the smallest fills them; see {@link enlightenment.material.Material.Glass}. */
+    /** By id: rank of a glass solid, the smallest fills overlaps; see {@link enlightenment.material.Material.Glass#priority}. */
     public final int[] mediumRank;
 
-    /** By id: the place of its object in the scene's list, counted from 0. */
+    /** By id: the index of its object in the scene's list, from 0. */
     public final int[] object;
 
-    /** How many objects the scene's list has, those included that are hidden by twins in the same place. */
+    /** The number of objects in the scene's list, including duplicates of which only one became a primitive. */
     public final int objects;
 
     private final List<String> features;
@@ -93,7 +90,6 @@ public final class CompiledScene {
         this.shading = shading;
         this.lights = lights;
         this.primitives = compiled.primitives();
-        this.firstMaterial = compiled.firstMaterial();
         this.materials = compiled.materials();
         this.kind = compiled.kind();
         this.kindNames = compiled.kindNames();
@@ -102,16 +98,9 @@ public final class CompiledScene {
         object = compiled.object();
         objects = compiled.objects();
         this.bvh = bvh;
-        CompiledLight[] visible = new CompiledLight[lights.length];
-        int seen = 0;
-        for (CompiledLight light : lights) {
-            if (light.surface != null) {
-                visible[seen++] = light;
-            }
-        }
-        visibleLights = Arrays.copyOf(visible, seen);
-        lightBounds = new Bounds[seen];
-        for (int i = 0; i < seen; i++) {
+        visibleLights = visible(lights);
+        lightBounds = new Bounds[visibleLights.length];
+        for (int i = 0; i < lightBounds.length; i++) {
             lightBounds[i] = visibleLights[i].bounds();
         }
         bounds = new Bounds[bvh == null ? primitives.length : 0];
@@ -129,22 +118,36 @@ public final class CompiledScene {
         for (int id : glassSolids) {
             glassBounds[id] = widened(primitives[id].bounds());
         }
-        Bounds start = camera.startBounds();
-        int[] solids = new int[glassSolids.length];
-        int n = 0;
-        for (int id : glassSolids) {
-            if (glassBounds[id].overlaps(start)) {
-                solids[n++] = id;
-            }
-        }
-        cameraSolids = Arrays.copyOf(solids, n);
+        cameraSolids = solidsThatOverlap(camera.startBounds());
         occluders = new OccluderSet(primitives, lights, bvh);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }
 
+    private static CompiledLight[] visible(CompiledLight[] lights) {
+        CompiledLight[] visible = new CompiledLight[lights.length];
+        int n = 0;
+        for (CompiledLight light : lights) {
+            if (light.surface != null) {
+                visible[n++] = light;
+            }
+        }
+        return Arrays.copyOf(visible, n);
+    }
+
+    private int[] solidsThatOverlap(Bounds box) {
+        int[] solids = new int[glassSolids.length];
+        int n = 0;
+        for (int id : glassSolids) {
+            if (glassBounds[id].overlaps(box)) {
+                solids[n++] = id;
+            }
+        }
+        return Arrays.copyOf(solids, n);
+    }
+
     private static Bounds widened(Bounds box) {
-        return CoincidentSurfaces.widened(box, WIDER * box.maxAbs());
+        return CoincidentSurfaces.widened(box, WIDENING * box.maxAbs());
     }
 
     /** A box around a solid of glass, a little wider than it. */
@@ -152,23 +155,22 @@ public final class CompiledScene {
         return glassBounds[glassSolid];
     }
 
-    /** Whether a face of a primitive is of glass. */
+    /** Whether a face of a primitive is made of glass. */
     public boolean isGlass(int id, int face) {
         return material(id, face).kind == SurfaceMaterial.Kind.GLASS;
     }
 
     /** The material of a face of a primitive. */
     public SurfaceMaterial material(int id, int face) {
-        int first = firstMaterial[id];
-        return materials[firstMaterial[id + 1] - first == 1 ? first : first + face];
+        return materials.of(id, face);
     }
 
-    /** What the scene requires and is modelled, in plain words. */
+    /** The features that are modelled because the scene requires them, in plain words. */
     public List<String> features() {
         return features;
     }
 
-    /** What is left out because the scene does not require it, in plain words. */
+    /** The features that are left out because the scene does not require them, in plain words. */
     public List<String> absent() {
         return absent;
     }

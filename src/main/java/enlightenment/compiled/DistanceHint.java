@@ -8,13 +8,13 @@ import enlightenment.scene.Scene;
 import java.util.List;
 
 /**
- * Tells where a view is so narrow that doubles cannot tell the directions of neighbouring pixels apart: what is more than about
- * 1e14 times its size away is then seen askew, or lost. Along a coordinate axis there is no limit of the kind, because there
- * the small components of a direction are exact however small they are.
+ * A hint for a view so narrow that doubles cannot distinguish the directions of neighbouring pixels: objects farther away than
+ * about 1e14 times their size are then distorted or lost. Along a coordinate axis there is no such limit, because the small
+ * components of a direction are exact there however small they are.
  */
 final class DistanceHint {
-    /** Rounding may displace what is seen by this part of a pixel's height before it is worth a word. */
-    private static final double PART_OF_A_PIXEL = 1.0 / 16;
+    /** Rounding that displaces the picture by less than this part of a pixel's height gets no hint. */
+    private static final double NEGLIGIBLE = 1.0 / 16;
 
     private DistanceHint() {}
 
@@ -26,15 +26,16 @@ final class DistanceHint {
         Vec3 direction = new Vec3(middle.dx, middle.dy, middle.dz);
         Vec3 turn = new Vec3(next.dx, next.dy, next.dz).minus(direction);
         Vec3 shift = new Vec3(next.ox, next.oy, next.oz).minus(new Vec3(middle.ox, middle.oy, middle.oz));
-        // Rays that meet in the eye part in proportion to the distance, as rounding does; parallel ones do not.
+        // Rays from one eye diverge in proportion to the distance, as rounding errors do; parallel rays do not.
         double step = turn.maxAbs() > 0 ? turn.length() / direction.length() : shift.length() / farthest(compiled);
-        // No direction at all is left of a window that is nothing beside the scene.
-        if (direction.maxAbs() > 0 && !(askew(direction) > PART_OF_A_PIXEL * step)) {
+        // A window that is tiny beside the scene may round to no direction at all.
+        if (direction.maxAbs() > 0 && !(directionError(direction) > NEGLIGIBLE * step)) {
             return List.of();
         }
-        return List.of("/camera: beside the distance of what is seen, the view is so narrow that numbers cannot tell"
-                + " neighbouring pixels apart; what is farther than 1e14 times its size is seen askew or lost, unless the camera"
-                + " looks along a coordinate axis: move it closer");
+        return List.of(
+                "/camera: the view is so narrow, for the distance of what it shows, that doubles cannot distinguish"
+                        + " neighbouring pixels; objects farther away than 1e14 times their size are distorted or lost, unless the"
+                        + " camera looks along a coordinate axis: move it closer");
     }
 
     private static double farthest(CompiledScene compiled) {
@@ -45,16 +46,16 @@ final class DistanceHint {
         return distance;
     }
 
-    /** By how much rounding to a double may turn a direction: what is rounded along it does not. */
-    private static double askew(Vec3 direction) {
+    /** The largest angle by which rounding its components may turn a direction: errors along it do not turn it. */
+    private static double directionError(Vec3 direction) {
         Vec3 d = direction.normalized();
-        double most = 0;
+        double largest = 0;
         for (int k = 0; k < 3; k++) {
             double p = d.component((k + 1) % 3);
             double q = d.component((k + 2) % 3);
             double across = Math.sqrt(p * p + q * q);
-            most = Math.max(most, Math.abs(d.component(k)) * across);
+            largest = Math.max(largest, Math.abs(d.component(k)) * across);
         }
-        return Scale.UNIT_ROUNDOFF * most;
+        return Scale.UNIT_ROUNDOFF * largest;
     }
 }

@@ -2,20 +2,20 @@ package enlightenment.compiled;
 
 import enlightenment.frame.BallCone;
 
-/** How a light is seen from a point: the cone around the ball that encloses it. */
+/** The cone of directions in which a light is seen from a point: that of the ball around it. */
 public final class LightCone extends BallCone {
     private CompiledLight light;
 
     /** A cone to be aimed before use. */
     public LightCone() {}
 
-    /** Looks at a light from (x, y, z). */
+    /** Sets the cone from the apex (px, py, pz) around a light. */
     public void aim(CompiledLight light, double px, double py, double pz) {
         this.light = light;
         set(light.ballX, light.ballY, light.ballZ, light.ballRadius, px, py, pz);
     }
 
-    /** The light that is looked at. */
+    /** The light that the cone is around. */
     CompiledLight light() {
         return light;
     }

@@ -10,20 +10,20 @@ import enlightenment.primitive.SpherePrimitive;
 import enlightenment.primitive.SupportSurface;
 
 /**
- * Which primitives can stand between a point and a light.
+ * Finds the primitives that can occlude a light from a point.
  *
  * <p>For a point P and a light inside a ball, every shadow ray runs inside the cone with apex P around the ball. A
- * primitive whose bounding ball keeps clear of that cone can block none of them. Bounds are conservative: a candidate
+ * primitive whose bounding ball does not intersect that cone can block none of them. Bounds are conservative: a candidate
  * too many costs a test, one too few would be a wrong picture. See docs/occluders.md.
  *
- * <p>A flat primitive (a wall of the room) blocks none of them if point and light lie on the same side of its plane. That is told
- * by the two alone: whatever else there is in the scene changes nothing.
+ * <p>A flat primitive (a wall of the room) blocks none of them if point and light lie on the same side of its plane. That depends
+ * only on the two: nothing else in the scene changes it.
  */
 final class OccluderSet {
-    /** What {@link #gather} returns where one ball hides the whole light, so that no ray is needed to know it. */
+    /** What {@link #gather} returns if one ball occludes the whole light, so that no ray is needed. */
     static final int ALL_BLOCKED = -1;
 
-    /** Bounds the rounding of a distance from a plane, in units of the coordinates that are summed up. */
+    /** Bounds the rounding of a distance from a plane, relative to the coordinates involved. */
     private static final double PLANE_ERROR = Scale.gamma(16);
 
     private final int count;
@@ -31,7 +31,7 @@ final class OccluderSet {
     /** By id: centre and radius of a ball around the primitive. */
     private final double[] balls;
 
-    /** By id: whether the primitive is that ball, so that it blocks what the ball blocks. */
+    /** By id: whether the primitive is that ball itself. */
     private final boolean[] isBall;
 
     private final Bvh bvh;
@@ -95,13 +95,13 @@ final class OccluderSet {
     }
 
     /**
-     * Collects the primitives that may stand between the cone's apex and the light.
+     * Collects the primitives that may occlude the light from the cone's apex.
      *
-     * @param cone how the light is seen
-     * @param starts begins with the ids of primitives that are known not to
-     * @param startCount how many these are
-     * @param query receives their ids
-     * @return how many there are, or {@link #ALL_BLOCKED}
+     * @param cone the cone around the light
+     * @param starts begins with the ids of primitives that are known not to occlude it
+     * @param startCount the number of these
+     * @param query receives the ids
+     * @return the number of ids, or {@link #ALL_BLOCKED}
      */
     int gather(LightCone cone, int[] starts, int startCount, BvhQuery query) {
         query.clear();
@@ -134,7 +134,7 @@ final class OccluderSet {
         return false;
     }
 
-    /** Adds a primitive if it may stand in the way; true if it hides the light wholly. */
+    /** Adds a primitive if it may occlude the light; true if it certainly occludes all of it. */
     private boolean add(LightCone cone, int id, BvhQuery query) {
         if (isFlat[id] && staysBeside(cone, id)) {
             return false;
@@ -155,7 +155,7 @@ final class OccluderSet {
 
     /**
      * Whether no segment from the apex to the light crosses the plane of a flat primitive: both lie on the same side of it, or
-     * one of them in it. A segment that only starts or ends in a plane does not cross it.
+     * one of them lies in it. A segment that only starts or ends in the plane does not cross it.
      */
     private boolean staysBeside(LightCone cone, int id) {
         CompiledLight light = cone.light();

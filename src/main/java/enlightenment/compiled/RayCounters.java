@@ -2,35 +2,51 @@ package enlightenment.compiled;
 
 import java.util.Arrays;
 
-/** What one thread counted. Plain fields; added up in the order of threads when all is done. */
+/** What one thread counted: plain fields, summed over the threads at the end. */
 public final class RayCounters {
+    /** Camera rays shaded. */
     public long cameraRays;
+
+    /** Rays reflected by mirrors, and totally in glass. */
     public long mirrorRays;
+
+    /** Rays refracted. */
     public long refractedRays;
+
+    /** Shadow rays traced. */
     public long shadowRays;
+
+    /** Light samples taken. */
     public long lightSamples;
+
+    /** Those of them whose visibility was known without a shadow ray. */
     public long lightSamplesWithoutRay;
+
+    /** Lookups of image textures. */
     public long textureLookups;
 
-    /** Light points that ray clusters proposed, and those of them that were the kind they sought. */
+    /** Light samples proposed by ray clusters. */
     public long proposals;
 
+    /** Those of them that had the visibility the cluster sought. */
     public long accepted;
 
-    /** Ray clusters that proposed light points. */
+    /** Ray clusters that proposed light samples. */
     public long clusters;
 
     /** Tests by kind of primitive; {@link CompiledScene#kindNames} names them. */
     public final long[] tests;
 
+    /** Hits by kind of primitive. */
     public final long[] hits;
 
+    /** Counters at 0, for this number of kinds of primitives. */
     public RayCounters(int kinds) {
         tests = new long[kinds];
         hits = new long[kinds];
     }
 
-    /** Forgets all that was counted. */
+    /** Sets all counters to 0. */
     public void clear() {
         cameraRays = 0;
         mirrorRays = 0;
@@ -46,7 +62,7 @@ public final class RayCounters {
         Arrays.fill(hits, 0);
     }
 
-    /** Adds what another thread counted. */
+    /** Adds the counters of another thread. */
     public void add(RayCounters o) {
         cameraRays += o.cameraRays;
         mirrorRays += o.mirrorRays;

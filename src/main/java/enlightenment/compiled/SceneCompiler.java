@@ -3,7 +3,6 @@ package enlightenment.compiled;
 import enlightenment.accel.Bvh;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
-import enlightenment.image.ImageTexture;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -14,6 +13,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
+import enlightenment.texture.ImageTexture;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -27,11 +27,11 @@ public final class SceneCompiler {
     /** Up to this many primitives a plain loop is faster than a hierarchy (docs/benchmarks.md). */
     static final int LOOP_LIMIT = 24;
 
-    /** The exponent of a unit in which no sum of two numbers of a scene overflows. */
-    private static final int HUGE = 8;
+    /** The exponent of a unit in which no sum of numbers of a scene overflows. */
+    private static final int OVERFLOW_EXPONENT = 8;
 
-    /** How many powers of two the view may be wider than the scene, which is about 1 wide in its frame. */
-    private static final int WIDEST_VIEW = 64;
+    /** A view may be at most this many powers of two wider than the scene, whose extent in its frame is about 1. */
+    private static final int MAX_VIEW_EXPONENT = 64;
 
     private SceneCompiler() {}
 
@@ -41,15 +41,15 @@ public final class SceneCompiler {
     }
 
     /**
-     * As {@link #compile(Scene, RenderSettings)}, with image files that are not read from the disk.
+     * As {@link #compile(Scene, RenderSettings)}, with image files whose content is already in memory.
      *
-     * @param files gives the content of an image file, or null if it is to be read
+     * @param files returns the content of an image file, or null if it must be read from the disk
      */
     public static CompiledScene compile(Scene scene, RenderSettings settings, Function<Path, byte[]> files) {
         return compile(scene, settings, scene.objects().size() > LOOP_LIMIT, files);
     }
 
-    /** Puts camera, lights and shapes into their places and keeps nothing of it: fails where {@link #compile} would. */
+    /** Places camera, lights and shapes in the frame and discards them: throws where {@link #compile} would, textures aside. */
     public static void check(Scene scene) {
         SceneFrame frame = frameOf(scene);
         CompiledCamera.of(scene.camera(), frame, scene.width(), scene.height());
@@ -88,14 +88,15 @@ public final class SceneCompiler {
             return frame(scene, largest, 0);
         }
         // Every number of a scene is a double, so their sums and differences are below 2^1027.
-        return frame(scene, extent(scene, new SceneFrame(scene.camera().origin(), HUGE)), HUGE);
+        return frame(
+                scene, extent(scene, new SceneFrame(scene.camera().origin(), OVERFLOW_EXPONENT)), OVERFLOW_EXPONENT);
     }
 
     private static SceneFrame frame(Scene scene, double largest, int unit) {
         int exponent = largest == 0 ? 0 : Scale.exponent(largest) + unit;
         int reach = Scale.exponent(scene.camera().reach());
-        // The width of a view of parallel rays is no coordinate, but must be a number in the frame too.
-        return new SceneFrame(scene.camera().origin(), Math.max(exponent, reach - WIDEST_VIEW));
+        // The height of a parallel view is no coordinate, but must be representable in the frame too.
+        return new SceneFrame(scene.camera().origin(), Math.max(exponent, reach - MAX_VIEW_EXPONENT));
     }
 
     /** The largest coordinate in a frame. */
@@ -119,7 +120,7 @@ public final class SceneCompiler {
         return largest + frame.toFrame(reach);
     }
 
-    /** By identity: materials that are used many times are one object, and comparing records by value starts slowly. */
+    /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
     private static Map<Material, SurfaceMaterial> surfaces(Scene scene, Function<Path, byte[]> files) {
         Map<Texture, ImageTexture> images = new IdentityHashMap<>();
         Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();

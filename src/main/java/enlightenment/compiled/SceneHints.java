@@ -16,14 +16,14 @@ import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 
 /**
- * What is right by the scene format, but surely not what was meant: each hint says what it found and where. A scene that
- * makes sense gets none, so a hint is given only where no picture of the kind is wanted by anyone.
+ * Hints about scenes that are valid but hardly what their author meant: each says what it found and where. A scene that
+ * makes sense gets none, so a hint is given only if nobody would want such a picture.
  */
 public final class SceneHints {
-    /** Nobody writes a smaller angle of view on purpose, unless something is seen whole through it. */
+    /** A smaller angle of view is a mistake, unless some object is seen whole through it. */
     private static final double NARROW_DEGREES = 1;
 
-    /** Every hint: looks at the scene, adds what it finds. */
+    /** Each hint looks at the scene and adds what it finds. */
     private static final List<BiConsumer<SceneHints, List<String>>> ALL = List.of(
             SceneHints::nothingToSee,
             SceneHints::noLight,
@@ -67,10 +67,10 @@ public final class SceneHints {
             return;
         }
         if (scene.lights().isEmpty()) {
-            found.add("/lights: there is no light; things show " + ambient
-                    + " (/shading/ambient) of their colours, without shades");
+            found.add("/lights: there is no light; objects show " + ambient
+                    + " (/shading/ambient) of their colours, without shading");
         } else if (scene.lights().stream().allMatch(SceneHints::isBlack)) {
-            found.add("/lights: no light has another colour than black");
+            found.add("/lights: every light is black");
         }
     }
 
@@ -78,17 +78,17 @@ public final class SceneHints {
         return light.color().r() == 0 && light.color().g() == 0 && light.color().b() == 0;
     }
 
-    /** Whether light falls on the object: on mirrors and clear glass it does not. */
+    /** Whether the object shows the light that falls on it: mirrors and clear glass do not. */
     private static boolean isShaded(SceneObject object) {
-        return materials(object).stream()
-                .anyMatch(m -> m instanceof Material.Matte || m instanceof Material.Glass g && g.transparency() < 1);
+        return !materials(object).stream()
+                .allMatch(m -> m instanceof Material.Mirror || m instanceof Material.Glass g && g.transparency() == 1);
     }
 
     private static List<Material> materials(SceneObject object) {
         return object.faces().isEmpty() ? List.of(object.material()) : object.faces();
     }
 
-    /** A viewer in an opaque solid sees its inner wall; without a light in there that is a wall in the dark. */
+    /** A viewer in an opaque solid sees its inner wall; without a light inside, it is dark. */
     private void cameraInSolid(List<String> found) {
         if (scene.shading().ambient() == 1) {
             return;
@@ -109,7 +109,7 @@ public final class SceneHints {
         return false;
     }
 
-    /** A light in an opaque solid gives light to nobody, unless the viewer is in there, too. */
+    /** A light in an opaque solid lights nothing that is seen, unless the viewer is inside, too. */
     private void lightInSolid(List<String> found) {
         for (int i = 0; i < compiled.lights.length; i++) {
             CompiledLight light = compiled.lights[i];
@@ -155,7 +155,7 @@ public final class SceneHints {
                 && solid.contains(p.x(), p.y(), p.z() + d);
     }
 
-    /** Points of a light: its middle and so many of its rim that nothing of note lies beyond them. */
+    /** Points of a light: its centre, and a grid on its surface. */
     private static List<Vec3> points(CompiledLight light) {
         List<Vec3> points = new ArrayList<>();
         Vec3 middle = new Vec3(light.ballX, light.ballY, light.ballZ);
@@ -173,7 +173,7 @@ public final class SceneHints {
         return points;
     }
 
-    /** Points of a cube's surface, moved onto the ball around its middle. */
+    /** Points of a cube's surface, projected onto the ball around its centre. */
     private static void addOnBall(Vec3 middle, double radius, int i, int j, int k, List<Vec3> points) {
         for (int sign = -1; sign <= 1; sign += 2) {
             points.add(middle.plus(new Vec3(i, j, sign * k).normalized().times(radius)));
@@ -182,7 +182,7 @@ public final class SceneHints {
         }
     }
 
-    /** Radians for degrees, mostly. Through a telescope something is seen whole. */
+    /** Usually radians taken for degrees. Through a telescope, some object is seen whole. */
     private void narrowView(List<String> found) {
         Ray top = ray(0.5, 0);
         Ray bottom = ray(0.5, 1);
@@ -242,7 +242,7 @@ public final class SceneHints {
         return true;
     }
 
-    /** How to find an object in the scene file. */
+    /** The JSON pointer of an object in the scene file, and its name if it has one. */
     private String name(int id) {
         int index = compiled.object[id];
         String name = scene.objects().get(index).name();

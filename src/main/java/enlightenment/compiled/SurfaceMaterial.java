@@ -1,23 +1,35 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.image.ImageTexture;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.texture.ImageTexture;
 
 /** A material as shading reads it: plain fields, textures loaded. */
 public final class SurfaceMaterial {
-    /** What happens to light. */
+    /** What the surface does with light. */
     public enum Kind {
+        /** Diffuse, shaded by the cosine rule. */
         MATTE,
+        /** Reflects perfectly. */
         MIRROR,
+        /** Refracts and reflects. */
         GLASS
     }
 
+    /** What the surface does with light. */
     public final Kind kind;
+
+    /** The index of refraction; 1 unless the kind is glass. */
     public final double indexOfRefraction;
+
+    /** The share of what is seen that comes through, 0..1; 0 unless the kind is glass. */
     public final double transparency;
+
+    /** Which of several overlapping solids fills the overlap: the one of highest priority; 0 unless the kind is glass. */
     public final int priority;
+
+    /** Whether shadows show on the surface. */
     public final boolean receivesShadows;
 
     private final Material description;
@@ -39,7 +51,7 @@ public final class SurfaceMaterial {
             transparency = glass.transparency();
             priority = glass.priority();
         } else {
-            kind = material instanceof Material.Mirror ? Kind.MIRROR : Kind.MATTE;
+            kind = opaqueKind(material);
             indexOfRefraction = 1;
             transparency = 0;
             priority = 0;
@@ -57,6 +69,8 @@ public final class SurfaceMaterial {
             scale = checker.scale();
         } else if (texture instanceof Texture.File file) {
             smooth = file.filter() == Texture.Filter.BILINEAR;
+        } else {
+            throw new AssertionError("no compiled form of the texture " + texture);
         }
         r = first.r();
         g = first.g();
@@ -64,6 +78,16 @@ public final class SurfaceMaterial {
         other = second;
         checks = scale;
         bilinear = smooth;
+    }
+
+    private static Kind opaqueKind(Material material) {
+        if (material instanceof Material.Matte) {
+            return Kind.MATTE;
+        }
+        if (material instanceof Material.Mirror) {
+            return Kind.MIRROR;
+        }
+        throw new AssertionError("no compiled form of the material " + material.type());
     }
 
     /** Whether the colour depends on texture coordinates. */
@@ -86,7 +110,7 @@ public final class SurfaceMaterial {
     /**
      * Writes the colour at texture coordinates.
      *
-     * @param wraps whether u goes round, so that 0 and 1 are the same place
+     * @param wraps whether u is periodic, so that 0 and 1 are the same place
      */
     public void color(double u, double v, boolean wraps, double[] rgb) {
         if (image != null) {
@@ -110,7 +134,7 @@ public final class SurfaceMaterial {
         return ((long) square & 1) != 0;
     }
 
-    /** A text that is the same for materials that look the same, on every machine and wherever image files lie. */
+    /** A text that is equal for materials that look the same, on every machine and wherever their image files are. */
     String appearance() {
         Texture texture = description.color();
         String color = texture instanceof Texture.File file

@@ -5,13 +5,13 @@ import enlightenment.numeric.Scale;
 import enlightenment.primitive.Ray;
 
 /**
- * The part of space that the camera rays of one tile can reach, as four planes through the rays at its corners.
+ * The frustum of the camera rays of one tile: four planes through the rays at its corners.
  *
- * <p>A primitive whose box lies wholly beyond one of the planes is met by no ray of the tile. The test is conservative:
- * its margin covers all roundings.
+ * <p>No ray of the tile meets a primitive whose box lies completely outside one of the planes. The test is conservative: its
+ * margin covers all roundings.
  *
- * <p>A reusable work object, written with arrays and loops: it is made anew for every tile, and small code is compiled
- * quickly (docs/benchmarks.md, "start-up").
+ * <p>A reusable work object, written with arrays and loops: it is set for every tile, and small code is compiled quickly
+ * (docs/benchmarks.md, "start-up").
  */
 final class TileFrustum {
     private static final double PLANE_ERROR = Scale.gamma(64);
@@ -22,14 +22,14 @@ final class TileFrustum {
 
     private final double[] directions = new double[3 * (PLANES + 1)];
 
-    /** Per plane: its inward normal, and the bound of roundings per unit of distance. */
+    /** Per plane: its inward normal, and a bound of its roundings per unit of distance. */
     private final double[] normals = new double[3 * PLANES];
 
     private final double[] errors = new double[PLANES];
 
     private final Ray ray = new Ray();
 
-    /** Moves to the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
+    /** Sets the frustum of the rays through (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
     void set(CompiledCamera camera, double x0, double y0, double x1, double y1) {
         for (int i = 0; i <= PLANES; i++) {
             double x = i == PLANES ? (x0 + x1) / 2 : i == 1 || i == 2 ? x1 : x0;
@@ -73,12 +73,12 @@ final class TileFrustum {
         errors[i] = PLANE_ERROR * length * size;
     }
 
-    /** Component of the vector from corner ray i's origin to the point of ray j at t = 1. */
+    /** A component of the vector from the origin of corner ray i to the point of ray j at t = 1. */
     private double across(int i, int j, int c) {
         return origins[3 * j + c] + directions[3 * j + c] - origins[3 * i + c];
     }
 
-    /** Collects the ids of the boxes that rays of the tile may meet; returns how many there are. */
+    /** Collects the indices of the boxes that rays of the tile may meet; returns their number. */
     int gather(Bounds[] bounds, int[] out) {
         int n = 0;
         for (int id = 0; id < bounds.length; id++) {
@@ -98,7 +98,7 @@ final class TileFrustum {
         return true;
     }
 
-    /** Whether even the corner that reaches farthest to the inside lies beyond the plane. */
+    /** Whether even the innermost corner of the box lies outside the plane. */
     private boolean isBeyond(Bounds box, int plane) {
         double distance = 0;
         double size = 0;

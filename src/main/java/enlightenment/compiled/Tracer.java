@@ -6,22 +6,20 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
-/**
- * Asks a compiled scene what a ray meets. One per thread: it holds the scratch memory of the searches and their counts.
- */
+/** Traces rays through a compiled scene. One per thread: it holds the scratch memory of searches and their counts. */
 public final class Tracer {
     private static final int NOTHING = -1;
 
-    /** With more candidates than this, a shadow ray asks the hierarchy instead of testing them all. */
-    private static final int MOST_CANDIDATES = 12;
+    /** With more candidates than this, a shadow ray traverses the hierarchy instead of testing them all. */
+    private static final int MAX_CANDIDATES = 12;
 
-    /** How much of a light is seen from a point. */
+    /** What is known of the visibility of a light from a point before a ray is traced. */
     public enum Visibility {
-        /** Nothing can stand in the way. */
+        /** Nothing can occlude it. */
         ALL,
-        /** One thing hides all of it. */
+        /** One primitive occludes all of it. */
         NONE,
-        /** Rays must tell. */
+        /** Shadow rays must be traced. */
         UNKNOWN
     }
 
@@ -32,19 +30,19 @@ public final class Tracer {
     private final BvhQuery candidates;
     private int candidateCount;
 
-    /** What camera rays of the current tile may meet: ids of primitives and indices of lights. */
+    /** The ids of primitives and indices of lights that camera rays of the current tile may meet. */
     private final int[] tileIds;
 
     private int tileCount;
     private final int[] tileLights;
     private int tileLightCount;
 
-    /** The same for all other rays: everything. */
+    /** The same for all other rays: every primitive and light. */
     private final int[] allIds;
 
     private final int[] allLights;
 
-    private final CoincidentHits contacts;
+    private final CoincidentHits coincident;
 
     /** The light that the last {@link #trace} met, or null. */
     public CompiledLight light;
@@ -52,10 +50,11 @@ public final class Tracer {
     /** The id of the primitive that the last {@link #trace} met, or -1. */
     public int id;
 
+    /** A tracer for one thread. */
     public Tracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
-        contacts = new CoincidentHits(scene);
+        coincident = new CoincidentHits(scene);
         closest = new Closest(scene.kind, counters.tests);
         candidates = new BvhQuery(scene.kind, counters.tests);
         allIds = scene.bvh == null ? count(scene.primitives.length) : new int[0];
@@ -79,7 +78,7 @@ public final class Tracer {
         tileLightCount = frustum.gather(scene.lightBounds, tileLights);
     }
 
-    /** Whether no camera ray of the current tile meets anything, as far as that is known without a ray. */
+    /** Whether it is known without tracing that no camera ray of the current tile meets anything. */
     public boolean seesNothing() {
         return scene.bvh == null && tileCount == 0 && tileLightCount == 0;
     }
@@ -90,9 +89,9 @@ public final class Tracer {
     }
 
     /**
-     * Finds the first thing that the ray meets.
+     * Finds the first primitive or light that the ray meets.
      *
-     * @return whether there is one; then either {@link #light} is set, or {@link #id} and the hit are
+     * @return whether there is one; if so, either {@link #light} is set, or {@link #id} and the hit are
      */
     public boolean trace(Ray ray, Hit hit) {
         return search(ray, hit, allIds, allIds.length, allLights, allLights.length);
@@ -114,7 +113,7 @@ public final class Tracer {
         for (int k = 0; k < lightCount; k++) {
             CompiledLight l = scene.visibleLights[lights[k]];
             double s = l.surface.nearest(ray, t);
-            // At equal distance a thing hides the light, unless the light lies on it.
+            // At equal distance a primitive hides the light, unless the light lies on it.
             if (s < t) {
                 t = s;
                 light = l;
@@ -130,16 +129,16 @@ public final class Tracer {
         counters.hits[scene.kind[id]]++;
         scene.primitives[id].complete(ray, t, hit);
         if (scene.coincident.concerns(id)) {
-            id = contacts.choose(ray, id, hit);
+            id = coincident.choose(ray, id, hit);
         }
         if (scene.lightsLieOnSurfaces) {
-            lookForLightOn(ray, hit, lights, lightCount);
+            findLightOn(ray, hit, lights, lightCount);
         }
         return true;
     }
 
-    /** Where a light lies on the surface that was hit, the light is what the ray meets. */
-    private void lookForLightOn(Ray ray, Hit hit, int[] lights, int lightCount) {
+    /** If a light lies on the surface that was hit, the ray meets the light. */
+    private void findLightOn(Ray ray, Hit hit, int[] lights, int lightCount) {
         for (int k = 0; k < lightCount && light == null; k++) {
             CompiledLight l = scene.visibleLights[lights[k]];
             if (l.lyingOn().has(id, hit.face) && l.surface.nearest(ray, Double.MAX_VALUE) != Primitive.MISS) {
@@ -152,8 +151,8 @@ public final class Tracer {
     /**
      * Prepares {@link #occluded} for shadow rays from the cone's apex to its light.
      *
-     * @param starts begins with the ids of primitives that the point lies on and that cannot stand before the light
-     * @param count how many these are
+     * @param starts begins with the ids of primitives that the apex lies on and that cannot occlude the light
+     * @param count the number of these
      * @return what is known without a ray
      */
     public Visibility prepareShadows(LightCone cone, int[] starts, int count) {
@@ -164,15 +163,16 @@ public final class Tracer {
     }
 
     /**
-     * Whether anything stands in the ray's way to a point of a light.
+     * Traces a shadow ray: whether anything occludes a point of a light.
      *
-     * @param ray starts on the surfaces that its origin lies on
-     * @param tMax where the ray ends on the light
+     * @param ray the shadow ray; it knows the surfaces that it starts on
+     * @param tMax the t at which the ray ends on the light
+     * @param target the light
      */
     public boolean occluded(Ray ray, double tMax, CompiledLight target) {
         counters.shadowRays++;
         ray.endsOn(target.lyingOn(), tMax);
-        if (candidateCount > MOST_CANDIDATES && scene.bvh != null) {
+        if (candidateCount > MAX_CANDIDATES && scene.bvh != null) {
             return scene.bvh.occluded(ray, tMax, candidates);
         }
         for (int k = 0; k < candidateCount; k++) {

@@ -3,13 +3,13 @@ package enlightenment.frame;
 import enlightenment.numeric.Scale;
 
 /**
- * How a ball is seen from a point: the round cone around it. A mutable work object, one per thread.
+ * The cone of directions in which a ball is seen from a point. A mutable work object, one per thread.
  *
- * <p>With s = radius/distance: cosθmax = √((D − r)(D + r))/D and 1 − cosθmax = s²/(1 + cosθmax), which are right to a few
- * units in the last place at every distance (numerics, "Sphere light").
+ * <p>With radius r, distance D and s = r/D: cosθmax = √((D − r)(D + r))/D and 1 − cosθmax = s²/(1 + cosθmax), which are accurate
+ * to a few units in the last place at every distance (numerics, "Sphere light").
  */
 public class BallCone {
-    /** Bounds the roundings of {@link #misses} and {@link #isHiddenBy}, with room to spare. */
+    /** A generous bound of the roundings in {@link #misses} and {@link #isHiddenBy}. */
     private static final double TEST_ERROR = Scale.gamma(64);
 
     /** The apex: where the ball is seen from. */
@@ -18,13 +18,13 @@ public class BallCone {
     public double y;
     public double z;
 
-    /** The direction to the middle of the ball, of length 1; (0, 0, 0) at the middle itself. */
+    /** The unit vector towards the centre of the ball; (0, 0, 0) at the centre itself. */
     public double wx;
 
     public double wy;
     public double wz;
 
-    /** The distance to the middle. */
+    /** The distance to the centre. */
     public double distance;
 
     /** The ball's radius. */
@@ -42,7 +42,7 @@ public class BallCone {
     /** A cone to be {@link #set} before use. */
     public BallCone() {}
 
-    /** Looks from (x, y, z) at the ball around (ballX, ballY, ballZ). */
+    /** Sets the cone from the apex (px, py, pz) around the ball at (ballX, ballY, ballZ). */
     public final void set(
             double ballX, double ballY, double ballZ, double ballRadius, double px, double py, double pz) {
         double dx = ballX - px;
@@ -67,9 +67,9 @@ public class BallCone {
     }
 
     /**
-     * Whether another ball surely keeps clear of every segment from the apex to this ball's points: it lies behind the
-     * apex, beyond this ball, or its centre is farther than its radius from the cone's side
-     * (across·cosθ − along·sinθ &gt; radius, compared squared). False where in doubt.
+     * Whether another ball certainly intersects no segment from the apex to a point of this ball: it lies behind the apex,
+     * beyond this ball, or its centre is farther than its radius from the cone's side
+     * (across·cosθ − along·sinθ &gt; radius, compared squared). Conservative: false where in doubt.
      */
     public final boolean misses(double cx, double cy, double cz, double otherRadius) {
         if (inside) {
@@ -91,8 +91,8 @@ public class BallCone {
     }
 
     /**
-     * Whether another ball surely hides this one wholly: it is nearer, and its own cone contains this one:
-     * cos of the angle between the axes &gt; cos(θother − θ), θother &gt; θ. False where in doubt.
+     * Whether another ball certainly occludes this one completely: it is nearer and its own cone contains this one, that is, the
+     * cosine of the angle between the axes exceeds cos(θother − θ), θother &gt; θ. Conservative: false where in doubt.
      */
     public final boolean isHiddenBy(double cx, double cy, double cz, double otherRadius) {
         if (inside) {

@@ -3,12 +3,13 @@ package enlightenment.frame;
 import enlightenment.math.Vec3;
 
 /**
- * An axis-aligned box that encloses something, both ends included.
+ * A closed axis-aligned box.
  *
  * @param min lower corner
  * @param max upper corner; each component at least that of {@code min}
  */
 public record Bounds(Vec3 min, Vec3 max) {
+    /** The smallest box around one point or several. */
     public static Bounds of(Vec3... points) {
         double x0 = points[0].x();
         double y0 = points[0].y();
@@ -40,14 +41,17 @@ public record Bounds(Vec3 min, Vec3 max) {
                         Math.nextUp(center.z() + halfExtents.z())));
     }
 
+    /** The smallest box around both. */
     public Bounds union(Bounds o) {
         return of(min, max, o.min, o.max);
     }
 
+    /** The middle of the box, rounded. */
     public Vec3 center() {
         return min.plus(max).times(0.5);
     }
 
+    /** The lengths of the edges, rounded. */
     public Vec3 extent() {
         return max.minus(min);
     }
@@ -67,6 +71,7 @@ public record Bounds(Vec3 min, Vec3 max) {
                 && o.min.z() <= max.z();
     }
 
+    /** Whether the point lies in the closed box. */
     public boolean contains(Vec3 p) {
         return p.x() >= min.x()
                 && p.x() <= max.x()

@@ -4,24 +4,18 @@ import enlightenment.check.Check;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 
-/** Checks of corners that must span an area. */
+/** Vertices of triangles and parallelograms that must span an area. */
 public final class Parallelograms {
-    /** A fourth corner may miss its place by this fraction of the longer edge: what a careful text editor rounds. */
+    /** A fourth corner may be off by this fraction of the longer edge: what decimals rounded by hand are off by. */
     private static final double CORNER_TOLERANCE = 0x1p-26;
 
     private Parallelograms() {}
 
-    /** Whether three points lie exactly in one line. A sliver, however thin, does not. */
-    public static boolean collinear(ExactPoint a, ExactPoint b, ExactPoint c) {
-        return ExactPoint.inLine(a, b, c);
-    }
-
     /**
-     * The normal (b − a) × (c − a) of three points that do not lie in one line, if they do in a frame, where coordinates are
-     * rounded; null if they do not. What is left is no more than a line to see, but a line that closes the gap between its
-     * neighbours.
+     * The exact unit normal of a triangle, (b − a) × (c − a) normalised, if rounding to the frame makes its vertices collinear;
+     * null if it does not. What is left of such a triangle is a line, which still closes the gap between its neighbours.
      */
-    public static Vec3 lostNormal(ExactPoint a, ExactPoint b, ExactPoint c, SceneFrame frame) {
+    public static Vec3 normalIfDegenerate(ExactPoint a, ExactPoint b, ExactPoint c, SceneFrame frame) {
         Vec3 from = frame.toFrame(a);
         Vec3 p = frame.toFrame(b).minus(from);
         Vec3 q = frame.toFrame(c).minus(from);
@@ -34,11 +28,12 @@ public final class Parallelograms {
      * Checks that four corners in order form a parallelogram.
      *
      * @param key the key of the scene format that holds them, for the message
+     * @throws enlightenment.math.InvalidValueException if they span no area, or do not close up to rounding
      */
     public static void check(
             String key, ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight) {
         Check.that(
-                !collinear(lowerLeft, upperLeft, lowerRight),
+                !ExactPoint.areCollinear(lowerLeft, upperLeft, lowerRight),
                 key,
                 "must span an area: the first, second and fourth corner lie in one line or coincide");
         // In units of the longer edge, exactly: a difference may be beyond the range of doubles.

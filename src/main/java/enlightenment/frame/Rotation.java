@@ -3,15 +3,16 @@ package enlightenment.frame;
 import enlightenment.math.Vec3;
 
 /**
- * A rotation as an orthonormal matrix, rows first.
+ * A rotation as an orthonormal matrix, by rows.
  *
- * <p>Angles are degrees; multiples of 90° give exact entries, and the functions used are the same on every machine.
+ * <p>Angles are degrees; multiples of 90° give exact entries, and the functions used give the same bits on every machine.
  *
  * @param r0 first row
  * @param r1 second row
  * @param r2 third row
  */
 public record Rotation(Vec3 r0, Vec3 r1, Vec3 r2) {
+    /** The rotation by no angle. */
     public static final Rotation IDENTITY = new Rotation(Vec3.X, Vec3.Y, Vec3.Z);
 
     /** About +x: y turns towards z. */
@@ -40,16 +41,17 @@ public record Rotation(Vec3 r0, Vec3 r1, Vec3 r2) {
         return aboutZ(degrees.z()).times(aboutY(degrees.y())).times(aboutX(degrees.x()));
     }
 
+    /** The rotated vector. */
     public Vec3 apply(Vec3 v) {
         return new Vec3(r0.dot(v), r1.dot(v), r2.dot(v));
     }
 
-    /** The rotated axis 0, 1 or 2: a column of the matrix. */
+    /** The image of axis 0, 1 or 2: a column of the matrix. */
     public Vec3 axis(int k) {
         return new Vec3(r0.component(k), r1.component(k), r2.component(k));
     }
 
-    /** This rotation after {@code first}. */
+    /** The composition that applies {@code first}, then this rotation. */
     public Rotation times(Rotation first) {
         Vec3 x = apply(first.axis(0));
         Vec3 y = apply(first.axis(1));

@@ -18,7 +18,7 @@ import java.util.Objects;
  * @param exponent e such that lengths are divided by 2^e
  */
 public record SceneFrame(ExactPoint origin, int exponent) {
-    /** The frame that changes nothing but the type. */
+    /** The frame that only rounds: its origin is the scene's, its unit 1. */
     public static final SceneFrame WORLD = new SceneFrame(ExactPoint.ORIGIN, 0);
 
     /** Beyond this exponent a double is scaled as an exact decimal, so that it is never rounded twice. */

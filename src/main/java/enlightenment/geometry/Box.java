@@ -6,12 +6,13 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A box parallel to the axes.
+ * A solid box parallel to the coordinate axes. Its faces, in order: -x, +x, -y, +y, -z, +z.
  *
  * @param min lower corner
  * @param max upper corner, greater than {@code min} in every coordinate
  */
 public record Box(ExactPoint min, ExactPoint max) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Box {
         Objects.requireNonNull(min, "min");
         Objects.requireNonNull(max, "max");

@@ -6,15 +6,17 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A circular cone, or a frustum of one where the top radius is not 0.
+ * A right circular cone, or a frustum of one where the top radius is not 0. Its faces, in order: the lateral surface, the base,
+ * the top.
  *
  * @param base centre of the base
- * @param apex centre of the other end; the point of the cone where {@code topRadius} is 0
+ * @param apex centre of the other end, the cone's apex where {@code topRadius} is 0; differs from the base
  * @param radius radius at the base, greater than 0
  * @param topRadius radius at the apex, at least 0
- * @param capped whether the ends are closed by disks
+ * @param capped whether disks close the ends, so that it is a solid; if not, it is the lateral surface alone
  */
 public record Cone(ExactPoint base, ExactPoint apex, double radius, double topRadius, boolean capped) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Cone {
         Objects.requireNonNull(base, "base");
         Objects.requireNonNull(apex, "apex");

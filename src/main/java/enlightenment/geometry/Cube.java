@@ -7,13 +7,14 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A cube in any orientation.
+ * A solid cube in any orientation. Its faces, in order, along its own rotated axes: -x, +x, -y, +y, -z, +z.
  *
  * @param center the centre
  * @param radius distance from the centre to each vertex, greater than 0
- * @param rotation degrees about x, then y, then z
+ * @param rotation degrees about the x axis, then the y axis, then the z axis, finite; (0, 0, 0) is parallel to the axes
  */
 public record Cube(ExactPoint center, double radius, Vec3 rotation) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Cube {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(rotation, "rotation");

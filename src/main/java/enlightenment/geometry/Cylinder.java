@@ -6,14 +6,15 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A circular cylinder between two end points.
+ * A right circular cylinder between two points. Its faces, in order: the lateral surface, the base, the top.
  *
- * @param base centre of the first end
- * @param top centre of the other end
+ * @param base centre of one end
+ * @param top centre of the other end; differs from the base
  * @param radius greater than 0
- * @param capped whether the ends are closed by disks
+ * @param capped whether disks close the ends, so that it is a solid; if not, it is the lateral surface alone
  */
 public record Cylinder(ExactPoint base, ExactPoint top, double radius, boolean capped) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Cylinder {
         Objects.requireNonNull(base, "base");
         Objects.requireNonNull(top, "top");

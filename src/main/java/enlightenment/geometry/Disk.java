@@ -7,13 +7,14 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A flat disk, seen from both sides.
+ * A flat disk, visible from both sides.
  *
  * @param center the centre
- * @param normal direction perpendicular to it, of any length
+ * @param normal a direction perpendicular to it, finite, of any length but 0
  * @param radius greater than 0
  */
 public record Disk(ExactPoint center, Vec3 normal, double radius) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Disk {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(normal, "normal");

@@ -5,15 +5,16 @@ import enlightenment.math.ExactPoint;
 import java.util.List;
 
 /**
- * A flat parallelogram, seen from both sides.
+ * A flat parallelogram, visible from both sides. The corners are given in order around it.
  *
- * @param lowerLeft the corner where the texture's lower left lies
- * @param upperLeft next corner
- * @param upperRight next corner
- * @param lowerRight last corner; closes the parallelogram
+ * @param lowerLeft the corner that shows the texture's lower left
+ * @param upperLeft the corner that shows the texture's upper left
+ * @param upperRight the opposite corner: {@code upperLeft + (lowerRight − lowerLeft)}, up to rounding of the decimals
+ * @param lowerRight the corner that shows the texture's lower right; not collinear with the first two
  */
 public record Rectangle(ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight)
         implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Rectangle {
         Parallelograms.check("corners", lowerLeft, upperLeft, upperRight, lowerRight);
     }

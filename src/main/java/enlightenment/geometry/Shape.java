@@ -4,19 +4,19 @@ import enlightenment.math.ExactPoint;
 import java.util.List;
 
 /**
- * What a thing's surface is: a description in scene coordinates, exact, validated when it is made.
+ * The geometry of an object: an immutable description in scene coordinates and scene units, exact, validated when it is made.
  *
- * <p>A constructor refuses a degenerate shape with a {@link enlightenment.math.InvalidValueException} that names
- * the offending key.
+ * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
+ * of range or a degenerate shape, and {@link NullPointerException} for a missing value. Angles are degrees.
  */
 public sealed interface Shape permits Sphere, Rectangle, Disk, Cylinder, Cone, Cube, Box, Torus, Triangle {
 
     /** The name of this kind of shape in the scene format, such as {@code "sphere"}. */
     String type();
 
-    /** Points whose coordinates give the shape's position; with {@link #reach}, they bound it. */
+    /** Points that give the shape's position, at least one; the shape lies within {@link #reach} of their convex hull. */
     List<ExactPoint> anchors();
 
-    /** No point of the shape is farther than this from its nearest anchor's convex hull. */
+    /** How far the shape reaches beyond the convex hull of its {@link #anchors}, at most: in scene units, at least 0. */
     double reach();
 }

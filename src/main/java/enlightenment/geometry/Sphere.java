@@ -6,19 +6,21 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A ball's surface.
+ * A ball.
  *
  * @param center the centre
  * @param radius greater than 0
- * @param rotation turns the texture about +y by this many degrees; at 0 the texture's left edge faces -z
+ * @param rotation turns the texture about +y by this angle in degrees, finite; at 0 the texture's left edge faces -z
  */
 public record Sphere(ExactPoint center, double radius, double rotation) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Sphere {
         Objects.requireNonNull(center, "center");
         Check.positive("radius", radius);
         Check.finite("rotation", rotation);
     }
 
+    /** The ball of this centre and radius, its texture not rotated. */
     public static Sphere of(ExactPoint center, double radius) {
         return new Sphere(center, radius, 0);
     }

@@ -7,14 +7,15 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A ring of circular section.
+ * A solid torus: all points within {@code minorRadius} of a circle.
  *
- * @param center the centre
- * @param axis direction that the ring lies around, of any length
- * @param majorRadius from the centre to the middle of the section
- * @param minorRadius radius of the section, greater than 0 and at most the major radius
+ * @param center the centre of the circle
+ * @param axis the axis of rotation, perpendicular to the circle: finite, of any length but 0
+ * @param majorRadius radius of the circle, greater than 0
+ * @param minorRadius radius of the tube, greater than 0 and at most the major radius
  */
 public record Torus(ExactPoint center, Vec3 axis, double majorRadius, double minorRadius) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Torus {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(axis, "axis");

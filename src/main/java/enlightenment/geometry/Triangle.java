@@ -1,20 +1,20 @@
 package enlightenment.geometry;
 
 import enlightenment.check.Check;
-import enlightenment.frame.Parallelograms;
 import enlightenment.math.ExactPoint;
 import java.util.List;
 
 /**
- * A flat triangle, seen from both sides.
+ * A flat triangle, visible from both sides.
  *
- * @param a first vertex
- * @param b second vertex
- * @param c third vertex; not in line with the others
+ * @param a the vertex that shows the texture's lower left
+ * @param b the vertex that shows the texture's upper left
+ * @param c the vertex that shows the texture's lower right; not collinear with the others
  */
 public record Triangle(ExactPoint a, ExactPoint b, ExactPoint c) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Triangle {
-        Check.that(!Parallelograms.collinear(a, b, c), "vertices", "must not lie in one line");
+        Check.that(!ExactPoint.areCollinear(a, b, c), "vertices", "must not lie in one line");
     }
 
     @Override

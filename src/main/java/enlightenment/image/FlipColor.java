@@ -1,6 +1,7 @@
 package enlightenment.image;
 
-import enlightenment.color.Srgb;
+import enlightenment.codec.PngWriter;
+import enlightenment.codec.Srgb;
 
 /**
  * The colour spaces of ꟻLIP (section 4.1 of its paper): sRGB, the linear opponent space YCxCz that the eye's filters work

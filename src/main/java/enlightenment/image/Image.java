@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.codec.PngWriter;
 import java.util.Objects;
 
 /**
@@ -27,10 +28,12 @@ public final class Image {
         this.rgb = rgb;
     }
 
+    /** The number of columns, at least 1. */
     public int width() {
         return width;
     }
 
+    /** The number of rows, at least 1. */
     public int height() {
         return height;
     }
@@ -40,8 +43,24 @@ public final class Image {
         return rgb[3 * (y * width + x) + c];
     }
 
-    /** A copy of all components. */
+    /** A copy of all components: 3·width·height, in the order of the constructor. */
     public float[] toArray() {
         return rgb.clone();
+    }
+
+    /**
+     * The pixels for a screen: width·height numbers 0xFFRRGGBB (opaque ARGB), row by row from the top, each row from the left,
+     * as {@code java.awt.image.BufferedImage.setRGB} and most windowing toolkits take them. Every component is what it is in
+     * an 8-bit PNG file: limited to 0..1, then rounded to the nearest of 0..255, halves upwards; NaN becomes 0.
+     */
+    public int[] toArgb() {
+        int[] argb = new int[rgb.length / 3];
+        for (int i = 0; i < argb.length; i++) {
+            int red = PngWriter.quantize(rgb[3 * i], 255);
+            int green = PngWriter.quantize(rgb[3 * i + 1], 255);
+            int blue = PngWriter.quantize(rgb[3 * i + 2], 255);
+            argb[i] = 0xff000000 | red << 16 | green << 8 | blue;
+        }
+        return argb;
     }
 }

@@ -1,11 +1,13 @@
 package enlightenment.image;
 
+import enlightenment.codec.PfmFormat;
+import enlightenment.codec.PngWriter;
+import enlightenment.codec.Raster;
+import enlightenment.codec.RasterFiles;
 import enlightenment.file.WholeFile;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 
 /**
  * Pictures on disk. A file that is written appears as a whole or not at all, and its bytes depend on nothing but the
@@ -18,31 +20,44 @@ public final class ImageFiles {
     private ImageFiles() {}
 
     /**
-     * Writes a picture in the format that the file's extension names: .png, or .pfm for exact floats.
+     * Writes a picture in the format that the file's extension names, one of {@link ImageFormat#written}.
      *
      * @param options only for PNG
      * @throws IllegalArgumentException if the extension is another one
      */
     public static void write(Image image, Path file, PngOptions options) throws IOException {
-        checkExtension(file);
-        if (extension(file).equals("png")) {
-            writePng(image, file, options);
-        } else {
-            writePfm(image, file);
+        ImageFormat format = writtenFormat(file);
+        WholeFile.write(file, out -> write(image, out, format, options));
+    }
+
+    /**
+     * Writes what a file of that format would hold to a stream, which stays open.
+     *
+     * @param options only for PNG
+     * @throws IllegalArgumentException if the format is none of {@link ImageFormat#written}
+     */
+    public static void write(Image image, OutputStream out, ImageFormat format, PngOptions options) throws IOException {
+        switch (format) {
+            case PNG ->
+                new PngWriter(out, image.width(), image.height(), options.depth())
+                        .write(image::component, options.text());
+            case PFM -> PfmFormat.write(image.width(), image.height(), image::component, out);
+            default -> throw new IllegalArgumentException("no " + format + " files are written");
         }
     }
 
     /**
-     * Nothing if {@link #write} knows the file's extension: for asking before a long render rather than after it.
+     * The format in which {@link #write(Image, Path, PngOptions)} writes a file: for asking before a long render rather
+     * than after it.
      *
-     * @throws IllegalArgumentException if it does not; the message lists what is known
+     * @throws IllegalArgumentException if the file's extension names none of {@link ImageFormat#written}; the message lists
+     *     them
      */
-    public static void checkExtension(Path file) {
-        String extension = extension(file);
-        if (!extension.equals("png") && !extension.equals("pfm")) {
-            throw new IllegalArgumentException("cannot tell how to write " + file
-                    + ": known are .png (8 or 16 bits per component) and .pfm (floats)");
-        }
+    public static ImageFormat writtenFormat(Path file) {
+        return ImageFormat.ofExtension(file)
+                .filter(ImageFormat::isWritten)
+                .orElseThrow(() -> new IllegalArgumentException("cannot tell how to write " + file
+                        + ": the name must end in " + ImageFormat.extensions(ImageFormat.written())));
     }
 
     /** Writes an 8-bit PNG file without comments. */
@@ -55,102 +70,33 @@ public final class ImageFiles {
      * upwards; what is no number becomes 0.
      */
     public static void writePng(Image image, Path file, PngOptions options) throws IOException {
-        WholeFile.write(file, out -> PngWriter.write(image, out, options));
+        WholeFile.write(file, out -> toPng(image, out, options));
     }
 
     /** Writes what {@link #writePng} would to a stream, which stays open. */
     public static void toPng(Image image, OutputStream out, PngOptions options) throws IOException {
-        PngWriter.write(image, out, options);
+        write(image, out, ImageFormat.PNG, options);
     }
 
     /** Writes a portable float map: all components bit by bit, little-endian, the bottom row first. */
     public static void writePfm(Image image, Path file) throws IOException {
-        WholeFile.write(file, out -> PfmFormat.write(image, out));
+        WholeFile.write(file, out -> toPfm(image, out));
     }
 
     /** Writes what {@link #writePfm} would to a stream, which stays open. */
     public static void toPfm(Image image, OutputStream out) throws IOException {
-        PfmFormat.write(image, out);
-    }
-
-    /** Reads a portable float map of either byte order; a grey one gets three equal components. */
-    public static Image readPfm(Path file) throws IOException {
-        return decode(file, bytes -> {
-            if (!PfmFormat.matches(bytes)) {
-                throw new IOException("it is not a PFM file");
-            }
-            return PfmFormat.read(bytes);
-        });
+        write(image, out, ImageFormat.PFM, PngOptions.DEFAULT);
     }
 
     /**
-     * Reads a PNG, PFM, JPEG or BMP file of at most 2^28 pixels. Integers become the float next to their fraction of the
-     * maximum. Transparency, gamma and colour profiles are not applied.
+     * Reads a file of any {@link ImageFormat} with at most 2^28 pixels; its first bytes tell which. Whole numbers become the
+     * float next to their fraction of the maximum; a grey picture gets three equal components. Transparency, gamma and colour
+     * profiles are not applied, nor the scale of a float map.
      */
     public static Image read(Path file) throws IOException {
-        return decode(file, bytes -> PfmFormat.matches(bytes) ? PfmFormat.read(bytes) : toImage(decodeRaster(bytes)));
-    }
-
-    /** The integers of a PNG, JPEG or BMP file. */
-    static Raster readRaster(Path file) throws IOException {
-        return decode(file, ImageFiles::decodeRaster);
-    }
-
-    static Raster decodeRaster(byte[] bytes) throws IOException {
-        if (PngReader.matches(bytes)) {
-            return PngReader.read(bytes);
-        }
-        String format = ImageIoReader.formatOf(bytes);
-        if (format != null) {
-            return ImageIoReader.read(bytes, format);
-        }
-        if (PfmFormat.matches(bytes)) {
-            throw new IOException("a PFM file cannot be used here; PNG, JPEG and BMP can");
-        }
-        throw new IOException(bytes.length == 0 ? "it is empty" : "it is neither PNG, JPEG, BMP nor PFM");
-    }
-
-    private interface Decoder<T> {
-        T decode(byte[] bytes) throws IOException;
-    }
-
-    private static <T> T decode(Path file, Decoder<T> decoder) throws IOException {
-        try {
-            if (Files.isDirectory(file)) {
-                throw new IOException("it is a folder");
-            }
-            if (Files.size(file) > Integer.MAX_VALUE - 64) {
-                throw new IOException("it has more than 2 GiB");
-            }
-            return decoder.decode(Files.readAllBytes(file));
-        } catch (IOException e) {
-            throw new IOException("cannot read " + file + ": " + WholeFile.reason(e), e);
-        }
-    }
-
-    private static Image toImage(Raster raster) throws IOException {
-        int pixels = raster.width() * raster.height();
-        float[] rgb = Raster.allocate(raster.width(), raster.height(), 12, () -> new float[3 * pixels]);
-        if (raster.deep() != null) {
-            for (int i = 0; i < rgb.length; i++) {
-                rgb[i] = (float) (raster.deep()[i] / 65535.0);
-            }
-        } else {
-            for (int i = 0; i < pixels; i++) {
-                int packed = raster.packed()[i];
-                rgb[3 * i] = (float) ((packed >>> 16) / 255.0);
-                rgb[3 * i + 1] = (float) ((packed >>> 8 & 255) / 255.0);
-                rgb[3 * i + 2] = (float) ((packed & 255) / 255.0);
-            }
-        }
-        return new Image(raster.width(), raster.height(), rgb);
-    }
-
-    /** In small letters and without the dot; empty if there is none. */
-    private static String extension(Path file) {
-        Path last = file.getFileName();
-        String name = last == null ? "" : last.toString();
-        int dot = name.lastIndexOf('.');
-        return dot < 0 ? "" : name.substring(dot + 1).toLowerCase(Locale.ROOT);
+        return RasterFiles.read(file, bytes -> {
+            Raster raster = RasterFiles.decode(bytes);
+            return new Image(raster.width(), raster.height(), raster.components());
+        });
     }
 }

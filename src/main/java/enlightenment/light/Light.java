@@ -3,22 +3,29 @@ package enlightenment.light;
 import enlightenment.check.Check;
 import enlightenment.color.DisplayRgb;
 import enlightenment.frame.Parallelograms;
+import enlightenment.math.ExactPoint;
 import java.util.List;
 import java.util.Objects;
 
-/** What gives light. A light never blocks another light. */
+/**
+ * A light: an immutable description in scene coordinates and scene units, exact, validated when it is made. A light never
+ * occludes another light.
+ *
+ * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
+ * of range or a degenerate light, and {@link NullPointerException} for a missing value.
+ */
 public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point {
 
-    /** The light's colour: what a viewer sees who looks straight at it. */
+    /** The light's colour: what a viewer looking straight at it sees. */
     DisplayRgb color();
 
-    /** The name of this kind of light in the scene format. */
+    /** The name of this kind of light in the scene format, such as {@code "sphere"}. */
     String type();
 
-    /** Points that, with {@link #reach}, bound the light. */
-    List<enlightenment.math.ExactPoint> anchors();
+    /** Points that give the light's position, at least one; the light lies within {@link #reach} of their convex hull. */
+    List<ExactPoint> anchors();
 
-    /** No point of the light is farther than this from its nearest anchor's convex hull. */
+    /** How far the light reaches beyond the convex hull of its {@link #anchors}, at most: in scene units, at least 0. */
     double reach();
 
     /**
@@ -28,7 +35,8 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      * @param radius greater than 0
      * @param color its colour
      */
-    record Sphere(enlightenment.math.ExactPoint center, double radius, DisplayRgb color) implements Light {
+    record Sphere(ExactPoint center, double radius, DisplayRgb color) implements Light {
+        /** Validates the components, as {@link Light} states. */
         public Sphere {
             Objects.requireNonNull(center, "center");
             Check.positive("radius", radius);
@@ -41,7 +49,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         }
 
         @Override
-        public List<enlightenment.math.ExactPoint> anchors() {
+        public List<ExactPoint> anchors() {
             return List.of(center);
         }
 
@@ -52,21 +60,19 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
     }
 
     /**
-     * A glowing parallelogram; it shines to both sides.
+     * A glowing parallelogram that emits to both sides. The corners are given in order around it.
      *
      * @param lowerLeft first corner
      * @param upperLeft next corner
-     * @param upperRight next corner
-     * @param lowerRight last corner
+     * @param upperRight the corner opposite to the first: {@code upperLeft + (lowerRight − lowerLeft)}, up to rounding of the
+     *     decimals
+     * @param lowerRight last corner; not collinear with the first two
      * @param color its colour
      */
     record Rectangle(
-            enlightenment.math.ExactPoint lowerLeft,
-            enlightenment.math.ExactPoint upperLeft,
-            enlightenment.math.ExactPoint upperRight,
-            enlightenment.math.ExactPoint lowerRight,
-            DisplayRgb color)
+            ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight, DisplayRgb color)
             implements Light {
+        /** Validates the components, as {@link Light} states. */
         public Rectangle {
             Parallelograms.check("corners", lowerLeft, upperLeft, upperRight, lowerRight);
             Objects.requireNonNull(color, "color");
@@ -78,7 +84,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         }
 
         @Override
-        public List<enlightenment.math.ExactPoint> anchors() {
+        public List<ExactPoint> anchors() {
             return List.of(lowerLeft, upperLeft, upperRight, lowerRight);
         }
 
@@ -94,7 +100,8 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      * @param position where it is
      * @param color its colour
      */
-    record Point(enlightenment.math.ExactPoint position, DisplayRgb color) implements Light {
+    record Point(ExactPoint position, DisplayRgb color) implements Light {
+        /** Validates the components, as {@link Light} states. */
         public Point {
             Objects.requireNonNull(position, "position");
             Objects.requireNonNull(color, "color");
@@ -106,7 +113,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         }
 
         @Override
-        public List<enlightenment.math.ExactPoint> anchors() {
+        public List<ExactPoint> anchors() {
             return List.of(position);
         }
 

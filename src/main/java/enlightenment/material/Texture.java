@@ -6,10 +6,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 
-/** Where a surface's colour comes from. */
+/**
+ * Where a surface's colour comes from: an immutable description. Texture coordinates run over 0..1, u to the right, v downwards.
+ *
+ * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
+ * of range, and {@link NullPointerException} for a missing one.
+ */
 public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.File {
 
-    /** One colour everywhere. */
+    /** The texture of one colour everywhere. */
     static Texture of(DisplayRgb color) {
         return new Solid(color);
     }
@@ -20,6 +25,7 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
      * @param color the colour
      */
     record Solid(DisplayRgb color) implements Texture {
+        /** Validates the components, as {@link Texture} states. */
         public Solid {
             Objects.requireNonNull(color, "color");
         }
@@ -32,6 +38,7 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
      * @param scale the number of squares along each texture coordinate, greater than 0
      */
     record Checker(List<DisplayRgb> colors, double scale) implements Texture {
+        /** Validates the components, as {@link Texture} states. */
         public Checker {
             Check.that(colors.size() == 2, "colors", "must be two colours, not " + colors.size());
             Check.positive("scale", scale);
@@ -40,13 +47,14 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
     }
 
     /**
-     * An image file, stretched over the texture coordinates; it repeats beyond 0..1.
+     * An image file, stretched over the texture coordinates; it repeats beyond 0..1. The file is not read before a render.
      *
-     * @param file the image: PNG, JPEG or BMP
+     * @param file the image: PNG, JPEG or BMP; a relative path is relative to the working directory
      * @param filter how texels are looked up
      * @param encoding how the file's numbers encode light
      */
     record File(Path file, Filter filter, Encoding encoding) implements Texture {
+        /** Validates the components, as {@link Texture} states. */
         public File {
             file = file.normalize();
             Objects.requireNonNull(filter, "filter");
@@ -56,9 +64,9 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
 
     /** How texels are looked up. */
     enum Filter {
-        /** The texel that the point falls into. */
+        /** The texel that contains the point. */
         NEAREST,
-        /** Weighted between the centres of the four texels around the point. */
+        /** Bilinear interpolation between the centres of the four texels around the point. */
         BILINEAR
     }
 

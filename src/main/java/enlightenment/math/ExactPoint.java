@@ -10,25 +10,33 @@ import java.util.Objects;
  * <p>Coordinates are kept as the decimals that were written, because the picture must not depend on where the scene's
  * origin lies: the compiler subtracts the eye exactly and rounds once (docs/numerics.md, "exact frame").
  *
- * @param x exact first coordinate, trailing zeros stripped
+ * <p>Points are equal if their coordinates are equal numbers, however these were written.
+ *
+ * @param x exact first coordinate, in scene units; stored without trailing zeros
  * @param y exact second coordinate
  * @param z exact third coordinate
  */
 public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
+    /** The origin of the scene's coordinates. */
     public static final ExactPoint ORIGIN = new ExactPoint(BigDecimal.ZERO, BigDecimal.ZERO, BigDecimal.ZERO);
 
     /** Beyond this binary exponent, components of a difference may have lost digits to the limits of doubles. */
     private static final int ORDINARY_EXPONENT = 900;
 
     /**
-     * A cross product of two directions that is longer than this share of the product of their lengths is one: the roundings
+     * If the cross product of two directions exceeds this share of the product of their lengths, it is not zero: the roundings
      * of the directions and of the products are below 2^-50 of that product.
      */
-    private static final double CERTAIN = 0x1p-40;
+    private static final double CERTAINLY_NOT_ZERO = 0x1p-40;
 
     /** Whole numbers of fewer digits are kept without an exponent. */
     private static final int SHORT = 9;
 
+    /**
+     * The point with these coordinates.
+     *
+     * @throws NullPointerException if one is missing
+     */
     public ExactPoint {
         x = canonical(x);
         y = canonical(y);
@@ -48,7 +56,11 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         return s.scale() < 0 && (long) s.precision() - s.scale() < SHORT ? s.setScale(0) : s;
     }
 
-    /** The point with exactly these coordinates: 0.1 means the double nearest to a tenth, not a tenth. */
+    /**
+     * The point with exactly these coordinates: 0.1 means the double nearest to a tenth, not a tenth.
+     *
+     * @throws InvalidValueException (key {@code x}, {@code y} or {@code z}) for a coordinate that is infinite or NaN
+     */
     public static ExactPoint of(double x, double y, double z) {
         requireFinite("x", x);
         requireFinite("y", y);
@@ -56,7 +68,11 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         return new ExactPoint(exact(x), exact(y), exact(z));
     }
 
-    /** The point with these decimal coordinates, exactly as written. */
+    /**
+     * The point with these decimal coordinates, exactly as written.
+     *
+     * @throws NumberFormatException for a text that {@link BigDecimal#BigDecimal(String)} refuses
+     */
     public static ExactPoint of(String x, String y, String z) {
         return new ExactPoint(new BigDecimal(x), new BigDecimal(y), new BigDecimal(z));
     }
@@ -68,12 +84,16 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         return new BigDecimal(v);
     }
 
-    /** This point shifted by exactly d. */
+    /**
+     * This point moved by exactly d.
+     *
+     * @throws IllegalArgumentException if d is not finite
+     */
     public ExactPoint plus(Vec3 d) {
         return new ExactPoint(x.add(exact(d.x())), y.add(exact(d.y())), z.add(exact(d.z())));
     }
 
-    /** The difference this − o, computed exactly and rounded once per component. */
+    /** The offset from o to this point, computed exactly and rounded once per component; infinite beyond the range of doubles. */
     public Vec3 minus(ExactPoint o) {
         return new Vec3(
                 x.subtract(o.x).doubleValue(),
@@ -82,8 +102,9 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
     }
 
     /**
-     * The direction from here to another point, of any length that is handy: right to rounding even where the difference is
-     * beyond the range of doubles. Zero if and only if the two are the same point.
+     * The direction from this point to another. Its length says nothing: it is the difference times some power of two, so that
+     * it is accurate to rounding even where the difference is beyond the range of doubles. Zero if and only if the two points
+     * are equal.
      */
     public Vec3 directionTo(ExactPoint o) {
         Vec3 d = o.minus(this);
@@ -94,7 +115,7 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         return direction(o.x.subtract(x), o.y.subtract(y), o.z.subtract(z));
     }
 
-    /** The binary exponent of the largest component of the difference from here to another point, or one near it. */
+    /** An estimate of the binary exponent of the largest component of the difference to another point, off by a few at most. */
     public int exponentTo(ExactPoint o) {
         Vec3 d = o.minus(this);
         int e = d.exponent();
@@ -106,17 +127,17 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
                 Math.max(Decimals.exponent(o.y.subtract(y)), Decimals.exponent(o.z.subtract(z))));
     }
 
-    /** Whether three points lie exactly in one line. */
-    public static boolean inLine(ExactPoint a, ExactPoint b, ExactPoint c) {
+    /** Whether three points lie exactly on one line, or some of them coincide. A sliver, however thin, is not a line. */
+    public static boolean areCollinear(ExactPoint a, ExactPoint b, ExactPoint c) {
         Vec3 p = a.directionTo(b);
         Vec3 q = a.directionTo(c);
-        return !(p.cross(q).length() > p.length() * q.length() * CERTAIN)
+        return !(p.cross(q).length() > p.length() * q.length() * CERTAINLY_NOT_ZERO)
                 && normal(a, b, c).maxAbs() == 0;
     }
 
     /**
-     * The direction (b − a) × (c − a), of any length that is handy; right to rounding however thin the triangle is. Zero if
-     * and only if the points lie in one line.
+     * The direction of (b − a) × (c − a), the normal of a triangle, accurate to rounding however thin the triangle is. Its length
+     * says nothing. Zero if and only if the points are collinear.
      */
     public static Vec3 normal(ExactPoint a, ExactPoint b, ExactPoint c) {
         BigDecimal[] n = new BigDecimal[3];
@@ -133,12 +154,12 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         return to.component(axis).subtract(from.component(axis));
     }
 
-    /** The coordinates, each rounded once. */
+    /** The coordinates, each rounded to the nearest double. */
     public Vec3 toVec3() {
         return new Vec3(x.doubleValue(), y.doubleValue(), z.doubleValue());
     }
 
-    /** Component 0, 1 or 2. */
+    /** A coordinate by its axis: 0 for x, 1 for y, anything else for z. */
     public BigDecimal component(int axis) {
         return axis == 0 ? x : axis == 1 ? y : z;
     }
@@ -149,7 +170,7 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         }
     }
 
-    /** Three numbers as a vector of any length that is handy: their ratios are right to rounding, however large they are. */
+    /** Three numbers times some power of two, as a vector: accurate to rounding, however large or small they are. */
     private static Vec3 direction(BigDecimal x, BigDecimal y, BigDecimal z) {
         int e = Math.max(Decimals.exponent(x), Math.max(Decimals.exponent(y), Decimals.exponent(z)));
         if (e == Integer.MIN_VALUE) {

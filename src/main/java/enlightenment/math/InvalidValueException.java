@@ -10,7 +10,9 @@ public final class InvalidValueException extends IllegalArgumentException {
     private final String problem;
 
     /**
-     * @param key where the value is, see {@link #key}; "" where that is what the message speaks of as a whole
+     * An exception for one value.
+     *
+     * @param key where the value is, see {@link #key}; "" if the problem concerns the whole that the message is about
      * @param problem what is wrong with it, see {@link #problem}
      */
     public InvalidValueException(String key, String problem) {
@@ -19,12 +21,12 @@ public final class InvalidValueException extends IllegalArgumentException {
         this.problem = problem;
     }
 
-    /** The key of the scene format that holds the value, as a relative JSON pointer without the leading slash. */
+    /** The key of the scene format that holds the value, as a JSON pointer relative to the description, without its slash. */
     public String key() {
         return key;
     }
 
-    /** What is wrong, without the key: for a caller who tells the place in another way. */
+    /** What is wrong, without the key: for a caller that names the place in another way. */
     public String problem() {
         return problem;
     }

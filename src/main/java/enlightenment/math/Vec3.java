@@ -4,46 +4,59 @@ import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 
 /**
- * An immutable triple of doubles: a direction, an offset or a position in a frame that has already been chosen.
+ * An immutable triple of doubles: a direction or an offset. Positions in a scene description are {@link ExactPoint}s.
  *
- * <p>Positions in a scene description are {@link ExactPoint}s, which are exact.
+ * <p>Components may be any doubles, infinities and NaN included; what takes a vector says what it accepts. Operations round
+ * each component once unless they say otherwise, and give infinities or NaN where the result leaves the range of doubles.
  *
  * @param x first component
  * @param y second component (up, in the paper's scenes)
  * @param z third component (away from the viewer, in the paper's scenes)
  */
 public record Vec3(double x, double y, double z) {
+    /** The zero vector. */
     public static final Vec3 ZERO = new Vec3(0, 0, 0);
+
+    /** The unit vector along the first axis. */
     public static final Vec3 X = new Vec3(1, 0, 0);
+
+    /** The unit vector along the second axis. */
     public static final Vec3 Y = new Vec3(0, 1, 0);
+
+    /** The unit vector along the third axis. */
     public static final Vec3 Z = new Vec3(0, 0, 1);
 
+    /** The vector with these components. */
     public static Vec3 of(double x, double y, double z) {
         return new Vec3(x, y, z);
     }
 
+    /** The sum of this vector and o. */
     public Vec3 plus(Vec3 o) {
         return new Vec3(x + o.x, y + o.y, z + o.z);
     }
 
+    /** This vector minus o. */
     public Vec3 minus(Vec3 o) {
         return new Vec3(x - o.x, y - o.y, z - o.z);
     }
 
+    /** This vector with every component times s. */
     public Vec3 times(double s) {
         return new Vec3(x * s, y * s, z * s);
     }
 
+    /** The vector of the same length in the opposite direction. */
     public Vec3 negated() {
         return new Vec3(-x, -y, -z);
     }
 
-    /** The dot product, with one rounding fewer than the plain sum. */
+    /** The dot product, with fused steps: error at most three roundings of the sum of the absolute products. */
     public double dot(Vec3 o) {
         return Products.dot(x, y, z, o.x, o.y, o.z);
     }
 
-    /** The cross product; each component is right to 1.5 units in the last place ({@link Products#difference}). */
+    /** The cross product; each component is accurate to 1.5 units in the last place, however much of it cancels. */
     public Vec3 cross(Vec3 o) {
         return new Vec3(
                 Products.difference(y, o.z, z, o.y),
@@ -51,6 +64,7 @@ public record Vec3(double x, double y, double z) {
                 Products.difference(x, o.y, y, o.x));
     }
 
+    /** The squared Euclidean length; overflows or underflows where the square does. */
     public double lengthSquared() {
         return dot(this);
     }
@@ -65,7 +79,11 @@ public record Vec3(double x, double y, double z) {
         return Math.scalb(Math.sqrt(v.lengthSquared()), e);
     }
 
-    /** This vector with length 1; the zero vector has no direction and is refused. */
+    /**
+     * This vector with length 1, however long or short it is.
+     *
+     * @throws ArithmeticException for the zero vector, which has no direction
+     */
     public Vec3 normalized() {
         int e = exponent();
         if (e == Scale.ZERO_EXPONENT) {
@@ -75,12 +93,12 @@ public record Vec3(double x, double y, double z) {
         return v.times(1 / Math.sqrt(v.lengthSquared()));
     }
 
-    /** This vector times 2^k, exact unless a component leaves the range of doubles. */
+    /** This vector times 2^k, exact unless a component leaves the range of normal doubles. */
     public Vec3 scaledBy(int k) {
         return new Vec3(Scale.scalb(x, k), Scale.scalb(y, k), Scale.scalb(z, k));
     }
 
-    /** Exponent e with 2^e at most the largest |component| &lt; 2^(e+1), or {@link Scale#ZERO_EXPONENT}. */
+    /** The e for which the largest absolute component is in [2^e, 2^(e+1)); -2000 for the zero vector. */
     public int exponent() {
         return Scale.exponent(maxAbs());
     }
@@ -90,11 +108,12 @@ public record Vec3(double x, double y, double z) {
         return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
     }
 
+    /** Whether no component is infinite or NaN. */
     public boolean isFinite() {
         return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
     }
 
-    /** Component 0, 1 or 2. */
+    /** A component by its axis: 0 for x, 1 for y, anything else for z. */
     public double component(int axis) {
         return axis == 0 ? x : axis == 1 ? y : z;
     }

@@ -4,6 +4,7 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -40,7 +41,7 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
     /** The settings of the paper's benchmark. */
     public static RenderSettings paperSettings(Scene fireAndIce) {
         return RenderSettings.of(fireAndIce)
-                .withMethod("raytrace")
+                .withMethod(Method.RAYTRACE)
                 .withSize(PAPER_WIDTH, PAPER_HEIGHT)
                 .withAntialias(PAPER_ANTIALIAS)
                 .withShadowSamples(PAPER_SHADOW_SAMPLES)

@@ -1,6 +1,7 @@
 package enlightenment.measure;
 
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
@@ -14,9 +15,6 @@ import java.util.List;
  * @param grid whether its budgets are given as {@code --antialias} and not as {@code --samples}: the positions in the pixel differ
  */
 public record Contender(String method, int lightPoints, boolean grid) {
-    /** The method that takes this many light points for each hit; the other one decides by itself. */
-    private static final String TAKES_LIGHT_POINTS = "raytrace";
-
     /** From one number of light points to the next; measured: the cost of the best differs little within a factor of two. */
     private static final int STEP = 4;
 
@@ -31,7 +29,7 @@ public record Contender(String method, int lightPoints, boolean grid) {
      */
     static List<Contender> variants(Contender own) {
         List<Contender> variants = new ArrayList<>();
-        if (!own.method.equals(TAKES_LIGHT_POINTS)) {
+        if (!own.takesLightPoints()) {
             return variants;
         }
         for (int n = 1; 2 * n <= own.lightPoints; n *= STEP) {
@@ -43,6 +41,13 @@ public record Contender(String method, int lightPoints, boolean grid) {
         return variants;
     }
 
+    /** Whether the method takes this many light points for each hit, instead of deciding by itself. */
+    private boolean takesLightPoints() {
+        return Method.of(method)
+                .filter(m -> m.has(Method.Setting.SHADOW_SAMPLES))
+                .isPresent();
+    }
+
     /** Whether a run is one of this contender's. */
     public boolean made(TradeRun run) {
         return equals(of(run));
@@ -50,7 +55,7 @@ public record Contender(String method, int lightPoints, boolean grid) {
 
     /** The settings of a render with this budget. */
     RenderSettings settings(RenderSettings base, double samples, long seed) {
-        return base.withMethod(method)
+        return base.withMethod(Method.named(method))
                 .withShadowSamples(lightPoints)
                 .withBudget(Budget.NONE.withSamples(samples))
                 .withSeed(seed);
@@ -59,7 +64,7 @@ public record Contender(String method, int lightPoints, boolean grid) {
     /** What it is called: the method, and how many light points it takes. */
     public String name() {
         String name = grid ? method + " --antialias" : method;
-        return method.equals(TAKES_LIGHT_POINTS)
+        return takesLightPoints()
                 ? name + " with " + lightPoints + (lightPoints == 1 ? " light point" : " light points")
                 : name;
     }

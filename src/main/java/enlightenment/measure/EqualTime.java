@@ -1,9 +1,9 @@
 package enlightenment.measure;
 
 import enlightenment.image.Flip;
-import enlightenment.image.HeatMap;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.picture.HeatMap;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,7 +1,7 @@
 package enlightenment.measure;
 
+import enlightenment.machine.MachineFacts;
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -31,7 +31,7 @@ public final class Machine {
                         + System.getProperty("os.arch"));
         facts.put("Java", Runtime.version() + ", " + System.getProperty("java.vm.name"));
         facts.put("largest heap", String.format(Locale.ROOT, "%.0f MiB", runtime.maxMemory() / MEBI));
-        double load = ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
+        double load = MachineFacts.loadAverage();
         facts.put("load when it began", load < 0 ? "unknown" : String.format(Locale.ROOT, "%.1f", load));
         return facts;
     }

@@ -56,7 +56,7 @@ final class Meter {
         RenderSettings s = r.settings;
         return new TradeRun(
                 kind,
-                s.method(),
+                s.method().word(),
                 s.antialias(),
                 s.shadowSamples(),
                 s.threads(),

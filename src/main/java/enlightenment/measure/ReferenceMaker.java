@@ -84,7 +84,7 @@ final class ReferenceMaker {
         Path note = session.folder.file("reference-" + (index + 1) + ".txt");
         Path file = session.folder.file("reference-" + (index + 1) + ".pfm");
         if (Files.exists(note) && Files.exists(file)) {
-            images.add(ImageFiles.readPfm(file));
+            images.add(ImageFiles.read(file));
             parts.add(part(contender, samples(note), index));
             return;
         }

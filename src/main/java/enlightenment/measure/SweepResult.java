@@ -31,7 +31,6 @@ public record SweepResult(Sweep sweep, String method, List<Point> points) {
 
     /** Turns the switch as far as the time goes: up to this share of the budget. The first two notches come in any case. */
     static void run(Session session, Sweep sweep, double share) throws IOException {
-        String method = session.settings.base().method();
         double last = 0;
         for (int i = 0; i < sweep.values().size(); i++) {
             int value = sweep.values().get(i);
@@ -45,8 +44,7 @@ public record SweepResult(Sweep sweep, String method, List<Point> points) {
                         r -> r.kind().equals(sweep.kind()) && sweep.valueOf(r) == value && r.seed() == seed);
                 if (!done) {
                     Meter.Timed render = session.meter.render(
-                            sweep.at(session.settings.base().withMethod(method), value)
-                                    .withSeed(seed));
+                            sweep.at(session.settings.base(), value).withSeed(seed));
                     last = render.wall();
                     session.record(sweep.kind(), List.of(render));
                 }

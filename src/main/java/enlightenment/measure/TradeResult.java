@@ -59,7 +59,7 @@ public record TradeResult(
                 reaches(settings, runs, variance),
                 equalTime,
                 settings.sweeps().stream()
-                        .map(s -> SweepResult.of(s, settings.base().method(), runs, variance))
+                        .map(s -> SweepResult.of(s, settings.base().method().word(), runs, variance))
                         .toList(),
                 runs,
                 circumstances);

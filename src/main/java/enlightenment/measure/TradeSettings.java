@@ -2,7 +2,7 @@ package enlightenment.measure;
 
 import enlightenment.check.Check;
 import enlightenment.image.Image;
-import enlightenment.render.Renderer;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -36,9 +36,9 @@ public record TradeSettings(
         sweeps = List.copyOf(sweeps);
         Check.that(!methods.isEmpty(), "methods", "must name at least one method");
         Check.that(
-                Renderer.METHODS.containsAll(methods),
+                Method.words().containsAll(methods),
                 "methods",
-                "must be some of " + Renderer.METHODS + ", not " + methods);
+                "must be some of " + Method.words() + ", not " + methods);
         Check.that(new HashSet<>(methods).size() == methods.size(), "methods", "must name each method once");
         Check.that(
                 budgetSeconds > 0 && budgetSeconds < Double.POSITIVE_INFINITY,

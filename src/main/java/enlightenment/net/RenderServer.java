@@ -37,6 +37,7 @@ public final class RenderServer implements Closeable {
      *
      * @param cancelled asked now and then while the render is planned; once true, the plan is made in haste
      * @throws IOException if the server cannot listen, or a file of the options cannot be used; the message says why
+     * @throws IllegalStateException if the library for CBOR, which is optional, is not there
      * @throws enlightenment.scene.SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws IllegalArgumentException if there is a checkpoint for a render that is planned anew each time, a machine to be
@@ -44,6 +45,7 @@ public final class RenderServer implements Closeable {
      */
     public static RenderServer start(
             Scene scene, RenderSettings settings, ServerOptions options, BooleanSupplier cancelled) throws IOException {
+        CborLibrary.require();
         ServerLog log = new ServerLog(options.log, System::nanoTime);
         if (options.checkpoint.isPresent() && settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException(

@@ -49,9 +49,11 @@ public final class RenderWorker {
      * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the
      *     worker says good-bye and ends
      * @throws IOException if a file of the options cannot be used
+     * @throws IllegalStateException if the library for CBOR, which is optional, is not there
      */
     public static Outcome run(String host, int port, WorkerOptions options, BooleanSupplier cancelled)
             throws IOException {
+        CborLibrary.require();
         Consumer<String> log = line -> options.log.accept(Plain.line(line, LONGEST_REASON));
         byte[] token = token(options, log);
         Tls tls = tls(options);

@@ -1,6 +1,5 @@
 package enlightenment.nff;
 
-import enlightenment.frame.Parallelograms;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Triangle;
@@ -61,7 +60,7 @@ final class Polygons {
                 return false;
             }
         }
-        return !Parallelograms.collinear(c.get(0), c.get(1), c.get(3));
+        return !ExactPoint.areCollinear(c.get(0), c.get(1), c.get(3));
     }
 
     /** The axis along which the polygon shows its largest area; −1 where it has none (Newell's normal, exact). */
@@ -162,7 +161,7 @@ final class Polygons {
         ExactPoint a = ring.get((at + n - 1) % n).point;
         ExactPoint b = ring.get(at).point;
         ExactPoint c = ring.get((at + 1) % n).point;
-        if (!Parallelograms.collinear(a, b, c)) {
+        if (!ExactPoint.areCollinear(a, b, c)) {
             triangles.add(new Triangle(a, b, c));
         }
     }

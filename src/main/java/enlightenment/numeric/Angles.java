@@ -2,10 +2,10 @@ package enlightenment.numeric;
 
 /**
  * Angles from coordinates, by fused operations only: the same on every machine, and several times as fast as
- * {@link StrictMath#atan2}. For texture coordinates; right to 2 units in the last place.
+ * {@link StrictMath#atan2}. For texture coordinates; accurate to 2 units in the last place.
  */
 public final class Angles {
-    /** tan(π/16), tan(π/8) and tan(3π/16): where the reductions change, and what they subtract. */
+    /** tan(π/16) and tan(3π/16) are where the reduction of the argument changes, tan(π/8) is what it subtracts. */
     private static final double TAN_SIXTEENTH = 0.198912367379658;
 
     private static final double TAN_EIGHTH = 0.41421356237309503;

@@ -3,7 +3,7 @@ package enlightenment.numeric;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 
-/** Exact decimals and powers of two. */
+/** Decimal numbers times powers of two, exactly. */
 public final class Decimals {
     /** The binary logarithm of ten, for estimates. */
     private static final double BITS_PER_DIGIT = 3.3219280948873626;
@@ -18,7 +18,7 @@ public final class Decimals {
                 : v.multiply(new BigDecimal(BigInteger.valueOf(5).pow(-k), -k));
     }
 
-    /** The binary exponent of the number's absolute value, wrong by a few at most; that of zero is the least int. */
+    /** An estimate of the binary exponent of |v|, off by a few at most; {@link Integer#MIN_VALUE} for zero. */
     public static int exponent(BigDecimal v) {
         if (v.signum() == 0) {
             return Integer.MIN_VALUE;

@@ -25,7 +25,7 @@ public final class Products {
         return Math.fma(a, b, cd) + error;
     }
 
-    /** a·b in three components with fused steps: error at most γ₃·(|ax·bx| + |ay·by| + |az·bz|). */
+    /** The dot product of two vectors with fused steps: error at most γ₃·(|ax·bx| + |ay·by| + |az·bz|). */
     public static double dot(double ax, double ay, double az, double bx, double by, double bz) {
         return Math.fma(az, bz, Math.fma(ay, by, ax * bx));
     }
@@ -52,8 +52,8 @@ public final class Products {
     }
 
     /**
-     * x² + y² + z² − r² in twice the working precision, rounded once; keeps its sign and most of its digits where the
-     * point (x, y, z) is close to the sphere of radius r.
+     * x² + y² + z² − r² in twice the working precision, rounded once: error at most u·|result| + γ₄²·(x² + y² + z² + r²). It
+     * keeps its sign and most of its digits where the point (x, y, z) is close to the sphere of radius r.
      */
     public static double distanceSquaredMinus(double x, double y, double z, double r) {
         double p = x * x;

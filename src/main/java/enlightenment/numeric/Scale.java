@@ -1,8 +1,8 @@
 package enlightenment.numeric;
 
-/** Powers of two: the only change of scale that loses nothing. */
+/** Scaling by powers of two, which loses nothing, and the bounds of accumulated roundings. */
 public final class Scale {
-    /** What {@link #exponent} gives for zero: smaller than the exponent of every double. */
+    /** What {@link #exponent} returns for zero: smaller than the exponent of every double. */
     public static final int ZERO_EXPONENT = -2000;
 
     /** Unit roundoff of double arithmetic, u = 2^-53. */
@@ -27,7 +27,7 @@ public final class Scale {
         return k == 0 ? v : Math.scalb(v, k);
     }
 
-    /** γₙ = nu/(1 − nu), the bound of n accumulated roundings (Higham, Accuracy and Stability, section 3.1). */
+    /** γₙ = nu/(1 − nu), the relative error bound of n accumulated roundings (Higham, Accuracy and Stability, section 3.1). */
     public static double gamma(int n) {
         return n * UNIT_ROUNDOFF / (1 - n * UNIT_ROUNDOFF);
     }

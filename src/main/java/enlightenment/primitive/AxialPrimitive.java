@@ -2,7 +2,6 @@ package enlightenment.primitive;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
-import enlightenment.numeric.Angles;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 
@@ -11,12 +10,12 @@ import enlightenment.numeric.Scale;
  *
  * <p>Everything is measured from the foot of the perpendicular from a reference point (the centre of the narrower end)
  * to the ray's line, not from the ray's origin: with f = o − reference and m = f × d, the foot is F = (d × m)/d², so
- * that no error grows with the distance of the origin, other than the one rounding of f. The ray's stretch within the
- * two planes and its stretch within the lateral surface are intervals of the same parameter; their intersection is the
- * solid, and the face that is hit is whichever bound won. So there is no hole at a rim, and inside and outside are the
- * same code.
+ * that no error grows with the distance of the origin, except for the one rounding of f. The parts of the line between the
+ * two planes and within the lateral surface are intervals of the same parameter; their intersection is the solid, and the
+ * face that is hit is the one that bounds it. So there is no hole at a rim, and inside and outside are the same code.
  *
- * <p>Faces: {@link #LATERAL}, {@link #BASE}, {@link #TOP}.
+ * <p>This class and its subclasses find the crossing; {@link AxialSurface} says where on the surface it is. Faces:
+ * {@link #LATERAL}, {@link #BASE}, {@link #TOP}.
  */
 public abstract sealed class AxialPrimitive extends Primitive permits CylinderPrimitive, ConePrimitive {
     /** The face around the axis. */
@@ -27,8 +26,6 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     /** The face that closes the other end. */
     public static final int TOP = 2;
-
-    private static final double TWO_PI = 2 * Math.PI;
 
     /** Bounds the roundings of a squared reach and of what is compared with it. */
     private static final double PADDING = 1 + Scale.gamma(16);
@@ -69,27 +66,18 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     /** No point is farther than the root of this from the reference point. */
     final double reachSquared;
 
-    private final boolean narrowIsTop;
+    final boolean narrowIsTop;
 
     /** The coordinate axis that the axis is parallel to, or -1. */
     private final int aligned;
 
     /** The axis without a power of two, and with length 1. */
-    private final Vec3 axis;
+    final Vec3 axis;
 
-    private final Vec3 unitAxis;
+    final Vec3 unitAxis;
+    private final AxialSurface surface;
 
-    /** The lateral normal is tiltAcross parts away from the axis and tiltAlong parts towards the narrower end. */
-    private final double tiltAcross;
-
-    private final double tiltAlong;
-
-    /** Where the texture's seam lies, and the direction that it grows to there: a basis across the axis. */
-    private final Vec3 seam;
-
-    private final Vec3 east;
-
-    /** @param towardsTop from base to top, more precisely than by their difference */
+    /** @param towardsTop from base to top, more accurate than the difference of the two */
     AxialPrimitive(Vec3 base, Vec3 top, Vec3 towardsTop, double baseRadius, double topRadius, boolean capped) {
         super(
                 Math.max(base.maxAbs(), top.maxAbs()) + Math.max(baseRadius, topRadius),
@@ -122,11 +110,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         reachSquared = (axis.lengthSquared() + wideRadius * wideRadius) * PADDING;
         aligned = Disks.alignedAxis(axis);
         unitAxis = Disks.unit(axis);
-        Vec3 slant = new Vec3(axis.length(), gain, 0).normalized();
-        tiltAcross = slant.x();
-        tiltAlong = slant.y();
-        seam = Disks.seam(unitAxis);
-        east = seam.cross(narrowIsTop ? unitAxis.negated() : unitAxis);
+        surface = new AxialSurface(this);
     }
 
     /** The centre of the base. */
@@ -139,10 +123,12 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         return top;
     }
 
+    /** The radius at the base. */
     public double baseRadius() {
         return baseRadius;
     }
 
+    /** The radius at the other end. */
     public double topRadius() {
         return topRadius;
     }
@@ -169,16 +155,16 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
      */
     abstract double crossing(Ray ray, double tMax, Hit hit);
 
-    /** Whether a ray that starts here on the outside: it never returns, for the primitive is convex. */
+    /** Whether the ray starts here on the outside: it never returns, because the primitive is convex. */
     final boolean leavesOutside(Ray ray) {
         return ray.start == this && ray.startSide == Ray.OUTSIDE;
     }
 
     /**
-     * Cuts the stretch within the lateral surface with that between the planes, and takes the first bound that counts.
+     * Intersects the interval within the lateral surface with that between the planes, and takes the first end that counts.
      *
      * @param foot the ray parameter of the foot F; the other parameters are relative to it
-     * @param lo the lower end of the stretch within the lateral surface
+     * @param lo the lower end of the interval within the lateral surface
      * @param hi its upper end
      * @param h F·A
      * @param e d·A
@@ -232,7 +218,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         return MISS;
     }
 
-    /** Where the ray meets an end's plane: by the expression that any plane across a coordinate axis is met with. */
+    /** Where the ray meets an end's plane; for an axis-aligned plane by the same expression as every other primitive's. */
     private double planeParameter(Ray ray, double t, boolean narrow) {
         return switch (aligned) {
             case 0 -> ((narrow ? cx : wide().x()) - ray.ox) / ray.dx;
@@ -247,7 +233,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         return narrow == narrowIsTop ? TOP : BASE;
     }
 
-    /** @param along the crossing's parameter relative to the foot; not a number where the ray crosses an end's plane */
+    /** @param along the crossing's parameter relative to the foot; NaN where the ray crosses an end's plane */
     private static double found(Hit hit, double t, double tMax, double along, int side, int face) {
         if (!(t <= tMax)) {
             return MISS;
@@ -260,105 +246,20 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         return t;
     }
 
-    private Vec3 wide() {
+    /** The centre of the wider end. */
+    final Vec3 wide() {
         return narrowIsTop ? base : top;
     }
 
     @Override
     void completeOrdinary(Ray ray, double t, Hit hit) {
         crossing(ray, Double.MAX_VALUE, hit);
-        double fx = ray.ox - cx;
-        double fy = ray.oy - cy;
-        double fz = ray.oz - cz;
-        double mx = Products.difference(fy, ray.dz, fz, ray.dy);
-        double my = Products.difference(fz, ray.dx, fx, ray.dz);
-        double mz = Products.difference(fx, ray.dy, fy, ray.dx);
-        if (hit.face == LATERAL) {
-            completeLateral(ray, mx, my, mz, hit);
-        } else {
-            completeEnd(ray, mx, my, mz, hit);
-        }
-    }
-
-    private void completeLateral(Ray ray, double mx, double my, double mz, Hit hit) {
-        // The crossing relative to the reference point: F + along·d.
-        double px = Math.fma(hit.along, ray.dx, Products.difference(ray.dy, mz, ray.dz, my) / ray.dd);
-        double py = Math.fma(hit.along, ray.dy, Products.difference(ray.dz, mx, ray.dx, mz) / ray.dd);
-        double pz = Math.fma(hit.along, ray.dz, Products.difference(ray.dx, my, ray.dy, mx) / ray.dd);
-        double ex = unitAxis.x();
-        double ey = unitAxis.y();
-        double ez = unitAxis.z();
-        double wx = Products.difference(py, ez, pz, ey);
-        double wy = Products.difference(pz, ex, px, ez);
-        double wz = Products.difference(px, ey, py, ex);
-        double radial = Math.sqrt(wx * wx + wy * wy + wz * wz);
-        // On a flat cone the distance from the axis says best where along the axis the point is, on others the height.
-        double fraction = slope > 1
-                ? (radial - narrowRadius) / (wideRadius - narrowRadius)
-                : Products.dot(px, py, pz, ax, ay, az) / extent;
-        fraction = Watertight.clamp01(fraction);
-        double r = Math.fma(wideRadius - narrowRadius, fraction, narrowRadius);
-        if (radial > 0) {
-            hit.setNormal(
-                    Products.difference(ey, wz, ez, wy),
-                    Products.difference(ez, wx, ex, wz),
-                    Products.difference(ex, wy, ey, wx));
-        } else {
-            // At the very apex every lateral direction is as good.
-            hit.setNormal(seam.x(), seam.y(), seam.z());
-        }
-        hit.setPoint(
-                Math.fma(r, hit.nx, Math.fma(fraction, axis.x(), cx)),
-                Math.fma(r, hit.ny, Math.fma(fraction, axis.y(), cy)),
-                Math.fma(r, hit.nz, Math.fma(fraction, axis.z(), cz)));
-        if (tiltAlong > 0) {
-            hit.setNormal(
-                    Math.fma(tiltAcross, hit.nx, -tiltAlong * ex),
-                    Math.fma(tiltAcross, hit.ny, -tiltAlong * ey),
-                    Math.fma(tiltAcross, hit.nz, -tiltAlong * ez));
-        }
-    }
-
-    private void completeEnd(Ray ray, double mx, double my, double mz, Hit hit) {
-        boolean narrow = (hit.face == TOP) == narrowIsTop;
-        double sign = narrow ? -1 : 1;
-        hit.nx = sign * unitAxis.x();
-        hit.ny = sign * unitAxis.y();
-        hit.nz = sign * unitAxis.z();
-        Vec3 center = narrow ? new Vec3(cx, cy, cz) : wide();
-        if (hit.along == hit.along) {
-            // The ray leaves where it starts: that point, put into the plane.
-            Vec3 p = new Vec3(ray.ox, ray.oy, ray.oz).minus(center);
-            Vec3 q = p.minus(unitAxis.times(p.dot(unitAxis)));
-            hit.setPoint(center.x() + q.x(), center.y() + q.y(), center.z() + q.z());
-            return;
-        }
-        double e = Products.dot(ray.dx, ray.dy, ray.dz, ax, ay, az);
-        // The moment about the centre of this end; the line meets the end's plane at A × moment / (d·A) from there.
-        double kx = narrow ? mx : Math.fma(unit, Products.difference(ray.dy, az, ray.dz, ay), mx);
-        double ky = narrow ? my : Math.fma(unit, Products.difference(ray.dz, ax, ray.dx, az), my);
-        double kz = narrow ? mz : Math.fma(unit, Products.difference(ray.dx, ay, ray.dy, ax), mz);
-        hit.setPoint(
-                center.x() + Products.difference(ay, kz, az, ky) / e,
-                center.y() + Products.difference(az, kx, ax, kz) / e,
-                center.z() + Products.difference(ax, ky, ay, kx) / e);
+        surface.complete(ray, hit);
     }
 
     @Override
     public void textureCoordinates(Hit hit) {
-        if (hit.face != LATERAL) {
-            boolean atTop = hit.face == TOP;
-            Vec3 p = hit.point().minus(atTop ? top : base);
-            double r = atTop ? topRadius : baseRadius;
-            Disks.textureCoordinates(hit, p, east, atTop ? seam.negated() : seam, r);
-            return;
-        }
-        Vec3 p = hit.point().minus(base);
-        double turn = Angles.atan2(p.dot(east), p.dot(seam)) / TWO_PI;
-        hit.u = turn < 0 ? turn + 1 : turn;
-        Vec3 q = hit.point().minus(new Vec3(cx, cy, cz));
-        double fraction = Products.dot(q.x(), q.y(), q.z(), ax, ay, az) / extent;
-        hit.v = Watertight.clamp01(narrowIsTop ? fraction : 1 - fraction);
+        surface.textureCoordinates(hit);
     }
 
     @Override

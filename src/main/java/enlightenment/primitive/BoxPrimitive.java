@@ -18,7 +18,7 @@ public final class BoxPrimitive extends Primitive {
     private final double z1;
 
     BoxPrimitive(Vec3 min, Vec3 max) {
-        // Slabs take no squares: a box may be as thin as it likes, as long as its coordinates are ordinary.
+        // Slabs take no squares, so a box may have any thickness as long as its coordinates are ordinary.
         super(Math.max(min.maxAbs(), max.maxAbs()), Math.max(min.maxAbs(), max.maxAbs()));
         x0 = min.x();
         y0 = min.y();
@@ -38,7 +38,7 @@ public final class BoxPrimitive extends Primitive {
         if (own && ray.startSide == Ray.OUTSIDE) {
             return MISS;
         }
-        double far = Slabs.least(
+        double far = Slabs.min(
                 Slabs.exit(ray.ox, ray.dx, x0, x1),
                 Slabs.exit(ray.oy, ray.dy, y0, y1),
                 Slabs.exit(ray.oz, ray.dz, z0, z1));
@@ -55,7 +55,7 @@ public final class BoxPrimitive extends Primitive {
     }
 
     private double entry(Ray ray) {
-        return Slabs.greatest(
+        return Slabs.max(
                 Slabs.entry(ray.ox, ray.dx, x0, x1),
                 Slabs.entry(ray.oy, ray.dy, y0, y1),
                 Slabs.entry(ray.oz, ray.dz, z0, z1));
@@ -78,7 +78,7 @@ public final class BoxPrimitive extends Primitive {
                         Slabs.exit(ray.ox, ray.dx, x0, x1),
                         Slabs.exit(ray.oy, ray.dy, y0, y1),
                         Slabs.exit(ray.oz, ray.dz, z0, z1));
-        // Entering against +x means coming in through the face +x; leaving along +x goes out through it.
+        // A ray that travels along -x enters through the face +x; one that travels along +x leaves through it.
         boolean upper = entering ? ray.d(axis) < 0 : ray.d(axis) > 0;
         double sign = upper ? 1 : -1;
         hit.face = 2 * axis + (upper ? 1 : 0);

@@ -66,7 +66,7 @@ public final class ConePrimitive extends AxialPrimitive {
         double e = Products.dot(dx, dy, dz, ax, ay, az);
         double widening = slope * e;
         double a = uu - widening * widening;
-        double moment = LateralStretch.axialMoment(mx * ax, my * ay, mz * az, px * ux, py * uy, pz * uz);
+        double moment = LateralInterval.axialMoment(mx * ax, my * ay, mz * az, px * ux, py * uy, pz * uz);
         double discriminant = discriminant(moment, mx, my, mz, ux, uy, uz);
         if (!(discriminant >= 0)) {
             // A line within the cone's directions always meets it.
@@ -84,11 +84,12 @@ public final class ConePrimitive extends AxialPrimitive {
         double c = Products.distanceSquaredMinus(wx, wy, wz, radius);
         double s = length * Math.sqrt(discriminant);
         double foot = -(fx * dx + fy * dy + fz * dz) * inv;
-        double lo = LateralStretch.lower(a, b, c, s, e);
-        double hi = LateralStretch.upper(a, b, c, s, e);
+        double lo = LateralInterval.lower(a, b, c, s, e);
+        double hi = LateralInterval.upper(a, b, c, s, e);
         if (slope > 1 && a < 0 && isCapped()) {
-            // A line within a flat cone's directions meets it if and only if it passes the wide end's disk. At the
-            // sharp rim the lateral surface and the plane are crossed so close together that their order says less.
+            // A line within a flat cone's directions meets it if and only if it meets the disk of the wider end. At the
+            // sharp
+            // rim the crossings of the lateral surface and of the plane are so close that their order is less reliable.
             boolean through =
                     meetsDisk(Math.fma(unit, ux, mx), Math.fma(unit, uy, my), Math.fma(unit, uz, mz), wideRadius * e);
             if (!through && !started) {
@@ -101,7 +102,7 @@ public final class ConePrimitive extends AxialPrimitive {
         return cut(ray, tMax, hit, foot, lo, hi, h, e);
     }
 
-    /** Whether the line with this moment about an end's centre passes the end's disk; given is its radius times d·A. */
+    /** Whether the line with this moment about an end's centre meets the end's disk; {@code rim} is its radius times d·A. */
     private boolean meetsDisk(double kx, double ky, double kz, double rim) {
         double vx = Products.difference(ay, kz, az, ky);
         double vy = Products.difference(az, kx, ax, kz);

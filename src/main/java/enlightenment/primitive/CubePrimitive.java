@@ -48,7 +48,7 @@ public final class CubePrimitive extends Primitive {
         return Math.abs(v.x()) + Math.abs(v.y()) + Math.abs(v.z()) == 1 && v.maxAbs() == 1;
     }
 
-    /** Whether a rotation turns nothing. */
+    /** Whether a rotation is the identity. */
     static boolean isUpright(Rotation r) {
         return isUnit(r.r0()) && isUnit(r.r1()) && r.r0().x() == 1 && r.r1().y() == 1 && r.r2().z() == 1;
     }
@@ -77,14 +77,14 @@ public final class CubePrimitive extends Primitive {
     }
 
     private double near(Ray ray, double h) {
-        return Slabs.greatest(entry(ray, axisX, h), entry(ray, axisY, h), entry(ray, axisZ, h));
+        return Slabs.max(entry(ray, axisX, h), entry(ray, axisY, h), entry(ray, axisZ, h));
     }
 
     private double far(Ray ray, double h) {
-        return Slabs.least(exit(ray, axisX, h), exit(ray, axisY, h), exit(ray, axisZ, h));
+        return Slabs.min(exit(ray, axisX, h), exit(ray, axisY, h), exit(ray, axisZ, h));
     }
 
-    /** Half an edge, enlarged by the rounding of slabs: a ray that passes no farther outside may be one that meets it. */
+    /** Half the edge, enlarged by the rounding of slabs: a ray that misses by less may be one that hits. */
     private double widened(Ray ray) {
         double distance = Math.abs(ray.ox - center.x()) + Math.abs(ray.oy - center.y()) + Math.abs(ray.oz - center.z());
         return half + SLAB_ERROR * (distance + half);
@@ -135,7 +135,7 @@ public final class CubePrimitive extends Primitive {
         hit.face = 2 * k + (upper ? 1 : 0);
         hit.side = entering ? Ray.OUTSIDE : Ray.INSIDE;
         hit.setNormal(sign * axis.x(), sign * axis.y(), sign * axis.z());
-        // In the cube's own coordinates the point is put onto the face, as on a box.
+        // In the cube's own coordinates the point is projected onto the face, as on a box.
         place(
                 hit,
                 k == 0 ? sign * half : coordinate(ray, t, axisX),
@@ -154,7 +154,7 @@ public final class CubePrimitive extends Primitive {
                 center.z() + Products.dot(axisX.z(), axisY.z(), axisZ.z(), x, y, z));
     }
 
-    /** The face of the turned cube that lies where the hit's normal says. */
+    /** The cube's own face whose outward normal is the hit's. */
     private int ownFace(Hit hit) {
         double x = axisX.x() * hit.nx + axisX.y() * hit.ny + axisX.z() * hit.nz;
         double y = axisY.x() * hit.nx + axisY.y() * hit.ny + axisY.z() * hit.nz;

@@ -5,7 +5,7 @@ import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 
 /**
- * A circular cylinder: with u = d × A and μ = F·u, the line passes the axis at the distance |μ|/|u|, and the
+ * A circular cylinder: with u = d × A and μ = F·u, the line's distance from the axis is |μ|/|u|, and the
  * discriminant r²u² − μ² loses nothing to the position along the axis (after Cychosz and Waggenspack, "Intersecting a
  * ray with a cylinder", Graphics Gems IV, with the foot F of {@link AxialPrimitive} in the origin's place).
  */
@@ -55,7 +55,7 @@ public final class CylinderPrimitive extends AxialPrimitive {
         double uy = Products.difference(dz, ax, dx, az);
         double uz = Products.difference(dx, ay, dy, ax);
         double uu = ux * ux + uy * uy + uz * uz;
-        double moment = LateralStretch.axialMoment(mx * ax, my * ay, mz * az, px * ux, py * uy, pz * uz);
+        double moment = LateralInterval.axialMoment(mx * ax, my * ay, mz * az, px * ux, py * uy, pz * uz);
         double discriminant = Products.difference(radiusSquared, uu, moment, moment);
         if (!(discriminant >= 0)) {
             if (!started) {
@@ -72,8 +72,8 @@ public final class CylinderPrimitive extends AxialPrimitive {
         double foot = -(fx * dx + fy * dy + fz * dz) * inv;
         double h = Products.dot(px, py, pz, ax, ay, az);
         double e = Products.dot(dx, dy, dz, ax, ay, az);
-        double lo = LateralStretch.lower(uu, b, c, s, e);
-        double hi = LateralStretch.upper(uu, b, c, s, e);
+        double lo = LateralInterval.lower(uu, b, c, s, e);
+        double hi = LateralInterval.upper(uu, b, c, s, e);
         return cut(ray, tMax, hit, foot, lo, hi, h, e);
     }
 

@@ -14,14 +14,14 @@ final class DepressedCubic {
     private DepressedCubic() {}
 
     /**
-     * Whether all three roots are real, given {@code turn}, the place of the cubic's minimum (0 if it has none): then
-     * they are separated by ∓turn.
+     * Whether all three roots are real, given {@code turn}, the position of the cubic's minimum (0 if it has none); if so, they
+     * are separated by ∓turn.
      */
     static boolean hasThreeRoots(double q, double turn) {
         return turn > 0 && Math.abs(q) <= 2 * turn * turn * turn;
     }
 
-    /** The place of the cubic's minimum, 0 if it is monotone; its maximum is at minus that. */
+    /** The position of the cubic's minimum, 0 if it is monotone; its maximum is at minus that. */
     static double turn(double p) {
         return p < 0 ? Math.sqrt(-p / 3) : 0;
     }
@@ -50,7 +50,7 @@ final class DepressedCubic {
         return s;
     }
 
-    /** The only real root, or limit with the root's sign if it is farther than that from 0. */
+    /** The only real root, or ±limit, with the root's sign, if the root is farther from 0. */
     static double only(double p, double q, double limit, double tolerance) {
         return q > 0 ? -onlyPositive(p, -q, limit, tolerance) : onlyPositive(p, q, limit, tolerance);
     }
@@ -59,7 +59,7 @@ final class DepressedCubic {
         if (q == 0) {
             return 0;
         }
-        // -q/p is where the line p·s + q vanishes, beyond the root; as is the limit, or else the root is not wanted.
+        // -q/p is where the line p·s + q vanishes, beyond the root. So is the limit, unless the root is beyond it.
         double start = p > 0 ? Math.min(limit, -q / p) : limit;
         return evaluate(p, q, start) <= 0 ? start : descend(p, q, start, 0, tolerance);
     }

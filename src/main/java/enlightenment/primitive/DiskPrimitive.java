@@ -7,8 +7,8 @@ import enlightenment.numeric.Scale;
 
 /**
  * A flat disk. With the moment m about its centre and the normal N, the line meets the disk's plane at the offset
- * N × m / (d·N) from the centre: a form that knows neither the ray's origin nor its parameter and lies in the plane
- * without being projected.
+ * N × m / (d·N) from the centre: a form that depends neither on the ray's origin nor on its parameter, and that lies in the
+ * plane without being projected.
  */
 public final class DiskPrimitive extends Primitive {
     private final Vec3 center;
@@ -28,14 +28,14 @@ public final class DiskPrimitive extends Primitive {
     /** The coordinate axis that the normal is parallel to, or -1. */
     private final int aligned;
 
-    /** What a viewer in front of the disk sees as right and up. */
+    /** Right and up for a viewer in front of the disk: the axes of its texture. */
     private final Vec3 right;
 
     private final Vec3 up;
 
     /**
      * @param center the centre
-     * @param normal the direction of {@link Ray#OUTSIDE}, of any length but 0
+     * @param normal a normal that points to {@link Ray#OUTSIDE}, of any length but 0
      * @param radius greater than 0
      */
     DiskPrimitive(Vec3 center, Vec3 normal, double radius) {
@@ -52,11 +52,12 @@ public final class DiskPrimitive extends Primitive {
         unitNormal = Disks.unit(this.normal);
         aligned = Disks.alignedAxis(this.normal);
         boolean lying = Math.abs(ny) > Math.abs(nx) && Math.abs(ny) > Math.abs(nz);
-        Vec3 wanted = lying ? new Vec3(0, 0, Math.signum(ny)) : Vec3.Y;
-        up = unitNormal.cross(wanted.cross(unitNormal)).normalized();
+        Vec3 preferred = lying ? new Vec3(0, 0, Math.signum(ny)) : Vec3.Y;
+        up = unitNormal.cross(preferred.cross(unitNormal)).normalized();
         right = unitNormal.cross(up);
     }
 
+    /** The centre. */
     public Vec3 center() {
         return center;
     }
@@ -66,6 +67,7 @@ public final class DiskPrimitive extends Primitive {
         return unitNormal;
     }
 
+    /** The radius. */
     public double radius() {
         return radius;
     }

@@ -4,7 +4,7 @@ import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
-/** What disks have in common, be they shapes or the ends of a cylinder. */
+/** What disks have in common, whether they are shapes or the ends of a cylinder. */
 final class Disks {
     /** Bounds the roundings of a disk's extent and of a point on its rim. */
     private static final double PADDING = 1 + Scale.gamma(16);
@@ -29,13 +29,13 @@ final class Disks {
     }
 
     /**
-     * The direction from an axis to where a texture around it begins and ends: as close to -z as may be, or to +y where
-     * the axis points along z more than along x or y.
+     * The direction from an axis to the seam of a texture around it: as close to -z as possible, or to +y if the axis is closer
+     * to z than to x and y.
      */
     static Vec3 seam(Vec3 axis) {
         boolean alongZ = Math.abs(axis.z()) > Math.abs(axis.x()) && Math.abs(axis.z()) > Math.abs(axis.y());
-        Vec3 wanted = alongZ ? Vec3.Y : Vec3.Z.negated();
-        return axis.cross(wanted.cross(axis)).normalized();
+        Vec3 preferred = alongZ ? Vec3.Y : Vec3.Z.negated();
+        return axis.cross(preferred.cross(axis)).normalized();
     }
 
     /** The bounds of a disk, rounded outwards. */
@@ -49,7 +49,7 @@ final class Disks {
                 new Vec3(r * Math.sqrt(y * y + z * z), r * Math.sqrt(x * x + z * z), r * Math.sqrt(x * x + y * y)));
     }
 
-    /** Maps the square around a disk to 0..1; p is relative to its centre, a viewer sees {@code right} and {@code up}. */
+    /** Maps the square around a disk to 0..1; p is relative to its centre, {@code right} and {@code up} are the texture's. */
     static void textureCoordinates(Hit hit, Vec3 p, Vec3 right, Vec3 up, double radius) {
         hit.u = radius > 0 ? Watertight.clamp01(0.5 + 0.5 * (p.dot(right) / radius)) : 0.5;
         hit.v = radius > 0 ? Watertight.clamp01(0.5 - 0.5 * (p.dot(up) / radius)) : 0.5;

@@ -3,9 +3,10 @@ package enlightenment.primitive;
 import java.util.Arrays;
 
 /**
- * The faces that a light lies on: a lamp in a ceiling's plane, a bulb on a wall. A shadow ray that ends on the light ends on
- * them too, and is not blocked by them there, just as it is not blocked by the surface that it starts on: whether rounding puts
- * their crossing before the light or behind it means nothing. A crossing of them anywhere else blocks. Immutable once made.
+ * The faces that a light lies on: a lamp in the plane of a ceiling, a bulb on a wall. A shadow ray that ends on the light ends on
+ * them too, and they do not occlude it there, just as the surface it starts on does not: whether rounding puts their crossing
+ * before the light or behind it means nothing. A crossing anywhere else occludes. Faces are added while a scene is compiled;
+ * later it is read only.
  */
 public final class EndFaces {
     private Primitive[] primitives = {};
@@ -23,7 +24,7 @@ public final class EndFaces {
      * @param primitive the face's primitive
      * @param id its number
      * @param face which of its faces
-     * @param tolerance how far the face and the light are apart at most, by rounding: a length in the frame
+     * @param tolerance bounds the distance between face and light that rounding may cause: a length in the frame
      */
     public void add(Primitive primitive, int id, int face, double tolerance) {
         int n = ids.length;
@@ -39,6 +40,7 @@ public final class EndFaces {
         tolerances[n] = tolerance;
     }
 
+    /** Whether there are none. */
     public boolean isEmpty() {
         return ids.length == 0;
     }
@@ -64,7 +66,7 @@ public final class EndFaces {
     }
 
     /**
-     * Whether a crossing is the end of the segment and nothing in its way.
+     * Whether a crossing is the end of the segment rather than an occluder.
      *
      * @param ray the segment's ray, which ends at {@link Ray#tEnd}
      * @param hit the crossing, completed
@@ -72,8 +74,7 @@ public final class EndFaces {
     boolean isEnd(Ray ray, Hit hit) {
         for (int k = 0; k < faces.length; k++) {
             if (primitives[k] == hit.primitive && faces[k] == hit.face) {
-                // A line meets a plane once, and it meets this one in the light. A round face it may meet before as
-                // well.
+                // A line meets a plane once, and this one in the light; it may meet a curved face earlier as well.
                 double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
                 return isFlat[k] || (ray.tEnd - hit.t) * across <= tolerances[k];
             }

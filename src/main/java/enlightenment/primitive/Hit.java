@@ -36,13 +36,13 @@ public final class Hit {
 
     public double v;
 
-    /** Work space of a primitive between finding its crossing and completing the hit. */
+    /** Scratch that a primitive sets when it finds its crossing and reads when it completes the hit. */
     double along;
 
     /** An empty result. */
     public Hit() {}
 
-    /** Makes this the same as another result. */
+    /** Copies another result. */
     public void set(Hit o) {
         t = o.t;
         px = o.px;
@@ -59,10 +59,12 @@ public final class Hit {
         along = o.along;
     }
 
+    /** The crossing point (px, py, pz). */
     public Vec3 point() {
         return new Vec3(px, py, pz);
     }
 
+    /** The unit normal (nx, ny, nz). */
     public Vec3 normal() {
         return new Vec3(nx, ny, nz);
     }

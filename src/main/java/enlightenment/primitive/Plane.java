@@ -3,10 +3,12 @@ package enlightenment.primitive;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
 
-/** The plane of a flat primitive: the distance to it, and what a hit on it says. */
+/** The plane of a flat primitive: where a ray meets it, and the point, normal and texture coordinates of a hit. */
 final class Plane {
     private final Vec3 a;
-    private final Vec3 lost;
+
+    /** The exact unit normal if rounding made the vertices collinear, or null. */
+    private final Vec3 degenerate;
 
     /** The normal, with a largest component in [1, 2) or near it. */
     final Vec3 n;
@@ -14,7 +16,7 @@ final class Plane {
     /** Its squared length. */
     final double nn;
 
-    /** What gives the share of {@code right} and of {@code up} in an offset from a, by a dot product. */
+    /** Their dot products with an offset from a are its coordinates along {@code right} and {@code up}. */
     private final Vec3 toU;
 
     private final Vec3 toV;
@@ -26,16 +28,16 @@ final class Plane {
     private final double coordinate;
 
     /**
-     * The plane through a and the further vertices, which is seen from the outside where up × right points.
+     * The plane through a and the other vertices; its normal, which points outside, is up × right.
      *
-     * @param lost that direction where rounding put the vertices into one line; null where it did not
+     * @param degenerate the exact unit normal if rounding made the vertices collinear, else null
      */
-    Plane(Vec3 lost, Vec3 a, Vec3 up, Vec3 right, Vec3... others) {
+    Plane(Vec3 degenerate, Vec3 a, Vec3 up, Vec3 right, Vec3... others) {
         this.a = a;
-        this.lost = lost;
-        if (lost != null) {
-            n = lost;
-            nn = lost.lengthSquared();
+        this.degenerate = degenerate;
+        if (degenerate != null) {
+            n = degenerate;
+            nn = degenerate.lengthSquared();
             toU = Vec3.ZERO;
             toV = Vec3.ZERO;
             axis = -1;
@@ -44,7 +46,7 @@ final class Plane {
         }
         // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike. Powers of two are taken out
         // of
-        // the edges first, which is exact: the fourth power of a tiny size could vanish.
+        // the edges first, which is exact: the fourth power of a tiny size could underflow.
         int e = -up.exponent();
         int f = -right.exponent();
         Vec3 u = up.scaledBy(e);
@@ -60,9 +62,9 @@ final class Plane {
         coordinate = axis < 0 ? 0 : a.component(axis);
     }
 
-    /** The normal if rounding put the vertices into one line, or null. */
-    Vec3 lost() {
-        return lost;
+    /** The exact unit normal if rounding made the vertices collinear, or null. */
+    Vec3 degenerateNormal() {
+        return degenerate;
     }
 
     private static int axis(Vec3 a, Vec3... others) {
@@ -103,7 +105,7 @@ final class Plane {
             hit.setPoint(Math.fma(-off, n.x(), x), Math.fma(-off, n.y(), y), Math.fma(-off, n.z(), z));
             hit.setNormal(n.x(), n.y(), n.z());
         } else {
-            // The coordinate of a named plane is assigned, not computed, so that coincident planes tie exactly.
+            // The coordinate of an axis-aligned plane is assigned, not computed, so that coincident planes tie exactly.
             hit.setPoint(axis == 0 ? coordinate : x, axis == 1 ? coordinate : y, axis == 2 ? coordinate : z);
             hit.nx = axis == 0 ? Math.signum(n.x()) : 0;
             hit.ny = axis == 1 ? Math.signum(n.y()) : 0;

@@ -27,7 +27,7 @@ public abstract sealed class Primitive
                 CubePrimitive,
                 TrianglePrimitive {
 
-    /** "No crossing". */
+    /** The t of no crossing. */
     public static final double MISS = Double.POSITIVE_INFINITY;
 
     private final boolean extreme;
@@ -40,7 +40,7 @@ public abstract sealed class Primitive
         extreme = Scale.exponent(reach) >= Ray.ORDINARY_EXPONENT || Scale.exponent(size) <= -Ray.ORDINARY_EXPONENT;
     }
 
-    /** The nearest crossing with tMin &le; t &le; tMax, or {@link #MISS}. Right for rays and primitives of any size. */
+    /** The t of the nearest crossing with tMin ≤ t ≤ tMax, or {@link #MISS}; for rays and primitives of any size. */
     public final double nearest(Ray ray, double tMax) {
         if (extreme || ray.special) {
             return nearestSpecial(ray, tMax);
@@ -49,8 +49,8 @@ public abstract sealed class Primitive
     }
 
     /**
-     * Whether the ray meets this primitive, and if so, where: fills the hit completely, but for texture coordinates. With
-     * a direction of extreme length the hit's t may overflow; its point is right all the same.
+     * Whether the ray meets this primitive. If so, fills the hit completely, except for texture coordinates. With a direction of
+     * extreme length the hit's t may overflow; its point is accurate all the same.
      */
     public final boolean intersect(Ray ray, Hit hit) {
         if (extreme || ray.special) {
@@ -109,10 +109,15 @@ public abstract sealed class Primitive
         return false;
     }
 
-    /** The surface that a face is cut out of; face is in 0..{@link #faceCount}−1. */
+    /** Whether the primitive is one whole surface, with no face cut out of it: it coincides only with its equal. */
+    public boolean isWhole() {
+        return false;
+    }
+
+    /** The surface that a face is part of; face is in 0..{@link #faceCount}−1. */
     public abstract SupportSurface support(int face);
 
-    /** The number of faces that a hit can name: face is in 0..faceCount−1. */
+    /** The number of faces: {@link Hit#face} is in 0..faceCount−1. */
     public int faceCount() {
         return 1;
     }
@@ -134,7 +139,7 @@ public abstract sealed class Primitive
         return true;
     }
 
-    /** {@link #nearest} where this primitive may be one of several that the ray starts on. */
+    /** {@link #nearest} for an extreme ray or primitive, and for a ray that starts or ends on several primitives. */
     private double nearestSpecial(Ray ray, double tMax) {
         Primitive start = ray.start;
         int side = ray.startSide;
@@ -142,7 +147,7 @@ public abstract sealed class Primitive
         double t = extreme || ray.extreme ? nearestExtreme(ray, tMax) : nearestOrdinary(ray, tMax);
         boolean ends = ray.endsOn(this, t);
         ray.from(start, side);
-        // What is nearest is the end: nothing of this primitive lies before it.
+        // If the nearest crossing is the end of the ray, this primitive does not occlude it.
         return ends ? MISS : t;
     }
 
@@ -163,34 +168,41 @@ public abstract sealed class Primitive
     }
 
     private double nearestExtreme(Ray ray, double tMax) {
-        int k = -Math.max(Scale.exponent(bounds().maxAbs()), Scale.exponent(ray.maxAbsOrigin()));
-        int j = -Scale.exponent(ray.maxAbsDirection());
-        Primitive p = scaledBy(k);
-        Ray r = ray.scaledBy(k, j);
-        if (ray.start == this) {
-            r.from(p, ray.startSide);
-        }
-        double t = p.nearestOrdinary(r, tMax == Double.MAX_VALUE ? tMax : Ray.scaledParameter(tMax, k - j));
-        return t == MISS ? MISS : Math.min(Ray.scaledParameter(t, j - k), Double.MAX_VALUE);
+        Rescaled r = new Rescaled(ray);
+        double t = r.primitive.nearestOrdinary(
+                r.ray, tMax == Double.MAX_VALUE ? tMax : Math.scalb(tMax, r.lengths - r.directions));
+        return t == MISS ? MISS : Math.min(Math.scalb(t, r.directions - r.lengths), Double.MAX_VALUE);
     }
 
     private boolean intersectExtreme(Ray ray, Hit hit) {
-        int k = -Math.max(Scale.exponent(bounds().maxAbs()), Scale.exponent(ray.maxAbsOrigin()));
-        int j = -Scale.exponent(ray.maxAbsDirection());
-        Primitive p = scaledBy(k);
-        Ray r = ray.scaledBy(k, j);
-        if (ray.start == this) {
-            r.from(p, ray.startSide);
-        }
-        double t = p.nearestOrdinary(r, Double.MAX_VALUE);
+        Rescaled r = new Rescaled(ray);
+        double t = r.primitive.nearestOrdinary(r.ray, Double.MAX_VALUE);
         if (t == MISS) {
             return false;
         }
-        p.completeOrdinary(r, t, hit);
-        hit.t = Ray.scaledParameter(t, j - k);
+        r.primitive.completeOrdinary(r.ray, t, hit);
+        hit.t = Math.scalb(t, r.directions - r.lengths);
         hit.primitive = this;
-        hit.setPoint(Scale.scalb(hit.px, -k), Scale.scalb(hit.py, -k), Scale.scalb(hit.pz, -k));
+        hit.setPoint(Scale.scalb(hit.px, -r.lengths), Scale.scalb(hit.py, -r.lengths), Scale.scalb(hit.pz, -r.lengths));
         return true;
+    }
+
+    /** This primitive and a ray, lengths times one power of two and directions times another, so that both are ordinary. */
+    private final class Rescaled {
+        final int lengths;
+        final int directions;
+        final Primitive primitive;
+        final Ray ray;
+
+        Rescaled(Ray original) {
+            lengths = -Math.max(Scale.exponent(bounds().maxAbs()), Scale.exponent(original.maxAbsOrigin()));
+            directions = -Scale.exponent(original.maxAbsDirection());
+            primitive = scaledBy(lengths);
+            ray = original.scaledBy(lengths, directions);
+            if (original.start == Primitive.this) {
+                ray.from(primitive, original.startSide);
+            }
+        }
     }
 
     static double[] concat(Vec3... vs) {

@@ -51,7 +51,7 @@ public final class Primitives {
 
     private static Primitive triangle(Triangle t, SceneFrame frame) {
         return new TrianglePrimitive(
-                Parallelograms.lostNormal(t.a(), t.b(), t.c(), frame),
+                Parallelograms.normalIfDegenerate(t.a(), t.b(), t.c(), frame),
                 frame.toFrame(t.a()),
                 frame.toFrame(t.b()),
                 frame.toFrame(t.c()));
@@ -59,7 +59,7 @@ public final class Primitives {
 
     private static Primitive rectangle(Rectangle r, SceneFrame frame) {
         return new RectanglePrimitive(
-                Parallelograms.lostNormal(r.lowerLeft(), r.upperLeft(), r.lowerRight(), frame),
+                Parallelograms.normalIfDegenerate(r.lowerLeft(), r.upperLeft(), r.lowerRight(), frame),
                 frame.toFrame(r.lowerLeft()),
                 frame.toFrame(r.upperLeft()),
                 frame.toFrame(r.upperRight()),

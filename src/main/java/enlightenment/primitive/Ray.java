@@ -29,10 +29,15 @@ public final class Ray {
 
     private static final Primitive[] NONE = {};
 
+    /** The origin. */
     public double ox;
+
     public double oy;
     public double oz;
+
+    /** The direction, of any length but 0. */
     public double dx;
+
     public double dy;
     public double dz;
 
@@ -60,7 +65,7 @@ public final class Ray {
     private int[] alsoSides = new int[0];
     private int alsoCount;
 
-    /** The faces that the ray is known to end on, or null; they do not block it at its end. */
+    /** The faces that the ray ends on, or null; they do not occlude it at its end. */
     EndFaces end;
 
     /** The t at which the ray ends on {@link #end}. */
@@ -68,7 +73,7 @@ public final class Ray {
 
     private Hit endHit;
 
-    /** Whether a test must look twice: the ray is {@link #extreme}, it starts on several primitives, or it ends on some. */
+    /** Whether tests take the slow path: the ray is {@link #extreme}, starts on several primitives, or ends on some. */
     boolean special;
 
     /** Whether the direction or the origin is so large or small that squares could leave the range of doubles. */
@@ -120,14 +125,14 @@ public final class Ray {
         return this;
     }
 
-    /** Says where the ray starts. */
+    /** Sets the primitive that the ray starts on and the side that it travels on. */
     public Ray from(Primitive primitive, int side) {
         start = primitive;
         startSide = side;
         return this;
     }
 
-    /** Says that the ray starts on this primitive too, whose surface coincides there with that of {@link #start}. */
+    /** Adds a primitive that the ray starts on as well: its surface coincides there with that of {@link #start}. */
     public void alsoFrom(Primitive primitive, int side) {
         if (alsoCount == alsoStarts.length) {
             alsoStarts = Arrays.copyOf(alsoStarts, 2 * alsoCount + 2);
@@ -138,7 +143,7 @@ public final class Ray {
         special = true;
     }
 
-    /** Says that the ray ends at this t, on these faces. */
+    /** Sets the t at which the ray ends and the faces that it ends on. */
     public void endsOn(EndFaces faces, double t) {
         if (!faces.isEmpty()) {
             end = faces;
@@ -147,7 +152,7 @@ public final class Ray {
         }
     }
 
-    /** Whether the crossing of the primitive at t is where the ray ends. */
+    /** Whether the crossing of the primitive at t is the end of the ray. */
     boolean endsOn(Primitive p, double t) {
         if (end == null || t == Primitive.MISS || !end.concerns(p)) {
             return false;
@@ -182,12 +187,7 @@ public final class Ray {
                         Scale.scalb(dx, j),
                         Scale.scalb(dy, j),
                         Scale.scalb(dz, j),
-                        scaledParameter(tMin, k - j));
-    }
-
-    /** t·2^k without an intermediate overflow. */
-    static double scaledParameter(double t, int k) {
-        return Math.scalb(t, k);
+                        Math.scalb(tMin, k - j));
     }
 
     double maxAbsOrigin() {

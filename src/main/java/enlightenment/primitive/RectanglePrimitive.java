@@ -10,12 +10,12 @@ import enlightenment.numeric.Scale;
  *
  * <p>It is met where one of the triangles abc and acd is, decided by the signs of sheared edge functions
  * ({@link Watertight}): two rectangles that share an edge leave no gap. The corners are those of a parallelogram only up
- * to rounding, and seen all but edge-on their outline may cross itself; as two triangles it still covers what it bounds.
- * Where the rectangle is parallel to the axes, an interval test with an error bound decides first, and the edge functions
- * only inside that bound.
+ * to rounding, and its outline, seen almost edge-on, may intersect itself; two triangles still cover the area that it bounds.
+ * If the rectangle is parallel to the axes, an interval test with an error bound decides first, and the edge functions
+ * only within that bound.
  */
 public final class RectanglePrimitive extends Primitive {
-    /** Bounds the roundings of the quick test and of the edge functions together, with room to spare. */
+    /** A generous bound of the roundings of the quick test and of the edge functions together. */
     private static final double QUICK_TEST_ERROR = Scale.gamma(64);
 
     private final Vec3 a;
@@ -37,8 +37,8 @@ public final class RectanglePrimitive extends Primitive {
         this(null, a, b, c, d);
     }
 
-    /** @param lost the normal where rounding put the corners into one line; null where it did not */
-    RectanglePrimitive(Vec3 lost, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    /** @param degenerate the exact unit normal if rounding made the corners collinear, else null */
+    RectanglePrimitive(Vec3 degenerate, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
         super(
                 Math.max(Math.max(a.maxAbs(), b.maxAbs()), Math.max(c.maxAbs(), d.maxAbs())),
                 Math.min(b.minus(a).maxAbs(), d.minus(a).maxAbs()));
@@ -48,7 +48,7 @@ public final class RectanglePrimitive extends Primitive {
         this.d = d;
         Vec3 up = b.minus(a);
         Vec3 right = d.minus(a);
-        plane = new Plane(lost, a, up, right, b, c, d);
+        plane = new Plane(degenerate, a, up, right, b, c, d);
         axis = alignedAxis(up, right);
         int axis1 = axis == 0 ? 1 : 0;
         int axis2 = axis == 2 ? 1 : 2;
@@ -92,7 +92,7 @@ public final class RectanglePrimitive extends Primitive {
         return nearestByEdges(ray, t, tMax);
     }
 
-    /** Decides by the point at which the ray meets the plane, unless rounding could put it on another side of an edge. */
+    /** Decides by the point where the ray meets the plane, unless rounding could put it on the other side of an edge. */
     private double nearestAligned(
             Ray ray, double o1, double d1, double o2, double d2, double across, double t, double tMax) {
         double slope = Math.abs(across);
@@ -100,14 +100,14 @@ public final class RectanglePrimitive extends Primitive {
             return MISS;
         }
         double width = QUICK_TEST_ERROR * (Math.abs(ray.ox) + Math.abs(ray.oy) + Math.abs(ray.oz) + edgeMagnitude);
-        double early = greater(ray.tMin - t, t - tMax);
+        double early = max(ray.tMin - t, t - tMax);
         if (early * slope > width) {
             return MISS;
         }
         double p1 = Math.fma(t, d1, o1);
         double p2 = Math.fma(t, d2, o2);
-        double outside = greater(greater(lo1 - p1, p1 - hi1), greater(lo2 - p2, p2 - hi2));
-        // What displaces the ray by its width displaces the point in the plane by the slant times as much.
+        double outside = max(max(lo1 - p1, p1 - hi1), max(lo2 - p2, p2 - hi2));
+        // An error of this width in the ray displaces the point in the plane by the slant times as much.
         double slanted = width * (slope + Math.abs(d1) + Math.abs(d2));
         if (outside * slope > slanted) {
             return MISS;
@@ -118,8 +118,8 @@ public final class RectanglePrimitive extends Primitive {
         return nearestByEdges(ray, t, tMax);
     }
 
-    /** The greater of two numbers; {@link Math#max} also orders zeros and keeps NaN, which costs twice as much. */
-    private static double greater(double a, double b) {
+    /** The larger of two numbers; {@link Math#max} also orders zeros and keeps NaN, which costs twice as much. */
+    private static double max(double a, double b) {
         return a > b ? a : b;
     }
 
@@ -176,7 +176,8 @@ public final class RectanglePrimitive extends Primitive {
 
     @Override
     Primitive scaledBy(int k) {
-        return new RectanglePrimitive(plane.lost(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k), d.scaledBy(k));
+        return new RectanglePrimitive(
+                plane.degenerateNormal(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k), d.scaledBy(k));
     }
 
     @Override

@@ -2,20 +2,20 @@ package enlightenment.primitive;
 
 import enlightenment.frame.SceneFrame;
 
-/** Lengths in a frame, where the scene is about 1 large. */
+/** Lengths in a frame, where the extent of the scene is about 1. */
 public final class Sizes {
-    /** What is smaller than this power of two is lost beside the scene, and is taken for as large as this. */
-    static final int LEAST_EXPONENT = -960;
+    /** Lengths below this power of two, which nobody can see beside the scene, are raised to it. */
+    static final int MIN_EXPONENT = -960;
 
-    private static final double LEAST = Math.scalb(1.0, LEAST_EXPONENT);
+    private static final double MIN_LENGTH = Math.scalb(1.0, MIN_EXPONENT);
 
     private Sizes() {}
 
     /**
-     * A length greater than 0 in a frame: greater than 0 there too, however small it is beside the scene. Nobody sees the
-     * difference, but a ball of no size would not be a ball.
+     * A positive length in a frame. It stays positive there, however small it is beside the scene: a ball of radius 0 would not
+     * be a ball.
      */
     public static double inFrame(double length, SceneFrame frame) {
-        return Math.max(frame.toFrame(length), LEAST);
+        return Math.max(frame.toFrame(length), MIN_LENGTH);
     }
 }

@@ -13,14 +13,14 @@ final class Slabs {
     private Slabs() {}
 
     /**
-     * Whether an interval whose ends have been rounded may hold a point: a ray through an edge, where it holds exactly
-     * one, is not lost (Ize, "Robust BVH ray traversal", JCGT 2013).
+     * Whether an interval whose ends have been rounded may be non-empty: a ray through an edge, where it is one point, is not
+     * lost (Ize, "Robust BVH ray traversal", JCGT 2013).
      */
     static boolean meet(double near, double far) {
         return near <= far + Math.abs(far) * INTERVAL_ERROR;
     }
 
-    /** Where the ray o + t·d comes between lo and hi on one axis; −∞ if it always is, +∞ if it never is. */
+    /** The t at which the ray o + t·d enters the slab lo..hi of one axis; −∞ if it is always inside, +∞ if never. */
     static double entry(double o, double d, double lo, double hi) {
         if (d > 0) {
             return (lo - o) / d;
@@ -31,7 +31,7 @@ final class Slabs {
         return o < lo || o > hi ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
     }
 
-    /** Where the ray leaves the space between lo and hi on one axis; +∞ if it never does, −∞ if it never is there. */
+    /** The t at which the ray o + t·d leaves the slab lo..hi of one axis; +∞ if it is always inside, −∞ if never. */
     static double exit(double o, double d, double lo, double hi) {
         if (d > 0) {
             return (hi - o) / d;
@@ -46,22 +46,22 @@ final class Slabs {
         return v < lo ? lo : v > hi ? hi : v;
     }
 
-    /** The axis of the last entry: where the ray comes into the box. */
+    /** The axis of the last entry: through a face across it the ray enters the box. */
     static int last(double x, double y, double z) {
         return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
     }
 
-    /** The axis of the first exit: where the ray leaves the box. */
+    /** The axis of the first exit: through a face across it the ray leaves the box. */
     static int first(double x, double y, double z) {
         return x <= y ? (x <= z ? 0 : 2) : (y <= z ? 1 : 2);
     }
 
-    static double greatest(double x, double y, double z) {
+    static double max(double x, double y, double z) {
         double m = x >= y ? x : y;
         return m >= z ? m : z;
     }
 
-    static double least(double x, double y, double z) {
+    static double min(double x, double y, double z) {
         double m = x <= y ? x : y;
         return m <= z ? m : z;
     }

@@ -8,11 +8,11 @@ import enlightenment.numeric.Scale;
 
 /**
  * A sphere, intersected by moments: with f = o − c and m = f × d, the discriminant is r²d² − m², which loses nothing
- * however far the origin is, because every component of m is right to 1.5 ulp (Haines, Günther and Akenine-Möller,
+ * however far the origin is, because every component of m is accurate to 1.5 ulp (Haines, Günther and Akenine-Möller,
  * "Precision improvements for ray/sphere intersection", Ray Tracing Gems ch. 7, taken one step further).
  */
 public final class SpherePrimitive extends Primitive {
-    /** Up to this ratio of the two, a difference of b and s keeps all but two of its bits. */
+    /** While s/b is at most this, the difference b − s loses at most two bits. */
     private static final double SAFE_RATIO = 0.75;
 
     private static final double TWO_PI = 2 * Math.PI;
@@ -22,7 +22,7 @@ public final class SpherePrimitive extends Primitive {
     private final double cz;
     private final double radius;
 
-    /** Texture longitude of the zero meridian: its unit direction in the x-z plane. */
+    /** The unit direction of the texture's zero meridian in the x-z plane. */
     private final double meridianX;
 
     private final double meridianZ;
@@ -43,10 +43,12 @@ public final class SpherePrimitive extends Primitive {
         this.meridianZ = meridianZ;
     }
 
+    /** The centre. */
     public Vec3 center() {
         return new Vec3(cx, cy, cz);
     }
 
+    /** The radius. */
     public double radius() {
         return radius;
     }
@@ -68,9 +70,9 @@ public final class SpherePrimitive extends Primitive {
         }
         double b = -(fx * ray.dx + fy * ray.dy + fz * ray.dz);
         double s = Math.sqrt(discriminant);
-        // As near() has it, written out: this makes the method too long to be inlined at each of its many call sites,
+        // The body of near(), repeated: it makes this method too long to be inlined at each of its many call sites,
         // which
-        // saves a third of the compiling of a short render (docs/benchmarks.md).
+        // saves a third of the compilation time of a short render (docs/benchmarks.md).
         double near = b > 0 && s > b * SAFE_RATIO
                 ? Products.distanceSquaredMinus(fx, fy, fz, radius) / (b + s)
                 : (b - s) / ray.dd;
@@ -82,8 +84,8 @@ public final class SpherePrimitive extends Primitive {
     }
 
     /**
-     * The smaller root of dd·t² − 2b·t + c = 0, s² = b² − dd·c. Where b and s are close, their difference has lost digits
-     * and c/(b + s) is taken, with c in twice the working precision.
+     * The smaller root of dd·t² − 2b·t + c = 0, s² = b² − dd·c. Where b and s are close, their difference loses digits, and
+     * c/(b + s) is used instead, with c in twice the working precision.
      */
     private double near(Ray ray, double fx, double fy, double fz, double b, double s) {
         return b > 0 && s > b * SAFE_RATIO
@@ -137,6 +139,11 @@ public final class SpherePrimitive extends Primitive {
 
     @Override
     public boolean isSolid() {
+        return true;
+    }
+
+    @Override
+    public boolean isWhole() {
         return true;
     }
 

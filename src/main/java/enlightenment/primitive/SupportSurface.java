@@ -3,18 +3,18 @@ package enlightenment.primitive;
 import enlightenment.math.Vec3;
 
 /**
- * The simple surface that a face of a primitive is cut out of: a plane, a sphere, a cone or cylinder of revolution, a torus.
- * Two faces share more than a curve only if their support surfaces are the same, so this is what tells whether faces lie in one
- * another. All tests compare coordinates of the frame with a tolerance that the caller derives from the roundings of placing.
+ * The surface that a face of a primitive is part of: a plane, a sphere, a cone or cylinder of revolution, a torus. Two faces share
+ * an area only if their support surfaces are the same, so coincidence of faces is decided by them. All tests compare coordinates
+ * in the frame with a tolerance that the caller derives from the roundings of placing.
  */
 public sealed interface SupportSurface
         permits SupportSurface.Plane, SupportSurface.Ball, SupportSurface.Lateral, SupportSurface.Ring {
 
     /**
-     * Whether the two faces are cut out of the same surface.
+     * Whether the two faces are parts of the same surface.
      *
      * @param other the surface of another face
-     * @param tolerance bounds how far points of one and the same surface may be apart, a length in the frame
+     * @param tolerance bounds how far rounding may move points of the same surface apart, a length in the frame
      */
     boolean coincides(SupportSurface other, double tolerance);
 
@@ -22,13 +22,13 @@ public sealed interface SupportSurface
     boolean passes(Vec3 point, double tolerance);
 
     /**
-     * Whether two faces of which {@link #coincides} is true have an area in common; true where that would take long to tell.
+     * Whether two faces whose surfaces coincide have an area in common. Conservative: true where in doubt.
      */
     boolean overlaps(SupportSurface other, double tolerance);
 
     /**
-     * A length that grows with the face: what lies within another face of the same surface has a smaller one. For a flat face
-     * half of its perimeter. It is right to a few roundings of the coordinates, however thin the face is.
+     * A length that grows with the face: a face that lies within another one of the same surface has a smaller extent. For a flat
+     * face it is half the perimeter. It is accurate to a few roundings of the coordinates, however thin the face is.
      */
     double extent();
 
@@ -45,10 +45,10 @@ public sealed interface SupportSurface
      * @param extent half of the face's perimeter
      */
     record Plane(Vec3 unitNormal, Vec3[] corners, double extent) implements SupportSurface {
-        /** Cosine of the angle from which on two planes cannot be one. */
+        /** Planes whose normals have a smaller cosine than this do not coincide. */
         private static final double ALMOST_PARALLEL = 0.5;
 
-        /** A polygon as a face. */
+        /** The face with these corners. */
         static Plane of(Vec3 normal, Vec3... corners) {
             double perimeter = 0;
             for (int i = 0; i < corners.length; i++) {
@@ -57,7 +57,7 @@ public sealed interface SupportSurface
             return new Plane(normal.normalized(), corners, perimeter / 2);
         }
 
-        /** A disk as a face, in the square around it. */
+        /** The face of a disk; its corners are those of a square around it. */
         static Plane ofDisk(Vec3 center, Vec3 unitNormal, double radius) {
             Vec3 a = Disks.seam(unitNormal).times(radius);
             Vec3 b = unitNormal.cross(a);
@@ -72,13 +72,14 @@ public sealed interface SupportSurface
 
         @Override
         public boolean coincides(SupportSurface other, double tolerance) {
-            // The plane of small corners is known less well far away from them: of either only its own corners count.
+            // Far from its corners a small polygon's plane is less well known: one plane must contain the other's
+            // corners.
             return other instanceof Plane o
                     && Math.abs(unitNormal.dot(o.unitNormal)) > ALMOST_PARALLEL
                     && (passesAll(o.corners, tolerance) || o.passesAll(corners, tolerance));
         }
 
-        /** Whether the plane passes through all these points. */
+        /** Whether all these points lie in the plane. */
         private boolean passesAll(Vec3[] points, double tolerance) {
             for (Vec3 p : points) {
                 if (!passes(p, tolerance)) {
@@ -98,7 +99,7 @@ public sealed interface SupportSurface
             return other instanceof Plane o && !o.isBesideEdgeOf(this, tolerance) && !isBesideEdgeOf(o, tolerance);
         }
 
-        /** Whether an edge of the other polygon has all of this one on its outer side. */
+        /** Whether this polygon lies entirely on the outer side of an edge of the other. */
         private boolean isBesideEdgeOf(Plane o, double tolerance) {
             Vec3 inside = o.middle();
             for (int i = 0; i < o.corners.length; i++) {
@@ -162,20 +163,20 @@ public sealed interface SupportSurface
      *
      * @param base centre of one end
      * @param top centre of the other end
-     * @param axis from base to top, more precisely than by their difference
+     * @param axis from base to top, more accurate than the difference of the two
      * @param baseRadius radius at the base, at least 0
      * @param topRadius radius at the top, at least 0
      */
     record Lateral(Vec3 base, Vec3 top, Vec3 axis, double baseRadius, double topRadius) implements SupportSurface {
         @Override
         public boolean coincides(SupportSurface other, double tolerance) {
-            // The axis of the shorter one is known less well far away from it.
+            // Far from a short surface its axis is less well known: one surface must contain the other's ends.
             return other instanceof Lateral o
                     && (hasEnd(o.base, o.baseRadius, tolerance) && hasEnd(o.top, o.topRadius, tolerance)
                             || o.hasEnd(base, baseRadius, tolerance) && o.hasEnd(top, topRadius, tolerance));
         }
 
-        /** Whether a circle around the axis lies on the surface. */
+        /** Whether the circle of this centre and radius around the axis lies on the surface. */
         private boolean hasEnd(Vec3 center, double radius, double tolerance) {
             return across(center) <= tolerance && Math.abs(radiusAt(along(center)) - radius) <= tolerance;
         }

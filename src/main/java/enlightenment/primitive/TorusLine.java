@@ -16,22 +16,22 @@ import enlightenment.numeric.Scale;
  *
  * <pre>  G = (s² + |w|² + R² − r²)² − 4R²ρ²,   G′/4 = s³ + p·s + q.</pre>
  *
- * The roots of G′ are a dip, or a dip, a ridge and a dip: where F is negative at a dip the line runs inside, and between
- * a dip and its neighbours it crosses the surface once. G serves only to isolate: signs and crossings come from F. The
- * ends of the bounding interval are outside by declaration, so crossings always pair.
+ * G has one minimum, or a minimum, a maximum and a minimum; below, a minimum is called a dip and the maximum a ridge. Where F is
+ * negative at a dip the line runs inside, and between a dip and its neighbours it crosses the surface once. G only isolates the
+ * crossings: signs and positions come from F. The ends of the bounding interval count as outside, so crossings always pair.
  *
  * <p>A line that starts on the torus is searched with (F(s) − F(0))/s in place of F: its start is no crossing, nor can
- * rounding make it one. That quotient has a form without cancellation, and it equals F/s of the torus through the start
- * exactly, whose tube is r + rounding. What the sign is just after the start is told, not computed.
+ * rounding make it one. That quotient has a form without cancellation, and it is F/s of the torus that passes through the start
+ * exactly, whose tube is r + rounding. The sign just after the start is given by the side that the ray travels on.
  */
 final class TorusLine {
-    /** Widens what bounds the search by more than all roundings of the bound: {@link #search} decides, not the bound. */
+    /** Widens the bounds of the search by more than their roundings: {@link #search} decides, not the bounds. */
     static final double SLACK = 1 + Scale.gamma(32);
 
-    /** A search ends when its step is within the rounding of the line's own position. */
+    /** A search ends when its step is within the rounding of positions on the line. */
     private static final double RESOLUTION = Scale.gamma(2);
 
-    /** Halving the size of the torus this often arrives at the resolution. */
+    /** More bisections than it takes from the size of the torus to the resolution. */
     private static final int MAX_STEPS = 128;
 
     /** The base point, in units of the scene, and the line's unit direction; z is along the torus's axis. */
@@ -51,7 +51,7 @@ final class TorusLine {
 
     private double length;
 
-    /** The search goes from lo to hi. */
+    /** The interval of s that is searched. */
     private double lo;
 
     private double hi;
@@ -62,7 +62,7 @@ final class TorusLine {
     private double baseSlope;
     private double flatness;
 
-    /** G′/4 and where it turns, relative to the line's point closest to the centre; the base point's place from there. */
+    /** The coefficients of G′/4 and where it turns, relative to the line's point closest to the centre; the base point from there. */
     private double p;
 
     private double q;
@@ -81,12 +81,12 @@ final class TorusLine {
     private double value;
     private double slope;
 
-    /** The crossing found: its place on the line and the side that the ray arrives on. */
+    /** The crossing found: its position on the line and the side that the ray arrives on. */
     double s;
 
     int side;
 
-    /** Says which torus, and how t and s are related; the base and direction fields are to be set before. */
+    /** Sets the torus, and how t and s are related; base and direction have been set before. */
     void begin(double majorRadius, double minorRadius, double tAtBase, double directionLength) {
         major = majorRadius;
         minor = minorRadius;
@@ -138,7 +138,7 @@ final class TorusLine {
         return t <= tMax ? t : Primitive.MISS;
     }
 
-    /** Sets lo and hi to where the line is within the bounding sphere and slab; false if it is nowhere. */
+    /** Sets lo and hi to the interval within the bounding sphere and slab; false if it is empty. */
     private boolean bound(double closest, double base) {
         double reach = major + minor;
         double half = Math.sqrt(reach * reach * SLACK - closest);
@@ -156,7 +156,7 @@ final class TorusLine {
         return lo <= hi;
     }
 
-    /** Whether both ends of the line's stretch lie in the hole: ρ is convex, so all between them does. */
+    /** Whether both ends of the interval lie in the hole: ρ is convex, so everything between them does. */
     private boolean inHole() {
         double hole = major - minor - (SLACK - 1) * (major + minor);
         return hole > 0 && rhoSquared(lo) < hole * hole && rhoSquared(hi) < hole * hole;
@@ -168,7 +168,7 @@ final class TorusLine {
         return x * x + y * y;
     }
 
-    /** Prepares the extrema of G and finds the first dip; base is the base point's place from the closest point. */
+    /** Prepares the extrema of G and finds the first dip; base is the base point's position from the closest point. */
     private void isolate(double closest, double radialDrift, double base) {
         p = Math.fma(-2 * major * major, flatness, closest + (major - minor) * (major + minor));
         q = -2 * major * major * radialDrift;
@@ -181,7 +181,7 @@ final class TorusLine {
                 : DepressedCubic.only(p, q, major + minor, resolution) - base;
     }
 
-    /** Finds the ridge and the second dip: apart, because most rays end before them. */
+    /** Finds the ridge and the second dip; separate, because most rays end before them. */
     private void findRest() {
         if (!restFound) {
             secondDip = DepressedCubic.largest(p, q, turn, resolution) - basePlace;
@@ -190,15 +190,15 @@ final class TorusLine {
         }
     }
 
-    /** Moves an extremum beyond the ends to the end, where F is positive. */
+    /** Clamps an extremum to the interval, at whose ends F is positive. */
     private double within(double place) {
         return Math.max(lo, Math.min(hi, place));
     }
 
     /**
-     * How many extrema of G the start on the surface has behind it: an even number where F falls, as it must for a line
-     * that goes inside, else an odd one. If rounding has put the wrong number there, the line is all but tangent, and the
-     * extremum closest to the start is on the wrong side of it.
+     * How many extrema of G lie behind a start on the surface: an even number where F falls, as it must for a line that
+     * goes inside, else an odd one. If rounding gives the wrong parity, the line is almost tangent, and the extremum closest to
+     * the start is on the wrong side of it.
      */
     private int extremaBehind(boolean inside) {
         if (!three) {
@@ -206,7 +206,7 @@ final class TorusLine {
         }
         findRest();
         if (ridge > 0) {
-            // The start is before the ridge: before the dip it goes inside, after it outside.
+            // The start is before the ridge: before the dip the line goes inside, after it outside.
             boolean beforeDip = dip > 0;
             if (beforeDip == inside) {
                 return inside ? 0 : 1;
@@ -220,7 +220,7 @@ final class TorusLine {
         return inside ? 2 : secondDip < -ridge ? 3 : 1;
     }
 
-    /** The t of the first crossing that is not before tMin, given how many extrema are behind the start. */
+    /** The t of the first crossing with t ≥ tMin, given how many extrema are behind the start. */
     private double search(int behind, boolean startsInside, double tMin) {
         boolean inside = startsInside;
         double first = within(dip);
@@ -251,7 +251,7 @@ final class TorusLine {
         return found ? t(s) : Primitive.MISS;
     }
 
-    /** Finds the crossing between a and b, one of which is the dip; whether it is not before tMin. */
+    /** Finds the crossing between a and b, one of which is the dip; whether its t is at least tMin. */
     private boolean crosses(double a, double b, double deep, int arriving, double tMin) {
         if (t(b) < tMin) {
             return false;
@@ -262,7 +262,7 @@ final class TorusLine {
         return t(s) >= tMin;
     }
 
-    /** Where the parabola that osculates F at its dip is zero: close for thin tubes and for grazing lines. */
+    /** The root of the parabola that osculates F at its dip: a good guess for thin tubes and for grazing lines. */
     private double guess(double deep, boolean leaving) {
         double x = Math.fma(deep, ex, bx);
         double y = Math.fma(deep, ey, by);

@@ -7,7 +7,7 @@ import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 
 /**
- * A torus: all points at the distance {@link #minorRadius} from a circle, the ring. It encloses a volume.
+ * A solid torus: all points within {@link #minorRadius} of a circle, the ring.
  *
  * <p>The line is moved into the torus's frame at its point closest to the centre, which is found by moments as for a
  * sphere, so that nothing is lost however far the ray's origin is; {@link TorusLine} does the rest. A ray that starts on
@@ -50,7 +50,7 @@ public final class TorusPrimitive extends Primitive {
         ax = axis.x();
         ay = axis.y();
         az = axis.z();
-        // The shortest turn that takes ±y to the axis, applied to -z and x (Duff et al., "Building an orthonormal
+        // The smallest rotation that takes ±y to the axis, applied to -z and x (Duff et al., "Building an orthonormal
         // basis,
         // revisited", JCGT 2017, with y as the pole).
         double sign = ay < 0 ? -1 : 1;
@@ -67,6 +67,7 @@ public final class TorusPrimitive extends Primitive {
         boundingSquare = reach * reach * TorusLine.SLACK;
     }
 
+    /** The centre of the ring. */
     public Vec3 center() {
         return new Vec3(cx, cy, cz);
     }
@@ -144,7 +145,8 @@ public final class TorusPrimitive extends Primitive {
 
     @Override
     void completeOrdinary(Ray ray, double t, Hit hit) {
-        // The search again: it is a function of the ray, so it finds the same crossing, and with it which one it is.
+        // The search is repeated: it is a function of the ray, so it finds the same crossing, and tells which one it
+        // is.
         if (nearestOrdinary(ray, Double.MAX_VALUE) == MISS) {
             throw new IllegalArgumentException("no crossing at t = " + t);
         }
@@ -153,12 +155,13 @@ public final class TorusPrimitive extends Primitive {
         double y = Math.fma(line.s, line.ey, line.by);
         double z = Math.fma(line.s, line.ez, line.bz);
         double rho = Math.sqrt(x * x + y * y);
-        // The centre of a horn torus has no direction from the axis: any will do.
+        // The centre of a horn torus is on the axis: any direction from the axis will do.
         double outX = rho > 0 ? x / rho : 1;
         double outY = rho > 0 ? y / rho : 0;
         double w = rho - majorRadius;
         double tube = Math.sqrt(w * w + z * z);
-        // A tube thinner than the rounding of its ring may be met in the middle: call that the ring's outside.
+        // If the tube is thinner than the rounding of its ring, the hit may be on the ring: that counts as its outer
+        // side.
         double radial = tube > 0 ? w / tube : 1;
         double up = tube > 0 ? z / tube : 0;
         double nx = radial * outX;
@@ -181,7 +184,7 @@ public final class TorusPrimitive extends Primitive {
 
     /**
      * u runs around the ring, to the right for a viewer outside with the axis up; its seam faces -z if the axis is
-     * ±y, and otherwise where the shortest turn from ±y to the axis takes -z. v runs around the tube, from the inner
+     * ±y, and otherwise the direction that the smallest rotation from ±y to the axis takes -z to. v runs around the tube, from the inner
      * equator over the top (0.25), the outer equator (0.5) and the bottom (0.75) back to it.
      */
     @Override
@@ -216,6 +219,11 @@ public final class TorusPrimitive extends Primitive {
 
     @Override
     public boolean isSolid() {
+        return true;
+    }
+
+    @Override
+    public boolean isWhole() {
         return true;
     }
 

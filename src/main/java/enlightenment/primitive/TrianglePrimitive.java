@@ -5,8 +5,8 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
 
 /**
- * A triangle, tested by sheared edge functions whose signs are exact for the sheared vertices ({@link Watertight}):
- * triangles that share edges and vertices leave no gap.
+ * A triangle, tested by edge functions whose signs are exact for the sheared vertices ({@link Watertight}): triangles
+ * that share edges and vertices leave no gap.
  *
  * <p>The normal that points to {@link Ray#OUTSIDE} is (b − a) × (c − a).
  */
@@ -20,8 +20,8 @@ public final class TrianglePrimitive extends Primitive {
         this(null, a, b, c);
     }
 
-    /** @param lost the normal where rounding put the corners into one line; null where it did not */
-    TrianglePrimitive(Vec3 lost, Vec3 a, Vec3 b, Vec3 c) {
+    /** @param degenerate the exact unit normal if rounding made the corners collinear, else null */
+    TrianglePrimitive(Vec3 degenerate, Vec3 a, Vec3 b, Vec3 c) {
         super(
                 Math.max(a.maxAbs(), Math.max(b.maxAbs(), c.maxAbs())),
                 Math.min(
@@ -30,7 +30,7 @@ public final class TrianglePrimitive extends Primitive {
         this.a = a;
         this.b = b;
         this.c = c;
-        plane = new Plane(lost, a, b.minus(a), c.minus(a), b, c);
+        plane = new Plane(degenerate, a, b.minus(a), c.minus(a), b, c);
     }
 
     @Override
@@ -83,7 +83,7 @@ public final class TrianglePrimitive extends Primitive {
 
     @Override
     Primitive scaledBy(int k) {
-        return new TrianglePrimitive(plane.lost(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k));
+        return new TrianglePrimitive(plane.degenerateNormal(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k));
     }
 
     @Override

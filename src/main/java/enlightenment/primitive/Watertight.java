@@ -7,7 +7,7 @@ import enlightenment.numeric.Scale;
 /**
  * Vertices in the sheared coordinates of a ray (Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT
  * 2013): every primitive rounds them alike, and the signs of edge functions are exact for the rounded vertices
- * ({@link Products#difference} keeps signs). So what a ray meets is decided on one planar drawing that all primitives
+ * ({@link Products#difference} keeps signs). So what a ray meets is decided in one planar projection that all primitives
  * share, and closed surfaces of triangles cover it without gaps.
  */
 final class Watertight {
@@ -29,12 +29,12 @@ final class Watertight {
         return Math.fma(-ray.shearY, v.component(ray.kz) - ray.o(ray.kz), v.component(ray.ky) - ray.o(ray.ky));
     }
 
-    /** Where on the ray the vertex lies, measured along the main axis of the direction. */
+    /** The ray parameter of a vertex, measured along the main axis of the direction. */
     private static double parameter(Ray ray, Vec3 v) {
         return (v.component(ray.kz) - ray.o(ray.kz)) / ray.d(ray.kz);
     }
 
-    /** Whether the ray's line passes through the closed triangle with these edge functions; never if it is seen edge-on. */
+    /** Whether the ray's line meets the closed triangle with these edge functions; false if it is seen edge-on. */
     static boolean covers(double e0, double e1, double e2) {
         boolean anyNegative = e0 < 0 || e1 < 0 || e2 < 0;
         boolean anyPositive = e0 > 0 || e1 > 0 || e2 > 0;
@@ -44,10 +44,10 @@ final class Watertight {
     /**
      * Makes the distance to a triangle's plane agree with the edge functions.
      *
-     * <p>The two are rounded differently. That is harmless unless the ray all but grazes the plane: then the edge
-     * functions may say that the ray meets this triangle (and not its neighbour) while the plane says that it does so
-     * behind the origin, or beyond the triangle, and the ray would slip through the edge between them. In that case the
-     * distance is interpolated between the vertices with the edge functions as weights, which agrees with them always.
+     * <p>The two are rounded differently. That is harmless unless the ray is almost parallel to the plane: then the edge
+     * functions may say that the ray meets this triangle (and not its neighbour) while the plane says that it does so behind
+     * the origin or beyond the triangle, and the ray would slip through the edge between the two. In that case the distance is
+     * interpolated between the vertices with the edge functions as weights, which always agrees with them.
      *
      * @param t distance to the plane
      * @param e0 edge function of a and b
@@ -64,7 +64,8 @@ final class Watertight {
         double hi = ta > tb ? ta : tb;
         hi = tc > hi ? tc : hi;
         double m = Math.max(distance(ray, a), Math.max(distance(ray, b), distance(ray, c)));
-        // Away from the edges the ray meets the triangle whichever way it is rounded, and only the plane is accurate.
+        // Away from the edges the ray meets the triangle however it is rounded, and only the plane's distance is
+        // accurate.
         double edge = Math.min(Math.abs(e0), Math.min(Math.abs(e1), Math.abs(e2)));
         boolean central = edge > ERROR * m * m;
         if (central && (t >= lo && t <= hi || t < ray.tMin && lo < ray.tMin)) {
@@ -84,6 +85,7 @@ final class Watertight {
         return Math.max(x, Math.max(y, Math.abs(v.z() - ray.oz)));
     }
 
+    /** v clamped to 0..1; 0 for NaN. */
     static double clamp01(double v) {
         return v > 0 ? (v < 1 ? v : 1) : 0;
     }

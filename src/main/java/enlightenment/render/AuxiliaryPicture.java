@@ -1,7 +1,7 @@
 package enlightenment.render;
 
-import enlightenment.image.HeatMap;
 import enlightenment.image.Image;
+import enlightenment.picture.HeatMap;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;

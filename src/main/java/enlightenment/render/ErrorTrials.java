@@ -2,7 +2,7 @@ package enlightenment.render;
 
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
-import enlightenment.image.Rounding;
+import enlightenment.picture.Rounding;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;

@@ -3,7 +3,7 @@ package enlightenment.render;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.Film;
 import enlightenment.image.Image;
-import enlightenment.image.Rounding;
+import enlightenment.picture.Rounding;
 import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
 import java.util.BitSet;

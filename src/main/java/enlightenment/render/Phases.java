@@ -1,6 +1,6 @@
 package enlightenment.render;
 
-import java.lang.management.ManagementFactory;
+import enlightenment.machine.MachineFacts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -16,10 +16,10 @@ final class Phases {
         event.phase = name;
         event.begin();
         long wall = System.nanoTime();
-        long cpu = processorTime();
+        long cpu = MachineFacts.processorNanos();
         T result = work.get();
         phases.add(new RenderReport.Phase(
-                name, (System.nanoTime() - wall) * NANO, Math.max(processorTime() - cpu, 0) * NANO));
+                name, (System.nanoTime() - wall) * NANO, Math.max(MachineFacts.processorNanos() - cpu, 0) * NANO));
         event.commit();
         return result;
     }
@@ -49,13 +49,6 @@ final class Phases {
             work.run();
             return null;
         });
-    }
-
-    /** Processor time of the whole process in nanoseconds, 0 where the machine cannot tell. */
-    private static long processorTime() {
-        return ManagementFactory.getOperatingSystemMXBean() instanceof com.sun.management.OperatingSystemMXBean os
-                ? Math.max(os.getProcessCpuTime(), 0)
-                : 0;
     }
 
     List<RenderReport.Phase> list() {

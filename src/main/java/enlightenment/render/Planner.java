@@ -8,6 +8,7 @@ import enlightenment.method.TileMethod;
 import enlightenment.method.cluster.ClusterCost;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -74,7 +75,7 @@ final class Planner {
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
-        cluster = settings.method().equals(RenderPlan.CLUSTER);
+        cluster = settings.method() == Method.CLUSTER;
     }
 
     /**
@@ -92,7 +93,7 @@ final class Planner {
         if (budget.isNone()) {
             return cluster
                     ? withSamples(antialias, "antialias")
-                    : new RenderPlan(RenderPlan.RAYTRACE, 0, antialias, "antialias");
+                    : new RenderPlan(Method.RAYTRACE, 0, antialias, "antialias");
         }
         double samples = budget.samples().orElse(Budget.MAX_SAMPLES);
         String by = "samples";
@@ -122,8 +123,8 @@ final class Planner {
     /** The plan for so many samples per pixel. */
     RenderPlan withSamples(double samples, String by) {
         return isClustered(samples)
-                ? new RenderPlan(RenderPlan.CLUSTER, effort(samples), samples, by)
-                : new RenderPlan(RenderPlan.RAYTRACE, Math.max(samples, 1), samples, by);
+                ? new RenderPlan(Method.CLUSTER, effort(samples), samples, by)
+                : new RenderPlan(Method.RAYTRACE, Math.max(samples, 1), samples, by);
     }
 
     private boolean isClustered(double samples) {

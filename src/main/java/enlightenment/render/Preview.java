@@ -5,6 +5,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
 import enlightenment.method.TileMethod;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.function.BooleanSupplier;
 
@@ -61,8 +62,9 @@ final class Preview {
         boolean own = few != null;
         // Where the method cannot do with so few: evenly spaced rays, one light point each, if need be not in all
         // pixels.
-        RenderSettings how = own ? settings : settings.withMethod("raytrace").withShadowSamples(1);
-        RenderPlan plan = own ? few : new RenderPlan(RenderPlan.RAYTRACE, Math.max(samples, 1), samples, "preview");
+        RenderSettings how =
+                own ? settings : settings.withMethod(Method.RAYTRACE).withShadowSamples(1);
+        RenderPlan plan = own ? few : new RenderPlan(Method.RAYTRACE, Math.max(samples, 1), samples, "preview");
         int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
         long total = (long) region.width() * region.height();
         Workers.run(settings.threads(), grid.count, cancelled, () -> {

@@ -7,6 +7,7 @@ import enlightenment.method.TileMethod;
 import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.method.cluster.ClusterRecord;
 import enlightenment.sampling.Distribution;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.function.Consumer;
@@ -23,10 +24,7 @@ import java.util.function.Consumer;
  *     leads to the same plan
  * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
  */
-public record RenderPlan(String method, double level, double samples, String decidedBy) {
-    static final String CLUSTER = "cluster";
-    static final String RAYTRACE = "raytrace";
-
+public record RenderPlan(Method method, double level, double samples, String decidedBy) {
     /** The method, for one thread. */
     TileMethod method(CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return method(scene, settings, counters, null);
@@ -42,7 +40,7 @@ public record RenderPlan(String method, double level, double samples, String dec
             RenderSettings settings,
             RayCounters counters,
             Consumer<List<ClusterRecord>> clusters) {
-        if (method.equals(CLUSTER)) {
+        if (method == Method.CLUSTER) {
             return new ClusterMethod(
                     scene, settings, counters, Distribution.of(settings.proposal()), level, samples, clusters);
         }

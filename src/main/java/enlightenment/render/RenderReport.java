@@ -1,6 +1,7 @@
 package enlightenment.render;
 
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
@@ -56,7 +57,7 @@ public record RenderReport(
      * @param rounds how often the picture was rendered: more than once where it was not as exact as asked
      */
     public record Sampling(
-            String method,
+            Method method,
             String decidedBy,
             double plannedSamples,
             double samplesPerPixel,

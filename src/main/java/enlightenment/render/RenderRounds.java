@@ -2,7 +2,7 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.image.Image;
-import enlightenment.image.Rounding;
+import enlightenment.picture.Rounding;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
 import java.util.OptionalDouble;

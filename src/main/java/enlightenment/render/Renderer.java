@@ -29,9 +29,6 @@ import java.util.function.BooleanSupplier;
  * not work on an interrupted thread. An interrupt of a helper has no effect.
  */
 public final class Renderer {
-    /** The methods that exist, by their names in scene files and on the command line. */
-    public static final List<String> METHODS = List.of("raytrace", "cluster");
-
     /** A film keeps three doubles, two floats and a count per pixel, the finished picture three floats. */
     private static final long BYTES_PER_PIXEL = 3 * (8 + 4) + 3 * 4;
 
@@ -80,7 +77,6 @@ public final class Renderer {
     public static RenderResult render(RenderRequest request) {
         long start = System.nanoTime();
         RenderSettings settings = request.settings();
-        checkMethod(settings.method());
         checkMemory(
                 settings,
                 (request.progressive() ? 1 : 0)
@@ -108,7 +104,6 @@ public final class Renderer {
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */
     public static Inspection inspect(Scene scene, RenderSettings settings) {
-        checkMethod(settings.method());
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         int primitives = compiled.primitives.length;
         return new Inspection(
@@ -138,12 +133,7 @@ public final class Renderer {
 
     /** Refuses settings that cannot be used, whatever the scene. */
     static void check(RenderSettings settings) {
-        checkMethod(settings.method());
         checkMemory(settings, 0);
-    }
-
-    static void checkMethod(String method) {
-        Check.that(METHODS.contains(method), "render/method", "must be one of " + METHODS + ", not \"" + method + "\"");
     }
 
     /** Refuses a picture that cannot fit before anything is allocated. */

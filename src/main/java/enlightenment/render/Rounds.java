@@ -1,6 +1,7 @@
 package enlightenment.render;
 
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -57,8 +58,8 @@ final class Rounds {
             return OptionalDouble.empty();
         }
         double next = wanted(n, report.sampling().errorHigh(), aim);
-        boolean isPlain = report.sampling().method().equals(RenderPlan.RAYTRACE);
-        if (isPlain && report.settings().method().equals(RenderPlan.CLUSTER)) {
+        boolean isPlain = report.sampling().method() == Method.RAYTRACE;
+        if (isPlain && report.settings().method() == Method.CLUSTER) {
             // The error of evenly spaced rays tells little of that of surveyed ones: it may be far smaller.
             next = Math.min(next, Planner.FIRST_OF_CLUSTER);
         }

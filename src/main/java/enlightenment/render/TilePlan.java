@@ -1,6 +1,8 @@
 package enlightenment.render;
 
 import enlightenment.check.Check;
+import enlightenment.scene.Method;
+import java.util.Objects;
 
 /**
  * What is decided about a render before its first tile: with it, a tile is a pure function of scene, settings and place.
@@ -10,9 +12,9 @@ import enlightenment.check.Check;
  * @param samples the mean number of camera rays per pixel that this is expected to take
  * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
  */
-public record TilePlan(String method, double level, double samples, String decidedBy) {
+public record TilePlan(Method method, double level, double samples, String decidedBy) {
     public TilePlan {
-        Renderer.checkMethod(method);
+        Objects.requireNonNull(method, "method");
         Check.that(level >= 0 && level < Double.POSITIVE_INFINITY, "plan", "must not be negative, but is " + level);
         Check.that(samples >= 0 && samples < Double.POSITIVE_INFINITY, "plan", "cannot be of " + samples + " samples");
     }

@@ -126,7 +126,6 @@ public final class TiledRender {
      */
     public static TiledRender planned(
             Scene scene, RenderSettings settings, TilePlan plan, Function<Path, byte[]> files) {
-        Renderer.checkMethod(settings.method());
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, files));
         return new TiledRender(

@@ -2,23 +2,23 @@ package enlightenment.sampling;
 
 /**
  * The exponential function and the natural logarithm by fused operations only: the same on every machine, several times as
- * fast as {@link StrictMath}, right to 2 units in the last place.
+ * fast as {@link StrictMath}, accurate to 2 units in the last place.
  *
- * <p>Powers of two are taken out, the rest is Taylor's series. Arguments that are not ordinary go to {@link StrictMath}.
+ * <p>The argument is reduced by powers of two, the rest is Taylor's series. Extreme arguments go to {@link StrictMath}.
  */
 final class Exponential {
-    /** ln 2 and what its rounding left off. */
+    /** ln 2 and the error of its rounding. */
     private static final double LN_2 = StrictMath.log(2);
 
     private static final double LN_2_REST = 2.3190468138462996e-17;
 
     private static final double PER_LN_2 = 1 / LN_2;
 
-    /** Beyond, powers of two are not normal numbers. */
+    /** Up to this absolute value of x, the powers of two involved are normal numbers. */
     private static final int ORDINARY = 700;
 
-    /** Below, the result is less than half of the least positive number. */
-    private static final int NOTHING = -746;
+    /** Below this x, the result is less than half of the smallest positive double. */
+    private static final int UNDERFLOW = -746;
 
     private static final int MANTISSA_BITS = 52;
     private static final long BIAS = 1023;
@@ -29,12 +29,12 @@ final class Exponential {
     /** e to the power of x. */
     static double exp(double x) {
         if (!(Math.abs(x) <= ORDINARY)) {
-            // Far from a density's middle: common, and the library takes long to find out.
-            return x < NOTHING ? 0 : StrictMath.exp(x);
+            // Common far from the mean of a density, where the library function is slow.
+            return x < UNDERFLOW ? 0 : StrictMath.exp(x);
         }
         double k = Math.rint(x * PER_LN_2);
         double r = Math.fma(k, -LN_2_REST, Math.fma(k, -LN_2, x));
-        // |r| ≤ ln(2)/2: the first term left out, r^14/14!, is below 2^-57. Even and odd terms apart: half the latency.
+        // |r| ≤ ln(2)/2: the first omitted term, r^14/14!, is below 2^-57. Even and odd terms apart halve the latency.
         double s = r * r;
         double even = Math.fma(s, 1.0 / 479001600, 1.0 / 3628800);
         double odd = Math.fma(s, 1.0 / 6227020800L, 1.0 / 39916800);
@@ -59,7 +59,7 @@ final class Exponential {
         long bits = Double.doubleToRawLongBits(x);
         long k = (bits - ROOT_HALF_BITS) >> MANTISSA_BITS;
         double m = Double.longBitsToDouble(bits - (k << MANTISSA_BITS));
-        // √½ ≤ m < √2; ln m = 2 artanh q with |q| ≤ 0.172: the first term left out, q^23 · 2/23, is below 2^-60 of it.
+        // √½ ≤ m < √2; ln m = 2 artanh q with |q| ≤ 0.172: the first omitted term, q^23 · 2/23, is below 2^-60 of it.
         double q = (m - 1) / (m + 1);
         double s = q * q;
         double t = s * s;

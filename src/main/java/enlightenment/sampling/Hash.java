@@ -1,7 +1,7 @@
 package enlightenment.sampling;
 
 /**
- * Random numbers as pure functions of what is sampled: no state, no order, no thread can change them.
+ * Random numbers as pure functions of what is sampled: there is no state, so neither order nor threads can change them.
  *
  * <p>The mixing function is the finaliser of MurmurHash3 in the variant 13 of D. Stafford ("Better bit mixing", 2011),
  * which SplitMix64 uses too (Steele, Lea and Flood 2014).

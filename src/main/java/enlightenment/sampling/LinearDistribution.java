@@ -1,8 +1,8 @@
 package enlightenment.sampling;
 
 /**
- * The linear distribution: the density falls by equal steps to the right and to the left of the mean, (1 − |z|/√6) / √6 for
- * |z| ≤ √6, and is 0 beyond. Its sampling needs no more than a square root.
+ * The linear distribution, a tent: the density falls linearly on both sides of the mean, (1 − |z|/√6) / √6 for |z| ≤ √6, and
+ * is 0 beyond. Sampling it takes one square root.
  */
 public final class LinearDistribution implements Distribution {
     static final LinearDistribution INSTANCE = new LinearDistribution();
@@ -36,7 +36,7 @@ public final class LinearDistribution implements Distribution {
         return p < 0.5 ? -z : z;
     }
 
-    /** The distance from the peak in half widths, given the tail beyond and the probability up to it. */
+    /** The distance from the peak in half widths, given the probability of the tail beyond and that from the mean. */
     static double fromPeak(double tail, double fromMiddle) {
         return 2 * fromMiddle / (1 + Math.sqrt(2 * tail));
     }

@@ -1,13 +1,13 @@
 package enlightenment.sampling;
 
 /**
- * Inversion on an interval that is so narrow that the density hardly changes: Σ cⱼ τʲ around its centre with c₀ = 1 and
- * |cⱼ|·widthʲ ≤ 2^-6j. The terms left out are below 1e-17 of the sum.
+ * Inversion on an interval so narrow that the density hardly varies: Σ cⱼ τʲ around its centre with c₀ = 1 and
+ * |cⱼ|·widthʲ ≤ 2^-6j. The omitted terms are below 1e-17 of the sum.
  */
 final class NarrowInterval {
     private static final int DEGREE = 6;
 
-    /** Each Newton step squares the error, which is 2^-9 at first. */
+    /** Each Newton step squares the relative error, which is 2^-9 at first. */
     private static final int STEPS = 3;
 
     /** cⱼ, to be set before {@link #prepare}. */
@@ -37,12 +37,12 @@ final class NarrowInterval {
         return mass;
     }
 
-    /** The distance from the lower end below which the share u of the integral lies. */
+    /** The distance from the lower end at which the integral reaches the fraction u of the whole. */
     double at(double u) {
-        double wanted = Math.fma(u, mass, below);
+        double target = Math.fma(u, mass, below);
         double tau = half * (2 * u - 1);
         for (int i = 0; i < STEPS; i++) {
-            tau -= (tau * polynomial(integral, tau) - wanted) / polynomial(coefficients, tau);
+            tau -= (tau * polynomial(integral, tau) - target) / polynomial(coefficients, tau);
         }
         return half + tau;
     }

@@ -1,7 +1,7 @@
 package enlightenment.sampling;
 
 /**
- * Integrals of the normal density and their inverse, for z ≥ 0. Each is right to a few units in the last place, in the
+ * Integrals of the normal density and their inverse, for z ≥ 0. Each is accurate to a few units in the last place, in the
  * tails too, until it underflows.
  *
  * <p>Sources: W. J. Cody, "Rational Chebyshev approximations for the error function", Mathematics of Computation 23
@@ -15,41 +15,41 @@ final class NormalIntegral {
     private static final double ROOT_HALF = Math.sqrt(0.5);
     private static final double ONE_BY_ROOT_PI = 1 / Math.sqrt(Math.PI);
 
-    /** Cody's end of the middle, in units of √2 deviations. */
-    private static final double MIDDLE = 0.46875;
+    /** Where Cody's central approximation ends, in units of √2 standard deviations. */
+    private static final double CODY_CENTRAL = 0.46875;
 
-    /** Wichura's end of the middle, as a probability from the middle, and its square. */
-    private static final double CENTRE = 0.425;
+    /** Where Wichura's central approximation ends, as a probability from the median, and its square. */
+    private static final double WICHURA_CENTRAL = 0.425;
 
-    private static final double CENTRE_SQUARED = 0.180625;
+    private static final double WICHURA_CENTRAL_SQUARED = 0.180625;
 
     private NormalIntegral() {}
 
-    /** exp(−z²/2), with the rounding of the square made good. */
+    /** exp(−z²/2), corrected for the rounding of the square. */
     static double bell(double z) {
         double square = z * z;
         double rest = Math.fma(z, z, -square);
         double e = Exponential.exp(-0.5 * square);
-        // An infinite or huge z leaves no number in the rest.
+        // For an infinite or huge z the correction is NaN.
         return e == 0 ? 0 : Math.fma(-0.5 * rest, e, e);
     }
 
     /** The integral of the density from 0 to z ≥ 0. */
     static double central(double z) {
         double y = z * ROOT_HALF;
-        return y <= MIDDLE ? middle(y) : 0.5 - bell(z) * scaled(y);
+        return y <= CODY_CENTRAL ? middle(y) : 0.5 - bell(z) * scaled(y);
     }
 
     /** The integral of the density from z ≥ 0 to ∞. */
     static double tail(double z) {
         double y = z * ROOT_HALF;
-        return y <= MIDDLE ? 0.5 - middle(y) : bell(z) * scaled(y);
+        return y <= CODY_CENTRAL ? 0.5 - middle(y) : bell(z) * scaled(y);
     }
 
     /** The tail from z ≥ 0 divided by exp(−z²/2): it never underflows for z below 1e150. */
     static double scaledTail(double z) {
         double y = z * ROOT_HALF;
-        return y <= MIDDLE ? (0.5 - middle(y)) / bell(z) : scaled(y);
+        return y <= CODY_CENTRAL ? (0.5 - middle(y)) / bell(z) : scaled(y);
     }
 
     /** Half the error function for |y| ≤ 0.46875. */
@@ -107,12 +107,12 @@ final class NormalIntegral {
     }
 
     /**
-     * The z that has this probability between 0 and z, negative for a negative one.
+     * The z with this probability between 0 and z, negative for a negative one.
      *
-     * @param tail the probability beyond z, away from 0, which is exact where the other is not
+     * @param tail the probability beyond z, away from 0, which is accurate where the other is not
      */
     static double inverse(double fromMiddle, double tail) {
-        return Math.abs(fromMiddle) <= CENTRE
+        return Math.abs(fromMiddle) <= WICHURA_CENTRAL
                 ? inverseCentral(fromMiddle)
                 : Math.copySign(inverseTail(tail), fromMiddle);
     }
@@ -126,7 +126,7 @@ final class NormalIntegral {
     }
 
     private static double inverseCentral(double v) {
-        double r = Math.fma(-v, v, CENTRE_SQUARED);
+        double r = Math.fma(-v, v, WICHURA_CENTRAL_SQUARED);
         double p = Math.fma(r, 2.5090809287301226727E3, 3.3430575583588128105E4);
         p = Math.fma(r, p, 6.7265770927008700853E4);
         p = Math.fma(r, p, 4.5921953931549871457E4);

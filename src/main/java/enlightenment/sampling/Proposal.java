@@ -1,25 +1,25 @@
 package enlightenment.sampling;
 
 /**
- * A {@link Distribution} moved to a mean, stretched by a deviation, cut off outside an interval and scaled so that its
- * integral over the interval is 1. Mutable, not for use by several threads at once, allocation free.
+ * A {@link Distribution} with a given mean and standard deviation, truncated to an interval and normalised there. Mutable, not
+ * for use by several threads at once, allocation free.
  *
- * <p>Sampling is by inversion, so well distributed numbers give well distributed values. Sampling and density agree to about
- * 1e-12, wherever the mean lies, so that the weights f/density of an importance sampler are unbiased to that order. The mean
- * may lie far outside: a normal proposal then falls off from the end of the interval as its tail does. Where the family has
- * no density in the interval at all (only the linear one may), the proposal is uniform.
+ * <p>Sampling is by inversion, so low-discrepancy numbers stay stratified. Sampling and density agree to about 1e-12, wherever
+ * the mean lies, so that the weights f/density of an importance sampler are unbiased to that order. The mean may lie far
+ * outside: a normal proposal then falls off from the end of the interval as its tail does. If the family has no density in the
+ * interval at all (only the linear one can), the proposal is uniform.
  *
- * <p>Deviations may be far below the rounding of the mean: {@link #offset} gives values relative to it, and
+ * <p>Deviations may be far below the rounding of the mean: {@link #offset} gives values relative to the mean, and
  * {@link #densityAtOffset} their density. Use this pair unless the deviation is well above the rounding of the values.
  */
 public final class Proposal {
-    /** What 1/2 of the last bit of a 53-bit number adds: 0 and 1 have no value if the interval is infinite. */
-    private static final double LEAST = 0x1p-54;
+    /** Uniform numbers are clamped to these: at 0 and 1 an infinite interval has no value. */
+    private static final double MIN_UNIFORM = 0x1p-54;
 
-    private static final double MOST = 1 - 0x1p-53;
+    private static final double MAX_UNIFORM = 1 - 0x1p-53;
 
-    /** Distances beyond this many deviations change nothing: all of the density lies within rounding of the interval's end. */
-    private static final double FARTHEST = 0x1p500;
+    /** Distances are clamped to this many deviations: there all of the density lies within rounding of the interval's end. */
+    private static final double MAX_DISTANCE = 0x1p500;
 
     private final Distribution family;
     private final Truncated truncated;
@@ -29,7 +29,7 @@ public final class Proposal {
     private double lowOffset;
     private double highOffset;
 
-    /** Where the positions of the truncated density are counted from, the same as an offset, and their unit, with a sign. */
+    /** The origin of the truncated density's positions, the same as an offset from the mean, and their signed unit. */
     private double origin;
 
     private double originOffset;
@@ -38,26 +38,26 @@ public final class Proposal {
     private double perDeviation;
     private boolean uniform;
 
-    /** A proposal of this family, standardised and not cut off until {@link #set} is called. */
+    /** A proposal of this family, standardised and not truncated until {@link #set} is called. */
     public Proposal(Distribution family) {
         this.family = family;
         truncated = Truncated.of(family);
         set(0, 1, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
-    /** The family it was made of. */
+    /** The family. */
     public Distribution family() {
         return family;
     }
 
     /**
-     * Moves, stretches and cuts off.
+     * Sets mean, deviation and interval.
      *
-     * @param mean of the family before it is cut off; finite, need not lie in the interval
-     * @param deviation of the family before it is cut off; finite and greater than 0; for densities that do not overflow or
-     *     underflow, from 1e-300 to 1e300
-     * @param low the lower end of the interval, perhaps infinite
-     * @param high the upper end of the interval, greater than the lower one, perhaps infinite
+     * @param mean of the family before truncation; finite, need not lie in the interval
+     * @param deviation of the family before truncation; finite and greater than 0; densities do not overflow or underflow from
+     *     1e-300 to 1e300
+     * @param low the lower end of the interval, may be infinite
+     * @param high the upper end of the interval, greater than the lower one, may be infinite
      * @throws IllegalArgumentException if a value is not as described, or if the proposal would be uniform on an interval of
      *     infinite length
      */
@@ -91,7 +91,7 @@ public final class Proposal {
         origin = above ? low : high;
         originOffset = above ? lowOffset : highOffset;
         unit = above ? deviation : -deviation;
-        double distance = Math.min(Math.abs(originOffset) / deviation, FARTHEST);
+        double distance = Math.min(Math.abs(originOffset) / deviation, MAX_DISTANCE);
         uniform = !truncated.beyond(distance, (high - low) / deviation);
         if (uniform && high - low == Double.POSITIVE_INFINITY) {
             throw new IllegalArgumentException(
@@ -100,14 +100,14 @@ public final class Proposal {
     }
 
     /**
-     * The value below which the share u of the density lies.
+     * The quantile u of the proposal.
      *
      * @param u in [0, 1)
-     * @return within the interval; grows with u
+     * @return a value within the interval, non-decreasing in u
      */
     public double sample(double u) {
         double x = uniform ? low + u * (high - low) : origin + scaledPosition(u);
-        return within(x, low, high);
+        return clamp(x, low, high);
     }
 
     /**
@@ -117,7 +117,7 @@ public final class Proposal {
      */
     public double offset(double u) {
         double o = uniform ? lowOffset + u * (high - low) : originOffset + scaledPosition(u);
-        return within(o, lowOffset, highOffset);
+        return clamp(o, lowOffset, highOffset);
     }
 
     /** The density at x; 0 outside the interval. Greater than 0 at every sampled value, save for the rounding of the value. */
@@ -138,15 +138,15 @@ public final class Proposal {
 
     private double scaledPosition(double u) {
         double share = unit > 0 ? u : 1 - u;
-        return unit * truncated.at(within(share, LEAST, MOST));
+        return unit * truncated.at(clamp(share, MIN_UNIFORM, MAX_UNIFORM));
     }
 
     private double densityAt(double fromOrigin) {
         return truncated.density(fromOrigin * perUnit) * perDeviation;
     }
 
-    /** As Math.min and Math.max would have it, but a processor need not wait for it. */
-    private static double within(double x, double low, double high) {
+    /** x clamped to low..high; branches, unlike Math.min and Math.max, need not wait for the result. */
+    private static double clamp(double x, double low, double high) {
         if (x < low) {
             return low;
         }

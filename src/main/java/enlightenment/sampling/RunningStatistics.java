@@ -1,7 +1,7 @@
 package enlightenment.sampling;
 
 /**
- * Count, mean and variance of values that come one by one, without keeping them. Not safe for use by several threads:
+ * Count, mean and variance of values that come one by one, without storing them. Not safe for use by several threads:
  * give each its own, and {@link #merge} them.
  *
  * <p>Welford's method ("Note on a method for calculating corrected sums of squares and products", 1962) on offsets from
@@ -16,7 +16,7 @@ package enlightenment.sampling;
 public final class RunningStatistics {
     private long count;
 
-    /** The first value: all others are looked at from here. */
+    /** The first value: all others are taken relative to it. */
     private double reference;
 
     /** The mean of the offsets from the reference. */
@@ -31,7 +31,7 @@ public final class RunningStatistics {
     /**
      * Adds a value.
      *
-     * @throws IllegalArgumentException if it is infinite or not a number
+     * @throws IllegalArgumentException if it is infinite or NaN
      */
     public void add(double value) {
         if (!Double.isFinite(value)) {
@@ -63,7 +63,7 @@ public final class RunningStatistics {
         count = all;
     }
 
-    /** How many values there are. */
+    /** The number of values. */
     public long count() {
         return count;
     }
@@ -73,7 +73,7 @@ public final class RunningStatistics {
         return reference + meanOffset;
     }
 
-    /** The unbiased estimate of the variance: squared differences from the mean over n − 1; 0 for less than two values. */
+    /** The unbiased estimate of the variance: squared differences from the mean over n − 1; 0 for fewer than two values. */
     public double variance() {
         return count < 2 ? 0 : squares / (count - 1);
     }
@@ -83,7 +83,7 @@ public final class RunningStatistics {
         return Math.sqrt(variance());
     }
 
-    /** The standard deviation of the mean itself, if the values are independent; 0 for less than two values. */
+    /** The standard deviation of the mean itself, if the values are independent; 0 for fewer than two values. */
     public double standardError() {
         return count < 2 ? 0 : Math.sqrt(variance() / count);
     }

@@ -26,8 +26,8 @@ public final class Sobol {
     }
 
     /**
-     * The index at which a sequence that must be independent of others is read: a random permutation of the indices that
-     * keeps every aligned block of 2^k together, so that prefixes stay well distributed.
+     * A random permutation of the indices, by which a sequence becomes independent of others. It keeps every aligned block of
+     * 2^k together, so that prefixes stay stratified.
      */
     public static int shuffled(int index, long seed) {
         return scramble(Integer.reverse(index), (int) seed);
@@ -51,7 +51,7 @@ public final class Sobol {
         return v;
     }
 
-    /** Owen scrambling of a number whose bits stand in reverse; the result's bits stand the right way round. */
+    /** Owen scrambling of a number given with its bits reversed; the result's bits are in the usual order. */
     private static int scramble(int reversed, int seed) {
         int v = reversed;
         v ^= v * 0x3d20adea;

@@ -1,17 +1,17 @@
 package enlightenment.sampling;
 
-/** The tent, cut off; in units of its half width. */
+/** The truncated tent, in units of its half width. */
 final class TruncatedLinear extends Truncated {
     private static final double WIDTH = LinearDistribution.HALF_WIDTH;
 
     private boolean around;
 
-    /** The height at position 0, and at the far end of what lies beyond the mean. */
+    /** The height of the tent at position 0, and at the far end of an interval beside the mean. */
     private double start;
 
     private double end;
 
-    /** What lies beyond the mean, as far as there is density. */
+    /** The width of the interval, as far as there is density. */
     private double width;
 
     private double norm;

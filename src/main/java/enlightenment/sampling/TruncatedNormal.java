@@ -1,14 +1,14 @@
 package enlightenment.sampling;
 
-/** The normal density, cut off. Its density is exp(−t(a + t/2)) times a constant; a is 0 around the mean. */
+/** The truncated normal density: exp(−t(a + t/2)) times a constant; a is 0 around the mean. */
 final class TruncatedNormal extends Truncated {
-    /** From here on positions are found from the logarithm of the tail, which does not underflow. */
+    /** From here on, positions are computed from the logarithm of the tail, which does not underflow. */
     private static final int FAR = 4;
 
-    /** Where Newton's steps far out stop: the error left is about the square of the last one. Two or three are enough. */
+    /** Newton's method stops at this relative step: the remaining error is about its square. Two or three steps are enough. */
     private static final double SMALL_STEP = 0x1p-30;
 
-    private static final int MOST_STEPS = 8;
+    private static final int MAX_STEPS = 8;
 
     private enum Form {
         AROUND,
@@ -22,14 +22,14 @@ final class TruncatedNormal extends Truncated {
     private double a;
     private double norm;
 
-    /** Probability of the whole family: beyond the lower end, within, beyond the upper end, and from lower end to mean. */
+    /** Probabilities before truncation: below the lower end, within, above the upper end, and from the lower end to the mean. */
     private double under;
 
     private double within;
     private double over;
     private double leftMass;
 
-    /** Far out: the tail from a divided by exp(−a²/2), and the share of it that is cut off. */
+    /** Far out: the tail beyond a divided by exp(−a²/2), and the fraction of it that lies in the interval. */
     private double scaledTail;
 
     private double cut;
@@ -107,12 +107,12 @@ final class TruncatedNormal extends Truncated {
 
     /** Solves a·t + t²/2 + ln(S(a)/S(a + t)) = −ln(1 − u·cut), S being the scaled tail. */
     private double atFar(double u) {
-        double wanted = -StrictMath.log1p(-u * cut);
+        double target = -StrictMath.log1p(-u * cut);
         double hazard = NormalIntegral.PEAK / scaledTail;
-        double t = 2 * wanted / (hazard + Math.sqrt(Math.fma(hazard, hazard, 2 * wanted)));
-        for (int i = 0; i < MOST_STEPS; i++) {
+        double t = 2 * target / (hazard + Math.sqrt(Math.fma(hazard, hazard, 2 * target)));
+        for (int i = 0; i < MAX_STEPS; i++) {
             double s = NormalIntegral.scaledTail(a + t);
-            double excess = t * (a + 0.5 * t) + Exponential.log(scaledTail / s) - wanted;
+            double excess = t * (a + 0.5 * t) + Exponential.log(scaledTail / s) - target;
             double step = excess * s / NormalIntegral.PEAK;
             t -= step;
             if (Math.abs(step) <= SMALL_STEP * t) {

@@ -1,6 +1,6 @@
 package enlightenment.sampling;
 
-/** The zeta density, cut off. Within, x is the position in units of {@link ZetaSum}. */
+/** The truncated zeta density. Inside, x is the position in units of {@link ZetaSum}. */
 final class TruncatedZeta extends Truncated {
     private static final double SCALE = ZetaSum.DEVIATION;
 
@@ -15,7 +15,7 @@ final class TruncatedZeta extends Truncated {
     private final double[] scratch = ZetaSum.scratch();
     private Form form;
 
-    /** Where positions are counted from. */
+    /** The origin of positions. */
     private double start;
 
     private double norm;
@@ -24,7 +24,7 @@ final class TruncatedZeta extends Truncated {
     private double within;
     private double over;
 
-    /** Far out: the share of the exponential that is kept. */
+    /** Far out: the fraction of the exponential that lies in the interval. */
     private double cut;
 
     @Override

@@ -1,6 +1,6 @@
 package enlightenment.sampling;
 
-/** Maps from the unit square to other domains that keep areas and neighbourhoods. */
+/** Area-preserving maps of low distortion from the unit square to other domains. */
 public final class Warp {
     private static final double QUARTER_PI = Math.PI / 4;
 
@@ -10,7 +10,9 @@ public final class Warp {
      * Shirley and Chiu's concentric map to the unit disk ("A low distortion map between disk and square", 1997): uniform
      * in area.
      *
-     * @param out receives x, y and x² + y², which is known without rounding twice
+     * @param u first coordinate in the unit square
+     * @param v second coordinate
+     * @param out receives x, y and x² + y², which has one rounding only
      */
     public static void toDisk(double u, double v, double[] out) {
         double a = 2 * u - 1;
@@ -50,7 +52,7 @@ public final class Warp {
         return Math.fma(z * x, p, x);
     }
 
-    /** cos x for |x| ≤ π/4, made as {@link #sine} is. */
+    /** cos x for |x| ≤ π/4, as {@link #sine}. */
     static double cosine(double x) {
         double z = x * x;
         double p = Math.fma(z, -1.0 / 6402373705728000.0, 1.0 / 20922789888000.0);

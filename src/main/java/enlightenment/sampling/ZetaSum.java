@@ -2,10 +2,10 @@ package enlightenment.sampling;
 
 /**
  * Sums over the terms n = 2 … 50 of the zeta function for x ≥ 0: f(x) = Σ n^-x, its integral from x to ∞,
- * H(x) = Σ n^-x / ln n, the integral from 0 to x, and the inverses of both. Each is right to a few units in the last place.
+ * H(x) = Σ n^-x / ln n, the integral from 0 to x, and the inverses of both. Each is accurate to a few units in the last place.
  *
- * <p>49 powers would take a microsecond, so H is kept as Taylor polynomials at every quarter; all terms of H have the same
- * sign, so it loses no digits. Beyond {@link #FAR} the term n = 2 is all that is left within rounding.
+ * <p>49 powers would take a microsecond, so H is stored as Taylor polynomials at every quarter; all terms of H have the same
+ * sign, so it loses no digits. Beyond {@link #FAR} all terms but n = 2 are below its rounding.
  */
 final class ZetaSum {
     /** The original's comment: "We'll use 50 iterations". */
@@ -20,10 +20,10 @@ final class ZetaSum {
     private static final int PER_UNIT = 4;
     private static final double[][] TAYLOR = new double[FAR * PER_UNIT + 1][DEGREE + 1];
 
-    /** ln 2, the slowest rate. */
+    /** ln 2, the smallest rate of decay. */
     static final double SLOWEST = StrictMath.log(2);
 
-    /** The logarithm of the last term: no other falls faster. */
+    /** ln 50, the largest rate of decay. */
     static final double FASTEST = StrictMath.log(TERMS);
 
     /** H(0) = Σ 1/ln n: half the integral of f over the line. */
@@ -49,10 +49,10 @@ final class ZetaSum {
         DEVIATION = Math.sqrt(2 * third / HALF_MASS);
     }
 
-    /** Where the iterations stop: the error left is about the square of the last step. */
+    /** Iterations stop at this relative step: the remaining error is about its square. */
     private static final double SMALL_STEP = 0x1p-30;
 
-    private static final int MOST_STEPS = 8;
+    private static final int MAX_STEPS = 8;
 
     private ZetaSum() {}
 
@@ -102,7 +102,7 @@ final class ZetaSum {
         return sum;
     }
 
-    /** The x ≥ 0 with H(0) − H(x) = fromMiddle and H(x) = tail. Both are given, since each is exact where the other is not. */
+    /** The x ≥ 0 with H(0) − H(x) = fromMiddle and H(x) = tail; each is accurate where the other is not. */
     static double inverse(double fromMiddle, double tail) {
         if (tail <= TAYLOR[TAYLOR.length - 1][0]) {
             return -Exponential.log(tail * SLOWEST) / SLOWEST;
@@ -112,7 +112,7 @@ final class ZetaSum {
 
     private static double inverseNear(double fromMiddle) {
         double x = -fromMiddle / TAYLOR[0][1];
-        for (int i = 0; i < MOST_STEPS; i++) {
+        for (int i = 0; i < MAX_STEPS; i++) {
             double step = (fromMiddle - central(x)) / density(x);
             x += step;
             if (Math.abs(step) <= SMALL_STEP * x) {
@@ -134,8 +134,8 @@ final class ZetaSum {
             }
         }
         double x = (double) low / PER_UNIT;
-        for (int i = 0; i < MOST_STEPS; i++) {
-            // Newton's step for ln H, with Padé's form of the logarithm: exact but for the third order.
+        for (int i = 0; i < MAX_STEPS; i++) {
+            // Newton's step for ln H, with Padé's form of the logarithm: exact up to the third order.
             double h = tail(x);
             double step = 2 * (h - tail) / (h + tail) * (h / density(x));
             x = Math.max(x + step, 0);

@@ -6,16 +6,26 @@ import java.util.Objects;
 /**
  * The settings that a scene asks to be rendered with, unless the user says otherwise.
  *
- * @param method the name of the method, {@code "raytrace"} unless given
+ * @param method which samples are taken, {@link Method#RAYTRACE} unless given
  * @param antialias n for n × n positions per pixel, 1..256
- * @param shadowSamples light points per hit and light, 1..1,000,000
+ * @param shadowSamples light samples per hit and light, 1..1,000,000
  * @param seed what all random numbers are derived from
  */
-public record RenderDefaults(String method, int antialias, int shadowSamples, long seed) {
+public record RenderDefaults(Method method, int antialias, int shadowSamples, long seed) {
+    /** The largest n for n × n positions per pixel. */
     public static final int MAX_ANTIALIAS = 256;
-    public static final int MAX_SHADOW_SAMPLES = 1_000_000;
-    public static final RenderDefaults DEFAULT = new RenderDefaults("raytrace", 4, 10, 0);
 
+    /** The largest number of light samples per hit and light. */
+    public static final int MAX_SHADOW_SAMPLES = 1_000_000;
+
+    /** What a scene asks for that says nothing. */
+    public static final RenderDefaults DEFAULT = new RenderDefaults(Method.RAYTRACE, 4, 10, 0);
+
+    /**
+     * Checks the ranges.
+     *
+     * @throws enlightenment.math.InvalidValueException if a number is out of its range
+     */
     public RenderDefaults {
         Objects.requireNonNull(method, "method");
         Check.that(

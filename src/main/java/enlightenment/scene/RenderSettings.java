@@ -6,23 +6,24 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Everything beside the scene that a render depends on, or, where it says so, only how the render is carried out.
+ * Everything beside the scene that a render depends on, or, where it says so, only how the render is carried out. Begin with
+ * {@link #of} and change what should differ by the {@code with} methods, or several settings at once by {@link #toBuilder}.
  *
- * @param method which samples are taken: {@code "raytrace"} or {@code "cluster"}
+ * @param method which samples are taken
  * @param width width of the whole picture in pixels
  * @param height height of the whole picture in pixels
  * @param crop the part to render; its pixels are the same as in the whole picture
- * @param antialias n for n × n positions per pixel
- * @param shadowSamples light points per hit and light
+ * @param antialias n for n × n positions per pixel, 1..256
+ * @param shadowSamples light samples per hit and light, 1..1,000,000
  * @param seed what all random numbers are derived from
  * @param budget what ends the render, if not the number of positions
  * @param proposal the family of distributions that ray clusters propose light points from: {@code "normal"}, {@code "zeta"} or
  *     {@code "linear"}
- * @param threads how many threads share the work, at least 1; has no influence on the picture
- * @param tileSize side of the square tiles that the work is cut into; has no influence on the picture
+ * @param threads how many threads share the work, 1..4096; has no influence on the picture
+ * @param tileSize side of the square tiles in pixels that the work is cut into, at least 1; has no influence on the picture
  */
 public record RenderSettings(
-        String method,
+        Method method,
         int width,
         int height,
         Optional<Crop> crop,
@@ -34,6 +35,7 @@ public record RenderSettings(
         int threads,
         int tileSize) {
     private static final int DEFAULT_TILE_SIZE = 8;
+    private static final int MAX_THREADS = 4096;
 
     /**
      * A part of the picture.
@@ -45,8 +47,12 @@ public record RenderSettings(
      */
     public record Crop(int x, int y, int width, int height) {}
 
+    /**
+     * Checks the ranges.
+     *
+     * @throws enlightenment.math.InvalidValueException if a setting is out of its range, or the crop not inside the picture
+     */
     public RenderSettings {
-        Objects.requireNonNull(method, "method");
         Objects.requireNonNull(budget, "budget");
         Distribution.of(proposal);
         Scene.checkSize(width, height);
@@ -66,11 +72,14 @@ public record RenderSettings(
         }
         // One place knows the limits.
         new RenderDefaults(method, antialias, shadowSamples, seed);
-        Check.that(threads >= 1 && threads <= 4096, "threads", "must lie in 1..4096, not " + threads);
+        Check.that(
+                threads >= 1 && threads <= MAX_THREADS,
+                "threads",
+                "must lie in 1.." + MAX_THREADS + ", not " + threads);
         Check.that(tileSize >= 1, "tileSize", "must be at least 1, not " + tileSize);
     }
 
-    /** What the scene asks for, on all processors. */
+    /** What the scene asks for, of the whole picture, on all processors. */
     public static RenderSettings of(Scene scene) {
         RenderDefaults d = scene.render();
         return new RenderSettings(
@@ -87,68 +96,169 @@ public record RenderSettings(
                 DEFAULT_TILE_SIZE);
     }
 
-    public RenderSettings withMethod(String value) {
-        return new RenderSettings(
-                value, width, height, crop, antialias, shadowSamples, seed, budget, proposal, threads, tileSize);
+    /** A builder that begins with these settings. */
+    public Builder toBuilder() {
+        return new Builder(this);
     }
 
+    /** The same settings with another method. */
+    public RenderSettings withMethod(Method value) {
+        return toBuilder().method(value).build();
+    }
+
+    /** The same settings for a whole picture of another size in pixels. */
     public RenderSettings withSize(int w, int h) {
-        return new RenderSettings(
-                method, w, h, crop, antialias, shadowSamples, seed, budget, proposal, threads, tileSize);
+        return toBuilder().size(w, h).build();
     }
 
+    /** The same settings for a part of the picture. */
     public RenderSettings withCrop(Crop value) {
-        return new RenderSettings(
-                method,
-                width,
-                height,
-                Optional.of(value),
-                antialias,
-                shadowSamples,
-                seed,
-                budget,
-                proposal,
-                threads,
-                tileSize);
+        return toBuilder().crop(value).build();
     }
 
+    /** The same settings with n × n positions per pixel. */
     public RenderSettings withAntialias(int value) {
-        return new RenderSettings(
-                method, width, height, crop, value, shadowSamples, seed, budget, proposal, threads, tileSize);
+        return toBuilder().antialias(value).build();
     }
 
+    /** The same settings with another number of light samples per hit and light. */
     public RenderSettings withShadowSamples(int value) {
-        return new RenderSettings(
-                method, width, height, crop, antialias, value, seed, budget, proposal, threads, tileSize);
+        return toBuilder().shadowSamples(value).build();
     }
 
+    /** The same settings with other random numbers. */
     public RenderSettings withSeed(long value) {
-        return new RenderSettings(
-                method, width, height, crop, antialias, shadowSamples, value, budget, proposal, threads, tileSize);
+        return toBuilder().seed(value).build();
     }
 
+    /** The same settings with another budget. */
     public RenderSettings withBudget(Budget value) {
-        return new RenderSettings(
-                method, width, height, crop, antialias, shadowSamples, seed, value, proposal, threads, tileSize);
+        return toBuilder().budget(value).build();
     }
 
+    /** The same settings with another family of distributions to propose light points from. */
     public RenderSettings withProposal(String value) {
-        return new RenderSettings(
-                method, width, height, crop, antialias, shadowSamples, seed, budget, value, threads, tileSize);
+        return toBuilder().proposal(value).build();
     }
 
+    /** The same settings on another number of threads. */
     public RenderSettings withThreads(int value) {
-        return new RenderSettings(
-                method, width, height, crop, antialias, shadowSamples, seed, budget, proposal, value, tileSize);
+        return toBuilder().threads(value).build();
     }
 
+    /** The same settings with tiles of another side in pixels. */
     public RenderSettings withTileSize(int value) {
-        return new RenderSettings(
-                method, width, height, crop, antialias, shadowSamples, seed, budget, proposal, threads, value);
+        return toBuilder().tileSize(value).build();
     }
 
     /** The part of the picture that is rendered: the crop, or all of it. */
     public Crop region() {
         return crop.orElse(new Crop(0, 0, width, height));
+    }
+
+    /** Changes several settings at once; nothing is checked before {@link #build}. For use by one thread. */
+    public static final class Builder {
+        private Method method;
+        private int width;
+        private int height;
+        private Optional<Crop> crop;
+        private int antialias;
+        private int shadowSamples;
+        private long seed;
+        private Budget budget;
+        private String proposal;
+        private int threads;
+        private int tileSize;
+
+        private Builder(RenderSettings s) {
+            method = s.method;
+            width = s.width;
+            height = s.height;
+            crop = s.crop;
+            antialias = s.antialias;
+            shadowSamples = s.shadowSamples;
+            seed = s.seed;
+            budget = s.budget;
+            proposal = s.proposal;
+            threads = s.threads;
+            tileSize = s.tileSize;
+        }
+
+        /** Sets {@link RenderSettings#method}. */
+        public Builder method(Method value) {
+            method = value;
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#width} and {@link RenderSettings#height}. */
+        public Builder size(int w, int h) {
+            width = w;
+            height = h;
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#crop}. */
+        public Builder crop(Crop value) {
+            crop = Optional.of(value);
+            return this;
+        }
+
+        /** Renders the whole picture. */
+        public Builder wholePicture() {
+            crop = Optional.empty();
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#antialias}. */
+        public Builder antialias(int value) {
+            antialias = value;
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#shadowSamples}. */
+        public Builder shadowSamples(int value) {
+            shadowSamples = value;
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#seed}. */
+        public Builder seed(long value) {
+            seed = value;
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#budget}. */
+        public Builder budget(Budget value) {
+            budget = value;
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#proposal}. */
+        public Builder proposal(String value) {
+            proposal = value;
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#threads}. */
+        public Builder threads(int value) {
+            threads = value;
+            return this;
+        }
+
+        /** Sets {@link RenderSettings#tileSize}. */
+        public Builder tileSize(int value) {
+            tileSize = value;
+            return this;
+        }
+
+        /**
+         * The settings.
+         *
+         * @throws enlightenment.math.InvalidValueException if one is out of its range, or the crop not inside the picture
+         */
+        public RenderSettings build() {
+            return new RenderSettings(
+                    method, width, height, crop, antialias, shadowSamples, seed, budget, proposal, threads, tileSize);
+        }
     }
 }

@@ -15,27 +15,27 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /**
- * The paper's cosine shading of one camera ray: what is the colour seen along it?
+ * The paper's cosine shading: the colour seen along one camera ray.
  *
  * <p>With c the surface colour, cosθ (0..1) between the normal that faces the viewer and the direction to a light point,
  * and k the share of direct light that an occluded point keeps: colour = c · light · (ambient + (1 − ambient) · mean over
  * light points of (visible ? 1 : k) · cosθ), averaged over the lights. Mirrors and glass multiply their colour and are
- * followed; everything but a light blocks. See docs/classic-shading.md.
+ * followed; everything but a light occludes. See docs/classic-shading.md.
  *
- * <p>Where the whole light is above the horizon, the mean of cosθ itself has a closed form, and only the share of it that
- * is blocked is sampled, by light points that are as likely as their cosine is great: what is lit wholly or not at all
- * is free of noise. With nothing in the way no sample is needed at all.
+ * <p>If the whole light is above the horizon, the mean of cosθ itself has a closed form, and only the blocked fraction of it is
+ * estimated, by light points sampled proportionally to cosθ: surfaces in full light and in the umbra are free of noise. If
+ * nothing can occlude the light, no sample is needed at all.
  *
- * <p>One per thread. {@code step} and {@code meanCosine} are longer than our methods are as a rule: the just-in-time
- * compiler does not inline a method of more than 325 bytes of code, and these two borders keep it from compiling the whole
- * renderer once at each level of calls (docs/benchmarks.md).
+ * <p>One per thread. {@code step} and {@code meanCosine} are longer than our methods usually are: the just-in-time compiler does
+ * not inline a method of more than 325 bytes of code, and these two boundaries keep it from compiling the whole renderer once
+ * at each level of calls (docs/benchmarks.md).
  */
 public final class ClassicShader {
-    /** A line meets no primitive more often: the torus, of the fourth degree, is the worst. */
-    private static final int MOST_CROSSINGS = 4;
+    /** A line meets a primitive at most this often: a torus is of the fourth degree. */
+    private static final int MAX_CROSSINGS = 4;
 
-    /** After so many paths, surfaces and light points together it is asked whether anybody still wants them. */
-    static final int ASK_EVERY = 1024;
+    /** Cancellation is polled once per this many paths, surfaces and light points, taken together. */
+    static final int POLL_INTERVAL = 1024;
 
     private final CompiledScene scene;
     private final RayCounters counters;
@@ -46,13 +46,13 @@ public final class ClassicShader {
     private final Ray shadowRay = new Ray();
     private final double[] surface = new double[3];
 
-    /** Primitives that the shaded point lies on; more than these in one place are asked needlessly. */
+    /** Primitives that the shaded point lies on; if there are more, the others are tested needlessly. */
     private final int[] starts = new int[8];
 
     private final int maxBounces;
 
-    /** More surfaces than one line can meet: a path that seems to has been led in circles by rounding, and ends. */
-    private final int mostStraight;
+    /** No line meets more surfaces: a path that passes more of them straight is caught in a loop by rounding, and ends. */
+    private final int maxStraight;
 
     private final double ambient;
     private final double shadow;
@@ -72,28 +72,35 @@ public final class ClassicShader {
 
     private LightGuide guide;
 
-    /** How much direct light the last call of {@code meanCosine} left to rays. */
-    private double atStake;
+    /** The difference in mean cosine between all light points visible and all blocked, in the last {@code meanCosine}. */
+    private double contrast;
 
     /** Whether the last step was through glass that did not turn the ray. */
     private boolean passedStraight;
 
     private long pathKey;
-    private int askedPoints;
-    private int blockedPoints;
-    private double lightEnergy;
-    private double lightSpread;
+    private int shadowRays;
+    private int blockedShadowRays;
+    private double visibilityContrast;
+    private double colorVariance;
 
-    /** The variance of the cosine among the light points of the last call of {@code meanCosine}. */
-    private double cosineSpread;
+    /** The variance of the cosine among the light points of the last {@code meanCosine}. */
+    private double cosineVariance;
 
     private BooleanSupplier cancelled = () -> false;
-    private int untilAsked = ASK_EVERY;
+    private int untilPoll = POLL_INTERVAL;
 
     private LightObserver observer;
     private int observedLight;
     private int observedBounce;
 
+    /**
+     * A shader for one thread.
+     *
+     * @param scene what is seen
+     * @param lightPoints the number of points of each light at each hit
+     * @param counters what this thread counts
+     */
     public ClassicShader(CompiledScene scene, int lightPoints, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
@@ -101,32 +108,32 @@ public final class ClassicShader {
         tracer = new Tracer(scene, counters);
         glass = new GlassTracer(scene, counters);
         maxBounces = scene.shading.maxBounces();
-        mostStraight = MOST_CROSSINGS * scene.primitives.length;
+        maxStraight = MAX_CROSSINGS * scene.primitives.length;
         ambient = scene.shading.ambient();
         shadow = scene.shading.shadow();
     }
 
-    /** Announces that the camera rays to come lie at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
+    /** Sets the tile of the camera rays to come: (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
     public void beginTile(double x0, double y0, double x1, double y1) {
         tracer.beginTile(x0, y0, x1, y1);
     }
 
-    /** Whether all camera rays of the tile are known to see the background. */
+    /** Whether it is known that all camera rays of the tile see the background. */
     public boolean seesNothing() {
         return tracer.seesNothing();
     }
 
-    /** Sets how many points of each light are taken at each hit. */
+    /** Sets the number of points of each light at each hit. */
     public void lightPoints(int count) {
         lightPoints = count;
     }
 
-    /** Lets somebody else choose the points of lights that may be hidden; null for well-distributed ones. */
+    /** Sets the guide that samples lights that may be partly occluded; null for low-discrepancy samples. */
     public void guide(LightGuide chooser) {
         guide = chooser;
     }
 
-    /** Lets somebody see every ray to a light; null for nobody. */
+    /** Sets the observer of shadow rays, or null. */
     public void observer(LightObserver watcher) {
         observer = watcher;
     }
@@ -135,60 +142,61 @@ public final class ClassicShader {
      * Lets {@link #shade} end in the middle of a path: it throws a {@link CancellationException} soon after this becomes true,
      * however long the path is.
      */
-    public void stopWhen(BooleanSupplier asked) {
-        cancelled = asked;
+    public void stopWhen(BooleanSupplier condition) {
+        cancelled = condition;
     }
 
     private void tick() {
-        if (--untilAsked <= 0) {
-            ask();
+        if (--untilPoll <= 0) {
+            poll();
         }
     }
 
-    private void ask() {
-        untilAsked = ASK_EVERY;
+    private void poll() {
+        untilPoll = POLL_INTERVAL;
         if (cancelled.getAsBoolean()) {
             throw new CancellationException();
         }
     }
 
-    /** A hash of what the last path met, in order: where it is the same for neighbouring rays, no edge lies between. */
+    /** A hash of the surfaces of the last path, in order: if it is equal for neighbouring rays, no edge lies between them. */
     public long pathKey() {
         return pathKey;
     }
 
-    /** How many light points of the last path rays had to tell about. */
-    public int askedPoints() {
-        return askedPoints;
+    /** The number of shadow rays of the last path. */
+    public int shadowRays() {
+        return shadowRays;
     }
 
-    /** How many of them were blocked. */
-    public int blockedPoints() {
-        return blockedPoints;
+    /** The number of them that were blocked. */
+    public int blockedShadowRays() {
+        return blockedShadowRays;
     }
 
     /**
-     * What those rays decided about: the squared difference in colour between all points visible and all blocked, mean of
-     * the three components, summed over the lights and surfaces concerned.
+     * What the shadow rays of the last path decide: the squared difference in colour between all light points visible and all
+     * blocked, as the mean of the three components, summed over the lights and surfaces concerned.
      */
-    public double lightEnergy() {
-        return lightEnergy;
+    public double visibilityContrast() {
+        return visibilityContrast;
     }
 
     /**
-     * The variance of the colour of a single light point where the cosine has no closed form, as far as it comes from the
-     * cosine; summed as {@link #lightEnergy} is.
+     * The variance of the colour with a single light point that is due to the cosine, where the cosine has no closed form;
+     * summed as {@link #visibilityContrast}.
      */
-    public double lightSpread() {
-        return lightSpread;
+    public double colorVariance() {
+        return colorVariance;
     }
 
     /**
-     * The colour seen along a camera ray, which is used up.
+     * Computes the colour seen along a camera ray.
      *
-     * @param address which sample this is
+     * @param ray the camera ray; the path overwrites it
+     * @param address the sample that it belongs to
      * @param out receives red, green and blue, display-referred
-     * @throws CancellationException as {@link #stopWhen} tells
+     * @throws CancellationException once the condition of {@link #stopWhen} holds
      */
     public void shade(Ray ray, SampleAddress address, double[] out) {
         red = 0;
@@ -198,10 +206,10 @@ public final class ClassicShader {
         throughputG = 1;
         throughputB = 1;
         pathKey = 0;
-        askedPoints = 0;
-        blockedPoints = 0;
-        lightEnergy = 0;
-        lightSpread = 0;
+        shadowRays = 0;
+        blockedShadowRays = 0;
+        visibilityContrast = 0;
+        colorVariance = 0;
         counters.cameraRays++;
         glass.begin(ray);
         int surfaces = 0;
@@ -209,13 +217,13 @@ public final class ClassicShader {
         int straight = 0;
         passedStraight = false;
         tick();
-        // Surfaces that leave the ray's direction alone are no bounces: how often a scene is cut up does not show.
+        // Surfaces that do not turn the ray are no bounces, so cutting a scene into more pieces changes nothing.
         while (step(ray, address, surfaces)) {
             surfaces++;
             if (!passedStraight) {
                 bounces++;
                 straight = 0;
-            } else if (++straight > mostStraight) {
+            } else if (++straight > maxStraight) {
                 break;
             }
             passedStraight = false;
@@ -229,7 +237,7 @@ public final class ClassicShader {
         out[2] = blue;
     }
 
-    /** Follows the ray to the next surface; returns whether the path goes on. */
+    /** Follows the ray to the next surface; returns whether the path continues. */
     private boolean step(Ray ray, SampleAddress address, int bounce) {
         id = glass.takeNext(hit);
         if (id < 0) {
@@ -325,7 +333,7 @@ public final class ClassicShader {
         material.color(hit.u, hit.v, hit.primitive instanceof SpherePrimitive, surface);
     }
 
-    /** Adds what the surface itself shows, times a share. */
+    /** Adds the light that the surface itself reflects, times a share. */
     private void shadeSurface(SurfaceMaterial material, SampleAddress address, int bounce, double share) {
         CompiledLight[] lights = scene.lights;
         if (lights.length == 0) {
@@ -345,25 +353,25 @@ public final class ClassicShader {
             CompiledLight light = lights[i];
             double mean = meanCosine(light, i, nx, ny, nz, keeps, address, bounce);
             double factor = Math.fma(1 - ambient, mean, ambient);
-            if (atStake > 0 || cosineSpread > 0) {
-                noteDoubt(light, (1 - ambient) * share / lights.length);
+            if (contrast > 0 || cosineVariance > 0) {
+                addUncertainty(light, (1 - ambient) * share / lights.length);
             }
             r += light.r * factor;
             g += light.g * factor;
             b += light.b * factor;
         }
-        // Divided last: n white lights on white make exactly white, whatever n is.
+        // Divided last: n white lights on white give exactly white, whatever n is.
         double n = lights.length;
         add(surface[0] * (r * share) / n, surface[1] * (g * share) / n, surface[2] * (b * share) / n);
     }
 
-    private void noteDoubt(CompiledLight light, double factor) {
+    private void addUncertainty(CompiledLight light, double factor) {
         double r = throughputR * surface[0] * light.r;
         double g = throughputG * surface[1] * light.g;
         double b = throughputB * surface[2] * light.b;
         double square = factor * factor * (r * r + g * g + b * b) / 3;
-        lightEnergy += square * atStake * atStake;
-        lightSpread += square * cosineSpread;
+        visibilityContrast += square * contrast * contrast;
+        colorVariance += square * cosineVariance;
     }
 
     /** The mean over light points of (visible ? 1 : keeps) · cosθ at the hit. */
@@ -376,8 +384,8 @@ public final class ClassicShader {
             double keeps,
             SampleAddress address,
             int bounce) {
-        atStake = 0;
-        cosineSpread = 0;
+        contrast = 0;
+        cosineVariance = 0;
         sampler.aim(light, hit.px, hit.py, hit.pz);
         int count = sampler.isPoint() ? 1 : lightPoints;
         counters.lightSamples += count;
@@ -407,16 +415,16 @@ public final class ClassicShader {
             }
         }
         if (known) {
-            atStake = (1 - keeps) * unshadowed;
+            contrast = (1 - keeps) * unshadowed;
             sampler.prepareByCosine(nx, ny, nz);
             boolean guided = guide != null && !sampler.isPoint() && guide.begin(id, index, bounce);
             double blocked = guided ? guidedShare(first, count, seed) : blockedShare(first, count, seed);
-            return Math.fma(-atStake, blocked, unshadowed);
+            return Math.fma(-contrast, blocked, unshadowed);
         }
         return sampledCosine(nx, ny, nz, first, count, seed, rays ? keeps : factor, rays);
     }
 
-    /** The same where there is no closed form: the mean of the cosines of light points. */
+    /** The same without a closed form: the mean over light points. */
     private double sampledCosine(
             double nx, double ny, double nz, int first, int count, long seed, double blockedFactor, boolean rays) {
         double sum = 0;
@@ -435,12 +443,12 @@ public final class ClassicShader {
                 squares += cosine * cosine;
             }
         }
-        atStake = rays ? (1 - blockedFactor) * cosines / count : 0;
-        cosineSpread = count < 2 ? 0 : Math.max(squares - cosines * cosines / count, 0) / (count - 1);
+        contrast = rays ? (1 - blockedFactor) * cosines / count : 0;
+        cosineVariance = count < 2 ? 0 : Math.max(squares - cosines * cosines / count, 0) / (count - 1);
         return sum / count;
     }
 
-    /** Shows the observer one light point where no ray is needed to know about it. */
+    /** Shows the observer one light point whose visibility is known without a ray. */
     private void observeCertain(double nx, double ny, double nz, int first, long seed, boolean blocked) {
         sampler.prepareByCosine(nx, ny, nz);
         sampler.sampleByCosine(Sobol.x(first, seed), Sobol.y(first, seed));
@@ -452,7 +460,7 @@ public final class ClassicShader {
                 id, observedLight, observedBounce, hit, sampler.dx, sampler.dy, sampler.dz, sampler.length, blocked);
     }
 
-    /** The share of light points that are blocked, each of them as likely as its cosine is great. */
+    /** The fraction of light points that are blocked, sampled proportionally to their cosine. */
     private double blockedShare(int first, int count, long seed) {
         int blocked = 0;
         for (int j = 0; j < count; j++) {
@@ -462,7 +470,7 @@ public final class ClassicShader {
         return (double) blocked / count;
     }
 
-    /** The same with light points that the guide chooses, weighted by how much rarer it makes them. */
+    /** The same with light points that the guide samples, by importance sampling weights. */
     private double guidedShare(int first, int count, long seed) {
         double sum = 0;
         for (int j = 0; j < count; j++) {
@@ -483,7 +491,7 @@ public final class ClassicShader {
         if (neverReturnsTo(hit)) {
             starts[count++] = id;
         }
-        // The surfaces in the same place neither.
+        // Nor does it meet the coincident surfaces again.
         for (int k = 0; k < glass.surfaces() && count < starts.length; k++) {
             if (glass.surface(k) != id && neverReturnsTo(glass.hitOf(k))) {
                 starts[count++] = glass.surface(k);
@@ -492,7 +500,7 @@ public final class ClassicShader {
         return tracer.prepareShadows(sampler.cone, starts, count);
     }
 
-    /** Whether a ray that leaves the surface on the side of the viewer cannot meet it again. */
+    /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */
     private static boolean neverReturnsTo(Hit place) {
         Primitive p = place.primitive;
         return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
@@ -506,8 +514,8 @@ public final class ClassicShader {
             glass.startOnAll(shadowRay);
         }
         boolean blocked = tracer.occluded(shadowRay, sampler.length, sampler.light());
-        askedPoints++;
-        blockedPoints += blocked ? 1 : 0;
+        shadowRays++;
+        blockedShadowRays += blocked ? 1 : 0;
         if (observer != null) {
             observe(blocked);
         }

@@ -8,47 +8,49 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
 /**
- * Follows a ray through glass: keeps the list of solids that it is inside of, bends it at true borders and lets it pass
- * where one solid merely lies inside another that outranks it.
+ * Follows a ray through glass: keeps track of the solids that it is inside of, refracts it where the medium changes and lets it
+ * pass where a solid lies inside another of higher priority.
  *
- * <p>Surfaces that coincide up to rounding ({@link CoincidentHits}) are one event: first everything that is left is left, then
- * everything that is entered is entered, and the ray is bent once, from the medium before to the medium after. What is
- * opaque comes between leaving and entering. So the picture does not depend on which of the surfaces rounding puts first.
+ * <p>Surfaces that coincide up to rounding ({@link CoincidentHits}) are one event: first the ray leaves solids, then it enters
+ * solids, and it is refracted once, from the medium before to the medium after. An opaque surface comes between leaving and
+ * entering. So the picture does not depend on which of the surfaces rounding puts first.
  */
 final class GlassTracer {
-    private static final int MOST_COINCIDENT = 8;
+    /** At most this many missed boundaries are corrected at one point. */
+    private static final int MAX_CORRECTIONS = 8;
+
     private static final int NONE = -1;
 
     private final CompiledScene scene;
     private final RayCounters counters;
     private final MediumStack inside;
     private final MediumStack saved;
-    private final CoincidentHits contacts;
+    private final CoincidentHits coincident;
     private final Hit other = new Hit();
     private final Hit nextHit = new Hit();
     private final Ray back = new Ray();
 
-    /** The surface that {@link #arrive} chose among those that coincide, where it is no event of glass. */
+    /** The opaque surface that {@link #arrive} chose among those that coincide, if the event is not one of glass. */
     int id;
 
-    /** The opaque surface that lies behind the glass surface in the same place, or -1. */
+    /** The opaque surface that coincides with the glass surface and comes after it, or -1. */
     private int next = NONE;
 
-    /** Whether the last {@link #cross} left the ray's direction as it was. */
+    /** Whether the last {@link #cross} left the ray's direction unchanged. */
     private boolean straight;
 
-    /** Index of the contact whose surface is the border of the two media, or -1. */
-    private int border;
+    /** The index of the coincident surface that is the boundary of the two media, or -1. */
+    private int boundary;
 
     GlassTracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
         inside = new MediumStack(scene);
         saved = new MediumStack(scene);
-        contacts = new CoincidentHits(scene);
+        coincident = new CoincidentHits(scene);
     }
 
-    /** Starts a camera ray: finds out which solids it starts in. */
+    /** Starts a camera ray: finds the solids that it starts in. */
     void begin(Ray ray) {
         next = NONE;
         inside.clear();
@@ -62,7 +64,7 @@ final class GlassTracer {
         }
     }
 
-    /** The opaque surface that the ray meets where it just left glass, or -1 if it must be traced. */
+    /** The opaque surface that the ray meets at the point where it just left glass, or -1 if the ray must be traced. */
     int takeNext(Hit hit) {
         int taken = next;
         next = NONE;
@@ -73,36 +75,36 @@ final class GlassTracer {
     }
 
     /**
-     * Looks at what a ray has hit, together with what coincides with it.
+     * Examines a hit together with the surfaces that coincide with it.
      *
-     * @param hit becomes that of the opaque surface, if that is what counts
-     * @return whether it is an event of glass; otherwise the surface {@link #id} is opaque
+     * @param hit is replaced by that of the opaque surface that is seen, unless the event is one of glass
+     * @return whether the event is one of glass; otherwise {@link #id} is the opaque surface
      */
     boolean arrive(Ray ray, int struck, Hit hit) {
         id = struck;
         boolean glass = isGlass(struck, hit);
         if (!glass && inside.size() == 0 && !scene.coincident.concerns(struck)) {
-            contacts.clear();
+            coincident.clear();
             return false;
         }
-        contacts.find(ray, struck, hit);
-        int opaque = contacts.seen(true);
+        coincident.find(ray, struck, hit);
+        int opaque = coincident.seen(true);
         boolean leaving = false;
-        for (int k = 0; k < contacts.size(); k++) {
-            int c = contacts.id(k);
-            Hit h = contacts.hit(k);
+        for (int k = 0; k < coincident.size(); k++) {
+            int c = coincident.id(k);
+            Hit h = coincident.hit(k);
             leaving |= isGlass(c, h) && h.side == Ray.INSIDE && inside.contains(c);
         }
         if (opaque == NONE || leaving) {
-            next = opaque == NONE ? NONE : contacts.id(opaque);
+            next = opaque == NONE ? NONE : coincident.id(opaque);
             if (next != NONE) {
-                nextHit.set(contacts.hit(opaque));
+                nextHit.set(coincident.hit(opaque));
             }
             return true;
         }
-        id = contacts.id(opaque);
+        id = coincident.id(opaque);
         if (opaque > 0) {
-            hit.set(contacts.hit(opaque));
+            hit.set(coincident.hit(opaque));
         }
         return false;
     }
@@ -112,23 +114,23 @@ final class GlassTracer {
     }
 
     /**
-     * Passes, bends or reflects the ray at the surfaces that {@link #arrive} found.
+     * Passes, refracts or reflects the ray at the surfaces that {@link #arrive} found.
      *
-     * @return whether it went through
+     * @return whether it was transmitted
      */
     boolean cross(Ray ray, Hit hit) {
         int before = inside.current();
         double from = inside.indexOfRefraction();
         saved.set(inside);
-        for (int k = 0; k < contacts.size(); k++) {
+        for (int k = 0; k < coincident.size(); k++) {
             if (isGlassSolid(k)) {
-                change(contacts.id(k), contacts.hit(k).side);
+                change(coincident.id(k), coincident.hit(k).side);
             }
         }
         int after = inside.current();
-        border = before == after ? NONE : borderOf(before, after);
+        boundary = before == after ? NONE : boundaryOf(before, after);
         double to = inside.indexOfRefraction();
-        straight = border == NONE || from == to;
+        straight = boundary == NONE || from == to;
         if (straight) {
             Optics.pass(ray, hit);
             startOnAll(ray, -1);
@@ -147,13 +149,13 @@ final class GlassTracer {
         return false;
     }
 
-    /** Whether the last {@link #cross} did not turn the ray: through a pane, or between media of one index. */
+    /** Whether the last {@link #cross} did not turn the ray: it passed a pane, or between media of equal index. */
     boolean passedStraight() {
         return straight;
     }
 
     private boolean isGlassSolid(int k) {
-        return scene.primitives[contacts.id(k)].isSolid() && isGlass(contacts.id(k), contacts.hit(k));
+        return scene.primitives[coincident.id(k)].isSolid() && isGlass(coincident.id(k), coincident.hit(k));
     }
 
     private void change(int solid, int side) {
@@ -164,70 +166,69 @@ final class GlassTracer {
         }
     }
 
-    /** The surface of the medium that is entered; where only something is left, of that. */
-    private int borderOf(int before, int after) {
+    /** The index of the surface of the medium that is entered; if none is entered, of the one that is left. */
+    private int boundaryOf(int before, int after) {
         int found = 0;
-        for (int k = 0; k < contacts.size(); k++) {
-            if (contacts.id(k) == after) {
+        for (int k = 0; k < coincident.size(); k++) {
+            if (coincident.id(k) == after) {
                 return k;
             }
-            found = contacts.id(k) == before ? k : found;
+            found = coincident.id(k) == before ? k : found;
         }
         return found;
     }
 
-    /** Says that the ray starts on all coinciding surfaces of glass, and where it stays, on opaque ones. */
+    /** Starts the ray on all coincident surfaces of glass, and, if it stays on its side, on opaque ones. */
     private void startOnAll(Ray ray, int sign) {
-        for (int k = 1; k < contacts.size(); k++) {
-            if (sign > 0 || isGlass(contacts.id(k), contacts.hit(k))) {
-                ray.alsoFrom(scene.primitives[contacts.id(k)], sign * contacts.hit(k).side);
+        for (int k = 1; k < coincident.size(); k++) {
+            if (sign > 0 || isGlass(coincident.id(k), coincident.hit(k))) {
+                ray.alsoFrom(scene.primitives[coincident.id(k)], sign * coincident.hit(k).side);
             }
         }
     }
 
-    /**
-     * Says that a ray that leaves one of the surfaces that {@link #arrive} found, on the side where it came from, leaves all of
-     * them.
-     */
+    /** Starts a ray that leaves one of the surfaces that {@link #arrive} found, on the side it came from, on all of them. */
     void startOnAll(Ray ray) {
         startOnAll(ray, true);
     }
 
-    /** The same for a ray that is reflected, but for borders of glass solids: these it must cross again. */
+    /** The same for a reflected ray, except for boundaries of glass solids, which it must cross again. */
     void reflectFromAll(Ray ray) {
         startOnAll(ray, false);
     }
 
     private void startOnAll(Ray ray, boolean glassSolids) {
-        for (int k = 0; k < contacts.size(); k++) {
-            Primitive p = scene.primitives[contacts.id(k)];
+        for (int k = 0; k < coincident.size(); k++) {
+            Primitive p = scene.primitives[coincident.id(k)];
             if (p != ray.start && (glassSolids || !isGlassSolid(k))) {
-                ray.alsoFrom(p, contacts.hit(k).side);
+                ray.alsoFrom(p, coincident.hit(k).side);
             }
         }
     }
 
-    /** How many coinciding surfaces there are. */
+    /** The number of coincident surfaces. */
     int surfaces() {
-        return contacts.size();
+        return coincident.size();
     }
 
-    /** Whether the light took the colour of surface k: that of the border, and those of panes that it went through. */
+    /** Whether surface k filters the light: the boundary does, and so do panes that the ray passed. */
     boolean filters(int k, boolean through) {
-        return k == border || through && !isGlassSolid(k) && isGlass(contacts.id(k), contacts.hit(k));
+        return k == boundary || through && !isGlassSolid(k) && isGlass(coincident.id(k), coincident.hit(k));
     }
 
+    /** The id of the primitive that coincident surface k belongs to. */
     int surface(int k) {
-        return contacts.id(k);
+        return coincident.id(k);
     }
 
+    /** The hit on coincident surface k. */
     Hit hitOf(int k) {
-        return contacts.hit(k);
+        return coincident.hit(k);
     }
 
-    /** Makes up for borders that coincide with a mirror and that rounding put behind the ray. */
+    /** Corrects for boundaries that coincide with a mirror and that rounding put behind the ray. */
     void settle(Ray ray, int justHandled, Hit hit) {
-        for (int k = 0; k < MOST_COINCIDENT; k++) {
+        for (int k = 0; k < MAX_CORRECTIONS; k++) {
             if (!settleOne(ray, justHandled, hit)) {
                 return;
             }
@@ -251,7 +252,7 @@ final class GlassTracer {
         return false;
     }
 
-    /** Handles a missed border at the ray's origin: its normal is found by looking back. */
+    /** Crosses a missed boundary at the ray's origin: its normal is found by tracing back. */
     private void enter(Ray ray, int solid, Primitive p, int side) {
         Primitive start = ray.start;
         int startSide = ray.startSide;

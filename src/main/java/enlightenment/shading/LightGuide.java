@@ -1,37 +1,37 @@
 package enlightenment.shading;
 
 /**
- * Chooses the points of lights that may be partly hidden, and hears what became of them. Places on a light are given in
- * the unit disk over which points are spread evenly if nobody guides.
+ * Importance-samples the points of lights that may be partly occluded, and learns from their visibility. Positions on a light
+ * are given in the unit disk in which unguided samples are uniform.
  */
 public interface LightGuide {
     /**
-     * Turns to a light as seen from a surface.
+     * Starts sampling a light from a surface.
      *
-     * @param surface the primitive that the path is at
+     * @param surface the id of the primitive that is shaded
      * @param light index of the light
-     * @param bounce how many mirrors and glass surfaces came before
-     * @return false if points are to be spread evenly
+     * @param bounce the number of mirrors and glass surfaces before it on the path
+     * @return false if samples are to be uniform in the disk, without the guide
      */
     boolean begin(int surface, int light, int bounce);
 
     /**
-     * Chooses a place for (u, v) in the unit square.
+     * Chooses a position from uniform numbers (u, v) in the unit square.
      *
-     * @return the density of even spreading over the density with which this place is chosen; 0 for a place outside the
-     *     disk, which is nothing of the light
+     * @return the uniform density over the density of this position: its importance sampling weight; 0 for a position outside
+     *     the disk, where there is no light
      */
     double propose(double u, double v);
 
-    /** The place that was chosen: first coordinate. */
+    /** The first coordinate of the chosen position. */
     double p();
 
-    /** The place that was chosen: second coordinate. */
+    /** The second coordinate of the chosen position. */
     double q();
 
-    /** Whether the guide seeks the blocked points rather than the visible ones. */
+    /** Whether the guide samples the blocked points of the light rather than the visible ones. */
     boolean wantsBlocked();
 
-    /** Tells what became of the point that was chosen last. */
+    /** Reports the visibility of the last position. */
     void tell(boolean blocked);
 }

@@ -2,18 +2,20 @@ package enlightenment.shading;
 
 import enlightenment.primitive.Hit;
 
-/** Sees every ray that a shader sends to a light, and one where it knows without a ray. */
+/** Observes every shadow ray of a shader, and one light sample where no ray is needed. */
 public interface LightObserver {
     /**
-     * A ray from a hit to a light point.
+     * Called with a ray from a hit to a light point.
      *
-     * @param surface the primitive that is lit
+     * @param surface the id of the primitive that is shaded
      * @param light index of the light
-     * @param bounce how many mirrors and glass surfaces came before
-     * @param from where it starts
-     * @param dx its direction, of length 1
-     * @param distance how far the light point is
-     * @param blocked whether something stands in its way
+     * @param bounce the number of mirrors and glass surfaces before it on the path
+     * @param from where the ray starts
+     * @param dx x component of its direction, of length 1
+     * @param dy y component
+     * @param dz z component
+     * @param distance the distance to the light point, in the frame
+     * @param blocked whether the point is occluded
      */
     void ray(
             int surface,

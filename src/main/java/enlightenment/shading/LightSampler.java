@@ -6,8 +6,8 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Warp;
 
 /**
- * Chooses light points as seen from a surface point, well distributed over the part of the light that faces it: a sphere
- * uniformly over the solid angle that it fills, a rectangle uniformly over its area, a point as it is.
+ * Samples points of a light as seen from a surface point: a sphere uniformly over its solid angle, a rectangle uniformly over
+ * its area, a point as it is.
  */
 final class LightSampler {
     private final double[] disk = new double[3];
@@ -17,10 +17,10 @@ final class LightSampler {
     private double py;
     private double pz;
 
-    /** How the light is seen. */
+    /** The cone around the light. */
     final LightCone cone = new LightCone();
 
-    /** Two directions that make a basis with the cone's axis. */
+    /** Two unit vectors that complete the cone's axis to an orthonormal basis. */
     private double ax;
 
     private double ay;
@@ -30,23 +30,23 @@ final class LightSampler {
     private double bz;
     private boolean basis;
 
-    /** The normal in that basis: its component along the axis, the length of the rest, and that rest's direction. */
+    /** The normal in that basis: its component along the axis, the length of the rest, and the direction of the rest. */
     private double normalAlong;
 
     private double normalAcross;
     private double normalA;
     private double normalB;
 
-    /** The last direction: of length 1. */
+    /** The direction to the last light point, of length 1. */
     double dx;
 
     double dy;
     double dz;
 
-    /** How far the last light point is. */
+    /** The distance to the last light point. */
     double length;
 
-    /** Looks at a light from a surface point. */
+    /** Sets the light, and the surface point that it is seen from. */
     void aim(CompiledLight target, double x, double y, double z) {
         light = target;
         px = x;
@@ -56,34 +56,34 @@ final class LightSampler {
         basis = false;
     }
 
-    /** The light that is looked at. */
+    /** The light. */
     CompiledLight light() {
         return light;
     }
 
-    /** Whether the surface point lies inside the light: then the light is seen in every direction. */
+    /** Whether the surface point lies inside the light, which is then seen in every direction. */
     boolean surroundedBy() {
         return light.kind == CompiledLight.Kind.SPHERE && cone.inside;
     }
 
-    /** Whether one light point is as good as many. */
+    /** Whether all light points are the same. */
     boolean isPoint() {
         return light.kind == CompiledLight.Kind.POINT;
     }
 
     /**
-     * The exact mean of the cosine over all light points, if the whole light is above the horizon of the normal and the
+     * The exact mean of the cosine over the light's solid angle, if the whole light is above the horizon of the normal and the
      * mean has a closed form; NaN otherwise. Over the cone around w it is (n·w)(1 + cosθmax)/2.
      */
     double meanCosine(double nx, double ny, double nz) {
         if (light.kind == CompiledLight.Kind.RECTANGLE || surroundedBy()) {
             return Double.NaN;
         }
-        double toMiddle = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        double toCenter = nx * cone.wx + ny * cone.wy + nz * cone.wz;
         if (light.kind == CompiledLight.Kind.POINT) {
-            return toMiddle >= 0 ? toMiddle : Double.NaN;
+            return toCenter >= 0 ? toCenter : Double.NaN;
         }
-        return toMiddle >= cone.sine ? toMiddle * (1 - cone.oneMinusCosine / 2) : Double.NaN;
+        return toCenter >= cone.sine ? toCenter * (1 - cone.oneMinusCosine / 2) : Double.NaN;
     }
 
     /** Whether the whole light lies below the horizon of the normal, so that its cosine is 0 everywhere. */
@@ -91,11 +91,11 @@ final class LightSampler {
         if (surroundedBy()) {
             return false;
         }
-        double toMiddle = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        double toCenter = nx * cone.wx + ny * cone.wy + nz * cone.wz;
         if (light.kind == CompiledLight.Kind.SPHERE) {
-            return toMiddle <= -cone.sine;
+            return toCenter <= -cone.sine;
         }
-        return light.kind == CompiledLight.Kind.POINT ? toMiddle <= 0 : isRectangleBelow(nx, ny, nz);
+        return light.kind == CompiledLight.Kind.POINT ? toCenter <= 0 : isRectangleBelow(nx, ny, nz);
     }
 
     private boolean isRectangleBelow(double nx, double ny, double nz) {
@@ -105,7 +105,7 @@ final class LightSampler {
         return corner + Math.max(right, 0) + Math.max(up, 0) <= 0;
     }
 
-    /** Chooses the light point for (u, v) in the unit square: sets direction and length. */
+    /** Sets direction and length to the light point for (u, v) in the unit square. */
     void sample(double u, double v) {
         if (light.kind == CompiledLight.Kind.POINT) {
             setDirection(cone.wx, cone.wy, cone.wz, cone.distance);
@@ -118,9 +118,7 @@ final class LightSampler {
         }
     }
 
-    /**
-     * Prepares {@link #sampleByCosine} for a normal for which {@link #meanCosine} is known.
-     */
+    /** Prepares {@link #sampleByCosine} for a normal for which {@link #meanCosine} has a closed form. */
     void prepareByCosine(double nx, double ny, double nz) {
         if (light.kind == CompiledLight.Kind.POINT) {
             return;
@@ -137,12 +135,11 @@ final class LightSampler {
     }
 
     /**
-     * As {@link #sample}, but the density of the directions is proportional to their cosine with the normal.
+     * As {@link #sample}, but with a density proportional to the cosine of the direction with the normal.
      *
-     * <p>Seen along the normal, the cone's directions fill an ellipse evenly if they have that density: its middle is
-     * cosθmax times the axis, its half axes are sinθmax and sinθmax·(n·w). With (a, b) in the unit disk, what a direction
-     * has along the normal is c·cosθmax + δ, where δ is written without a difference of like numbers, so that small lights
-     * keep their digits.
+     * <p>Projected along the normal, directions of that density are uniform in an ellipse: its centre is cosθmax times the
+     * axis, its semi-axes are sinθmax and sinθmax·(n·w). With (a, b) in the unit disk, the component of a direction along the
+     * normal is c·cosθmax + δ, where δ is computed without cancellation, so that small lights keep their digits.
      */
     void sampleByCosine(double u, double v) {
         if (light.kind == CompiledLight.Kind.POINT) {
@@ -154,8 +151,8 @@ final class LightSampler {
     }
 
     /**
-     * As {@link #sampleByCosine} for the place (p, q) in the unit disk itself, whose axes stay where they are when the
-     * normal turns, so that neighbouring surface points see the same part of the light at nearly the same place.
+     * As {@link #sampleByCosine} for a position (p, q) in the unit disk itself, whose axes do not turn with the normal, so that
+     * neighbouring surface points see the same part of the light at nearly the same position.
      */
     void sampleDisk(double p, double q) {
         mapDisk(Math.fma(p, normalA, q * normalB), Math.fma(q, normalA, -p * normalB));
@@ -189,7 +186,7 @@ final class LightSampler {
                 distance * cos - half);
     }
 
-    /** Sets a shadow ray to the last light point: it starts on the given surface and ends at {@link #length}. */
+    /** Sets a shadow ray from a surface point to the last light point, which is at t = {@link #length}. */
     void ray(Ray ray, double x, double y, double z) {
         ray.set(x, y, z, dx, dy, dz, 0);
     }
@@ -217,14 +214,14 @@ final class LightSampler {
         Warp.toDisk(u, v, disk);
         double down = disk[2] * cone.oneMinusCosine;
         double cos = 1 - down;
-        // sinθ / (distance from the disk's middle), so that the disk's x and y need no division by it.
+        // sinθ over the distance from the disk's centre, so that the disk's x and y need not be divided by it.
         double spread = Math.sqrt(cone.oneMinusCosine * (2 - down));
         double s = disk[0] * spread;
         double t = disk[1] * spread;
         setOffset(cos, s, t, down * (2 - down));
     }
 
-    /** Every direction alike: the disk wrapped over the sphere by the equal-area (Lambert) projection. */
+    /** Uniform over all directions: the disk mapped to the sphere by Lambert's equal-area projection. */
     private void sampleAround(double u, double v) {
         Warp.toDisk(u, v, disk);
         double q = disk[2];

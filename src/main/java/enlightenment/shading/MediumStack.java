@@ -4,7 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import java.util.Arrays;
 
 /**
- * The glass solids that a ray is inside of. Where several overlap, the one of smallest rank fills the place (Schmidt and
+ * The glass solids that a ray is inside of. Where several overlap, the one of smallest rank is the medium (Schmidt and
  * Budge, "Simple nested dielectrics in ray traced images", 2002).
  */
 final class MediumStack {
@@ -16,7 +16,7 @@ final class MediumStack {
         this.scene = scene;
     }
 
-    /** Makes this the same as another list. */
+    /** Copies another stack. */
     void set(MediumStack o) {
         if (ids.length < o.size) {
             ids = new int[o.ids.length];
@@ -64,7 +64,7 @@ final class MediumStack {
         }
     }
 
-    /** The solid that fills the place, or -1 for empty space. */
+    /** The solid that is the medium, or -1 in empty space. */
     int current() {
         int best = -1;
         for (int k = 0; k < size; k++) {
@@ -75,7 +75,7 @@ final class MediumStack {
         return best;
     }
 
-    /** The index of refraction of the place. */
+    /** The index of refraction of the medium; 1 in empty space. */
     double indexOfRefraction() {
         int id = current();
         return id < 0 ? 1 : scene.material(id, 0).indexOfRefraction;

@@ -3,11 +3,11 @@ package enlightenment.shading;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 
-/** Reflection and refraction of rays. The outgoing ray starts at the hit, on the side that the event says. */
+/** Reflection and refraction of rays. The outgoing ray starts at the hit, on the side that it leaves to. */
 final class Optics {
     private Optics() {}
 
-    /** Turns the ray into its mirror image; it stays on the side that it came from. Its direction gets length 1. */
+    /** Reflects the ray, with a direction of length 1; it stays on the side that it came from. */
     static void reflect(Ray ray, Hit hit) {
         double scale = 1 / Math.sqrt(ray.dd);
         double x = ray.dx * scale;
@@ -18,10 +18,10 @@ final class Optics {
     }
 
     /**
-     * Turns the ray by Snell's law; it changes sides.
+     * Refracts the ray by Snell's law, with a direction of length 1; it changes sides.
      *
      * @param eta index of refraction of the side that it comes from over that of the other
-     * @return false if the light is reflected totally; the ray is unchanged then
+     * @return false for total internal reflection, which leaves the ray unchanged
      */
     static boolean refract(Ray ray, Hit hit, double eta) {
         double scale = 1 / Math.sqrt(ray.dd);
@@ -49,7 +49,7 @@ final class Optics {
         return true;
     }
 
-    /** Lets the ray go straight on, to the other side. */
+    /** Lets the ray pass straight through, to the other side. */
     static void pass(Ray ray, Hit hit) {
         ray.set(hit.px, hit.py, hit.pz, ray.dx, ray.dy, ray.dz, 0).from(hit.primitive, -hit.side);
     }

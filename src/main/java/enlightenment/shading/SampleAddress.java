@@ -14,13 +14,13 @@ public final class SampleAddress {
     private long filmSeed;
     private int sample;
 
-    /** Moves to a pixel, by its column and row in the whole picture. */
+    /** Sets the pixel, by its column and row in the whole picture. */
     public void pixel(long seed, int x, int y) {
         pixelHash = Hash.of(seed, x, y);
         filmSeed = Hash.of(pixelHash, FILM);
     }
 
-    /** Moves to a sample of the pixel. */
+    /** Sets the sample of the pixel. */
     public void sample(int index) {
         sample = index;
     }
@@ -40,7 +40,7 @@ public final class SampleAddress {
         return Hash.of(pixelHash, FIRST_LIGHT + light, bounce);
     }
 
-    /** Where in the sequence of light points this sample's begin, if it takes {@code count} of them. */
+    /** The index in the sequence of light points at which those of this sample begin, if it takes {@code count} of them. */
     int firstLightPoint(long lightSeed, int count) {
         return Sobol.shuffled(sample, Hash.mix(lightSeed)) * count;
     }

@@ -9,6 +9,7 @@ public final class Plain {
     /** Marks on one letter: more than these pile up over the lines around. */
     private static final int MOST_MARKS = 4;
 
+    private static final int LONGEST_EXCERPT = 60;
     private static final String CUT = "...";
 
     private Plain() {}
@@ -25,6 +26,16 @@ public final class Plain {
     /** Several lines, of any length: for what is put together here from texts that may come from elsewhere. */
     public static String lines(String text) {
         return plain(text, Integer.MAX_VALUE, true);
+    }
+
+    /** One line of at most 60 characters: as much of what somebody wrote as a message quotes. */
+    public static String excerpt(String text) {
+        return line(text, LONGEST_EXCERPT);
+    }
+
+    /** An {@link #excerpt} in quotation marks. */
+    public static String quoted(String text) {
+        return '"' + excerpt(text) + '"';
     }
 
     private static String plain(String text, int most, boolean keepsLines) {

@@ -31,8 +31,12 @@ class ArchitectureTest {
             .consideringOnlyDependenciesInAnyPackage("enlightenment..")
             .layer("file")
             .definedBy("enlightenment.file")
+            .layer("machine")
+            .definedBy("enlightenment.machine")
             .layer("text")
             .definedBy("enlightenment.text")
+            .layer("json output")
+            .definedBy("enlightenment.json")
             .layer("numeric")
             .definedBy("enlightenment.numeric")
             .layer("math")
@@ -43,8 +47,14 @@ class ArchitectureTest {
             .definedBy("enlightenment.frame")
             .layer("color")
             .definedBy("enlightenment.color")
+            .layer("codec")
+            .definedBy("enlightenment.codec")
             .layer("image")
             .definedBy("enlightenment.image")
+            .layer("picture")
+            .definedBy("enlightenment.picture")
+            .layer("texture")
+            .definedBy("enlightenment.texture")
             .layer("geometry")
             .definedBy("enlightenment.geometry")
             .layer("primitive")
@@ -79,8 +89,12 @@ class ArchitectureTest {
             .definedBy("enlightenment.cli")
             .whereLayer("cli")
             .mayNotBeAccessedByAnyLayer()
+            .whereLayer("json output")
+            .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("file")
-            .mayOnlyBeAccessedByLayers("image", "json", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("codec", "image", "json", "net", "measure", "cli")
+            .whereLayer("machine")
+            .mayOnlyBeAccessedByLayers("render", "net", "measure", "cli")
             .whereLayer("net")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
@@ -111,9 +125,15 @@ class ArchitectureTest {
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "render", "net", "cli")
             .whereLayer("text")
-            .mayOnlyBeAccessedByLayers("scene", "net", "cli")
+            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
+            .whereLayer("codec")
+            .mayOnlyBeAccessedByLayers("image", "picture", "texture")
+            .whereLayer("picture")
+            .mayOnlyBeAccessedByLayers("render", "measure", "cli")
+            .whereLayer("texture")
+            .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("image")
-            .mayOnlyBeAccessedByLayers("compiled", "film", "render", "net", "measure", "cli", "json");
+            .mayOnlyBeAccessedByLayers("picture", "texture", "film", "render", "net", "measure", "cli", "json");
 
     /** Server and workers, from what is said over the wire up to what is exported. */
     @ArchTest
@@ -209,11 +229,17 @@ class ArchitectureTest {
             .dependOnClassesThat()
             .belongToAnyOf(FileOutputStream.class, FileWriter.class, RandomAccessFile.class);
 
+    /** In the command line only the classes that write one kind of report each. */
     @ArchTest
-    static final ArchRule onlyTheSceneReaderSeesJackson = noClasses()
+    static final ArchRule onlyReadersAndWritersOfJsonSeeJackson = noClasses()
             .that()
             .resideOutsideOfPackages(
-                    "enlightenment.scene.json", "enlightenment.net.protocol", "enlightenment.net.status")
+                    "enlightenment.scene.json",
+                    "enlightenment.json",
+                    "enlightenment.net.protocol",
+                    "enlightenment.net.status")
+            .and()
+            .haveSimpleNameNotEndingWith("Json")
             .should()
             .dependOnClassesThat()
             .resideInAPackage("tools.jackson..");
@@ -248,7 +274,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule onlyReadingImagesAndChartsUseAwt = noClasses()
             .that()
-            .resideOutsideOfPackages("enlightenment.image", "enlightenment.measure.chart")
+            .resideOutsideOfPackages("enlightenment.codec", "enlightenment.measure.chart")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("java.awt..", "javax.imageio..", "javax.swing..");

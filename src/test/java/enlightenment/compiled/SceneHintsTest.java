@@ -34,9 +34,9 @@ class SceneHintsTest {
     private static final Material MILKY = new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0, 0, true);
     private static final Light LAMP = new Light.Sphere(ExactPoint.of(3, 3, -3), 0.5, DisplayRgb.WHITE);
     private static final Sphere BALL = Sphere.of(ExactPoint.of(0, 0, 0), 1);
-    private static final Predicate<String> DISTANT = hint -> hint.contains("cannot tell neighbouring pixels apart");
+    private static final Predicate<String> DISTANT = hint -> hint.contains("cannot distinguish neighbouring pixels");
     private static final String NO_LIGHT =
-            "/lights: there is no light; things show 0.5 (/shading/ambient) of their colours, without shades";
+            "/lights: there is no light; objects show 0.5 (/shading/ambient) of their colours, without shading";
     private static final String NARROW =
             "/camera: the angle of view is less than 1 degree, and nothing is seen whole through it";
 
@@ -67,7 +67,7 @@ class SceneHintsTest {
         assertEquals(List.of(NO_LIGHT), hints(from(-5).object(BALL, MILKY)));
         Light black = new Light.Sphere(ExactPoint.of(3, 3, -3), 0.5, DisplayRgb.BLACK);
         assertEquals(
-                List.of("/lights: no light has another colour than black"),
+                List.of("/lights: every light is black"),
                 hints(from(-5).object(BALL, WHITE).light(black)));
     }
 

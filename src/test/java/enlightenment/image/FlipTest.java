@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.math.InvalidValueException;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -14,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class FlipTest {
     @Test
     void greenAgainstBlueIsTheLargestDifference() {
-        Flip flip = Flip.between(uniform(5, 4, 0, 1, 0), uniform(5, 4, 0, 0, 1));
+        Flip flip = Flip.between(TestImages.uniform(5, 4, 0, 1, 0), TestImages.uniform(5, 4, 0, 0, 1));
         // Evenly coloured: filters change nothing but the last digits, and there is no feature.
         assertEquals(1, flip.mean(), 1e-7);
         assertEquals(1, flip.largest(), 1e-7);
@@ -26,12 +25,13 @@ class FlipTest {
         double encoded = 1.055 * Math.pow(0.18, 1 / 2.4) - 0.055;
         double lightness = 116 * Math.cbrt(0.18) - 16;
         double largest = Math.pow(greenToBlue(), 0.7);
-        Flip flip = Flip.between(uniform(3, 3, encoded, encoded, encoded), uniform(3, 3, 0, 0, 0));
+        Flip flip =
+                Flip.between(TestImages.uniform(3, 3, encoded, encoded, encoded), TestImages.uniform(3, 3, 0, 0, 0));
         double power = Math.pow(lightness, 0.7);
         assertTrue(power < 0.4 * largest);
         // The textbook's four digits.
         assertEquals(0.95 * power / (0.4 * largest), flip.mean(), 1e-4);
-        Flip white = Flip.between(uniform(3, 3, 1, 1, 1), uniform(3, 3, 0, 0, 0));
+        Flip white = Flip.between(TestImages.uniform(3, 3, 1, 1, 1), TestImages.uniform(3, 3, 0, 0, 0));
         double beyond = (Math.pow(100, 0.7) - 0.4 * largest) / (0.6 * largest);
         assertEquals(0.95 + 0.05 * beyond, white.mean(), 1e-5);
     }
@@ -55,23 +55,23 @@ class FlipTest {
     @ParameterizedTest
     @ValueSource(doubles = {1, 1.5, 67.02, 1000})
     void equalImagesDoNotDiffer(double pixelsPerDegree) {
-        Flip flip = Flip.between(noise(17, 9, 1), noise(17, 9, 1), pixelsPerDegree);
+        Flip flip = Flip.between(TestImages.noise(17, 9, 1), TestImages.noise(17, 9, 1), pixelsPerDegree);
         assertEquals(0, flip.mean());
         assertEquals(0, flip.largest());
     }
 
     @Test
     void neitherImageIsTheFirst() {
-        Flip there = Flip.between(noise(33, 21, 1), noise(33, 21, 2));
-        Flip back = Flip.between(noise(33, 21, 2), noise(33, 21, 1));
+        Flip there = Flip.between(TestImages.noise(33, 21, 1), TestImages.noise(33, 21, 2));
+        Flip back = Flip.between(TestImages.noise(33, 21, 2), TestImages.noise(33, 21, 1));
         assertEquals(there.mean(), back.mean());
         assertArrayEquals(errors(there), errors(back));
     }
 
     @Test
     void aMirroredPairHasTheMirroredErrors() {
-        Flip flip = Flip.between(noise(33, 21, 1), noise(33, 21, 2));
-        Flip mirrored = Flip.between(rotated(noise(33, 21, 1)), rotated(noise(33, 21, 2)));
+        Flip flip = Flip.between(TestImages.noise(33, 21, 1), TestImages.noise(33, 21, 2));
+        Flip mirrored = Flip.between(rotated(TestImages.noise(33, 21, 1)), rotated(TestImages.noise(33, 21, 2)));
         for (int y = 0; y < 21; y++) {
             for (int x = 0; x < 33; x++) {
                 // The sums run the other way; features near 0 show that as the root of the last digits.
@@ -83,7 +83,7 @@ class FlipTest {
     @Test
     void theMeanIsThatOfTheMapAndAllErrorsAreInTheirRange() {
         for (double pixelsPerDegree : new double[] {1, 30, 200}) {
-            Flip flip = Flip.between(noise(40, 30, 3), noise(40, 30, 4), pixelsPerDegree);
+            Flip flip = Flip.between(TestImages.noise(40, 30, 3), TestImages.noise(40, 30, 4), pixelsPerDegree);
             double sum = 0;
             float largest = 0;
             for (float e : errors(flip)) {
@@ -98,8 +98,8 @@ class FlipTest {
 
     @Test
     void fromFarAwayNoiseIsSeenLess() {
-        Image grey = uniform(64, 64, 0.5, 0.5, 0.5);
-        Image noisy = noise(64, 64, 5);
+        Image grey = TestImages.uniform(64, 64, 0.5, 0.5, 0.5);
+        Image noisy = TestImages.noise(64, 64, 5);
         double near = Flip.between(noisy, grey, 20).mean();
         double far = Flip.between(noisy, grey, 200).mean();
         assertTrue(far < 0.8 * near, far + " " + near);
@@ -109,9 +109,10 @@ class FlipTest {
     void theDefaultIsThatOfThePaper() {
         assertEquals(67.02, Flip.DEFAULT_PIXELS_PER_DEGREE, 0.005);
         assertEquals(
-                Flip.between(noise(9, 9, 1), noise(9, 9, 2), 0.7 * (3840 / 0.7) * (Math.PI / 180))
+                Flip.between(TestImages.noise(9, 9, 1), TestImages.noise(9, 9, 2), 0.7 * (3840 / 0.7) * (Math.PI / 180))
                         .mean(),
-                Flip.between(noise(9, 9, 1), noise(9, 9, 2)).mean(),
+                Flip.between(TestImages.noise(9, 9, 1), TestImages.noise(9, 9, 2))
+                        .mean(),
                 1e-12);
     }
 
@@ -119,14 +120,14 @@ class FlipTest {
     void whatAScreenCannotShowIsClipped() {
         assertEquals(
                 0,
-                Flip.between(uniform(3, 3, 1.5, -1, 0.5), uniform(3, 3, 1, 0, 0.5))
+                Flip.between(TestImages.uniform(3, 3, 1.5, -1, 0.5), TestImages.uniform(3, 3, 1, 0, 0.5))
                         .mean());
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, 0, 0.999, -67, 1000.1, Double.POSITIVE_INFINITY})
     void otherDensitiesAreRefused(double pixelsPerDegree) {
-        Image image = uniform(2, 2, 0, 0, 0);
+        Image image = TestImages.uniform(2, 2, 0, 0, 0);
         InvalidValueException e =
                 assertThrows(InvalidValueException.class, () -> Flip.between(image, image, pixelsPerDegree));
         assertEquals("pixelsPerDegree: must lie in 1.0..1000.0, not " + pixelsPerDegree, e.getMessage());
@@ -134,28 +135,10 @@ class FlipTest {
 
     @Test
     void imagesThatCannotBeComparedAreRefused() {
-        Image image = uniform(2, 2, 0, 0, 0);
-        assertThrows(InvalidValueException.class, () -> Flip.between(image, uniform(2, 3, 0, 0, 0)));
-        assertThrows(InvalidValueException.class, () -> Flip.between(image, uniform(2, 2, Double.NaN, 0, 0)));
-    }
-
-    static Image uniform(int width, int height, double r, double g, double b) {
-        float[] rgb = new float[3 * width * height];
-        for (int i = 0; i < rgb.length; i += 3) {
-            rgb[i] = (float) r;
-            rgb[i + 1] = (float) g;
-            rgb[i + 2] = (float) b;
-        }
-        return new Image(width, height, rgb);
-    }
-
-    static Image noise(int width, int height, long seed) {
-        SplittableRandom random = new SplittableRandom(seed);
-        float[] rgb = new float[3 * width * height];
-        for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = (float) random.nextDouble();
-        }
-        return new Image(width, height, rgb);
+        Image image = TestImages.uniform(2, 2, 0, 0, 0);
+        assertThrows(InvalidValueException.class, () -> Flip.between(image, TestImages.uniform(2, 3, 0, 0, 0)));
+        assertThrows(
+                InvalidValueException.class, () -> Flip.between(image, TestImages.uniform(2, 2, Double.NaN, 0, 0)));
     }
 
     /** By half a turn. */

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ImageErrorTest {
     @Test
     void equalImagesHaveNoError() {
-        Image image = FlipTest.noise(7, 5, 1);
+        Image image = TestImages.noise(7, 5, 1);
         ImageError error = ImageError.between(image, image);
         assertEquals(new ImageError(0, 0, 0, new ImageError.Largest(0, 0, 0, 0)), error);
         assertEquals(0, error.rmse());
@@ -24,7 +24,7 @@ class ImageErrorTest {
     void aConstantDifferenceIsEveryError() {
         // All of these are exact in binary but the hundredth.
         ImageError error =
-                ImageError.between(FlipTest.uniform(8, 4, 0.75, 0.75, 0.75), FlipTest.uniform(8, 4, 0.5, 0.5, 0.5));
+                ImageError.between(TestImages.uniform(8, 4, 0.75, 0.75, 0.75), TestImages.uniform(8, 4, 0.5, 0.5, 0.5));
         assertEquals(0.0625, error.meanSquaredError());
         assertEquals(0.25, error.rmse());
         assertEquals(0.25, error.meanAbsoluteError());
@@ -37,7 +37,7 @@ class ImageErrorTest {
     void oneComponentOfMany() {
         float[] rgb = new float[3 * 20 * 10];
         rgb[3 * (7 * 20 + 13) + 2] = 1;
-        ImageError error = ImageError.between(new Image(20, 10, rgb), FlipTest.uniform(20, 10, 0, 0, 0));
+        ImageError error = ImageError.between(new Image(20, 10, rgb), TestImages.uniform(20, 10, 0, 0, 0));
         assertEquals(1.0 / 600, error.meanSquaredError());
         assertEquals(1.0 / 600, error.meanAbsoluteError());
         assertEquals(100.0 / 600, error.relativeMeanSquaredError(), 1e-16);
@@ -48,8 +48,8 @@ class ImageErrorTest {
 
     @Test
     void onlyTheRelativeErrorKnowsWhichIsTheReference() {
-        Image a = FlipTest.noise(9, 6, 1);
-        Image b = FlipTest.uniform(9, 6, 0.25, 0.25, 0.25);
+        Image a = TestImages.noise(9, 6, 1);
+        Image b = TestImages.uniform(9, 6, 0.25, 0.25, 0.25);
         ImageError there = ImageError.between(a, b);
         ImageError back = ImageError.between(b, a);
         assertEquals(there.meanSquaredError(), back.meanSquaredError());
@@ -60,8 +60,8 @@ class ImageErrorTest {
 
     @Test
     void sumsLoseNothing() {
-        Image a = FlipTest.noise(200, 150, 1);
-        Image b = FlipTest.noise(200, 150, 2);
+        Image a = TestImages.noise(200, 150, 1);
+        Image b = TestImages.noise(200, 150, 2);
         BigDecimal squares = BigDecimal.ZERO;
         float[] as = a.toArray();
         float[] bs = b.toArray();
@@ -79,7 +79,7 @@ class ImageErrorTest {
     void sizesMustBeEqual() {
         InvalidValueException e = assertThrows(
                 InvalidValueException.class,
-                () -> ImageError.between(FlipTest.uniform(4, 3, 0, 0, 0), FlipTest.uniform(3, 4, 0, 0, 0)));
+                () -> ImageError.between(TestImages.uniform(4, 3, 0, 0, 0), TestImages.uniform(3, 4, 0, 0, 0)));
         assertEquals("size", e.key());
         assertEquals("size: must be that of the reference, 3x4 pixels, not 4x3", e.getMessage());
     }
@@ -90,7 +90,7 @@ class ImageErrorTest {
         float[] rgb = new float[3 * 5 * 4];
         rgb[3 * (2 * 5 + 3) + 1] = value;
         Image bad = new Image(5, 4, rgb);
-        Image good = FlipTest.uniform(5, 4, 0, 0, 0);
+        Image good = TestImages.uniform(5, 4, 0, 0, 0);
         InvalidValueException e = assertThrows(InvalidValueException.class, () -> ImageError.between(bad, good));
         assertEquals("test", e.key());
         assertEquals("test: there is " + value + " in column 3, row 2, green", e.getMessage());

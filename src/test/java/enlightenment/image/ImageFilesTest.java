@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.codec.PngWriter;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -135,7 +136,7 @@ class ImageFilesTest {
         ImageFiles.write(image, folder.resolve("a.pfm"), PngOptions.DEFAULT);
         assertEquals(5, ImageIO.read(folder.resolve("a.PNG").toFile()).getWidth());
         assertArrayEquals(
-                image.toArray(), ImageFiles.readPfm(folder.resolve("a.pfm")).toArray());
+                image.toArray(), ImageFiles.read(folder.resolve("a.pfm")).toArray());
         for (String name : new String[] {"a.jpg", "png", "a.png.bak", "a"}) {
             String message = assertThrows(
                             IllegalArgumentException.class,
@@ -175,7 +176,7 @@ class ImageFilesTest {
         Files.write(file, java.util.Arrays.copyOf(bytes.array(), bytes.position()));
         assertArrayEquals(
                 new float[] {0.25f, 0.25f, 0.25f, 7, 7, 7},
-                ImageFiles.readPfm(file).toArray());
+                ImageFiles.read(file).toArray());
     }
 
     @Test
@@ -185,7 +186,7 @@ class ImageFilesTest {
         for (String content : contents) {
             Path file = folder.resolve("damaged-" + random.nextInt(1000) + ".pfm");
             Files.writeString(file, content);
-            String message = assertThrows(IOException.class, () -> ImageFiles.readPfm(file), content)
+            String message = assertThrows(IOException.class, () -> ImageFiles.read(file), content)
                     .getMessage();
             assertTrue(message.startsWith("cannot read " + file + ": "), message);
         }

@@ -1,6 +1,7 @@
 package enlightenment.measure;
 
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -74,8 +75,8 @@ final class SyntheticRuns {
     }
 
     static TradeSettings settings() {
-        RenderSettings base =
-                new RenderSettings("raytrace", 8, 8, Optional.empty(), 4, LIGHT_POINTS, 0, Budget.NONE, "normal", 2, 8);
+        RenderSettings base = new RenderSettings(
+                Method.RAYTRACE, 8, 8, Optional.empty(), 4, LIGHT_POINTS, 0, Budget.NONE, "normal", 2, 8);
         return new TradeSettings(base, List.of("raytrace", "cluster"), 1, 1, List.of(), Optional.empty(), "a scene");
     }
 }

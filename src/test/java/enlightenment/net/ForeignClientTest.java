@@ -10,6 +10,7 @@ import enlightenment.image.ImageFiles;
 import enlightenment.net.job.Build;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -55,7 +56,7 @@ class ForeignClientTest {
     void theTilesOfAClientInAnotherLanguageMakeThePicture(boolean isCropped) throws Exception {
         assumeTrue(hasPython(), "no python3 on the path");
         RenderSettings settings = isCropped
-                ? Farm.SETTINGS.withMethod("cluster").withCrop(new RenderSettings.Crop(9, 3, 50, 30))
+                ? Farm.SETTINGS.withMethod(Method.CLUSTER).withCrop(new RenderSettings.Crop(9, 3, 50, 30))
                 : Farm.SETTINGS;
         Image alone = Renderer.render(Farm.SCENE, settings);
         Path picture = folder.resolve("picture.pfm");

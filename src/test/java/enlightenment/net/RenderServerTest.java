@@ -15,6 +15,7 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -70,7 +71,8 @@ class RenderServerTest {
 
     @Test
     void methodClusterCropAndReportAreThoseOfOneProcess() throws Exception {
-        RenderSettings settings = Farm.SETTINGS.withMethod("cluster").withCrop(new RenderSettings.Crop(9, 3, 50, 30));
+        RenderSettings settings =
+                Farm.SETTINGS.withMethod(Method.CLUSTER).withCrop(new RenderSettings.Crop(9, 3, 50, 30));
         try (Farm farm = new Farm(Farm.SCENE, settings, Farm.options()).begin()) {
             farm.join(Farm.worker(2));
             farm.join(Farm.worker(1));

@@ -79,10 +79,11 @@ class ServerDoorsTest {
     void whoRepeatsWhatAnotherSaidOfItselfDoesNotTakeItsPlace() throws Exception {
         try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
             CountDownLatch everybodyCame = new CountDownLatch(1);
-            CompletableFuture<RenderWorker.Outcome> honest = farm.join(Farm.worker(1).tamper((tile, bytes) -> {
-                await(everybodyCame);
-                return bytes;
-            }));
+            CompletableFuture<RenderWorker.Outcome> honest =
+                    farm.join(Farm.worker(1).tamper((tile, bytes) -> {
+                        await(everybodyCame);
+                        return bytes;
+                    }));
             Farm.until(() -> farm.logHas("joined"), "the honest one is there");
             for (String name : new String[] {Machine.name(), "local", "this process"}) {
                 try (RawPeer peer = new RawPeer(farm.server.port())) {

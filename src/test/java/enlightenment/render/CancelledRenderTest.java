@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -40,7 +41,7 @@ class CancelledRenderTest {
 
     @Test
     void whateverIsPlannedOrRendered() {
-        for (String method : Renderer.METHODS) {
+        for (Method method : Method.values()) {
             for (Budget budget : BUDGETS) {
                 for (int patience : new int[] {1, 7, 60}) {
                     AtomicInteger asked = new AtomicInteger();

@@ -16,6 +16,7 @@ import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -26,8 +27,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Scenes and sizes at the borders of what there is. */
 class ClusterEdgeCasesTest {
@@ -100,7 +101,7 @@ class ClusterEdgeCasesTest {
 
     private static RenderSettings cluster(Scene scene, double samples) {
         return RenderSettings.of(scene)
-                .withMethod("cluster")
+                .withMethod(Method.CLUSTER)
                 .withThreads(1)
                 .withBudget(Budget.NONE.withSamples(samples));
     }
@@ -143,8 +144,8 @@ class ClusterEdgeCasesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"cluster", "raytrace"})
-    void aPictureOfNothingIsItsBackgroundExactlyAndHasNoError(String method) {
+    @EnumSource(Method.class)
+    void aPictureOfNothingIsItsBackgroundExactlyAndHasNoError(Method method) {
         Scene scene = Scene.builder()
                 .size(20, 11)
                 .shading(DARK)
@@ -185,9 +186,9 @@ class ClusterEdgeCasesTest {
                 .withCrop(new RenderSettings.Crop(20, 24, 4, 8))
                 .withThreads(2);
         Picture plain =
-                ManySeeds.render(scene, settings.withMethod("raytrace").withBudget(Budget.NONE.withSamples(2048)));
+                ManySeeds.render(scene, settings.withMethod(Method.RAYTRACE).withBudget(Budget.NONE.withSamples(2048)));
         Picture cluster =
-                ManySeeds.render(scene, settings.withMethod("cluster").withBudget(Budget.NONE.withSamples(600)));
+                ManySeeds.render(scene, settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(600)));
         for (int k = 0; k < plain.rgb().length; k++) {
             assertEquals(plain.rgb()[k], cluster.rgb()[k], 0.01, "pixel " + k / 3);
         }
@@ -197,9 +198,9 @@ class ClusterEdgeCasesTest {
     @Test
     void everyPixelGetsMoreSamplesWithABudgetThatGrows() {
         Scene scene = ManySeeds.shipped("cylinders");
-        RenderSettings settings = RenderSettings.of(scene).withSize(100, 50).withMethod("cluster");
+        RenderSettings settings = RenderSettings.of(scene).withSize(100, 50).withMethod(Method.CLUSTER);
         int before = 0;
-        for (double samples : new double[] {10, 1000, 100_000}) {
+        for (double samples : new double[] {10, 300, 10_000}) {
             Picture p = ManySeeds.render(
                     scene,
                     settings.withCrop(new RenderSettings.Crop(40, 24, 8, 8))

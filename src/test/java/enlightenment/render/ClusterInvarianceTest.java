@@ -13,6 +13,7 @@ import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
 import enlightenment.scene.Scene;
@@ -39,7 +40,7 @@ class ClusterInvarianceTest {
 
     private static RenderSettings settings(Scene scene, Budget budget) {
         return RenderSettings.of(scene)
-                .withMethod("cluster")
+                .withMethod(Method.CLUSTER)
                 .withSize(WIDTH, HEIGHT)
                 .withBudget(budget)
                 .withThreads(1);

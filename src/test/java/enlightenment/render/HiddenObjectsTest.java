@@ -16,6 +16,7 @@ import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -108,12 +109,12 @@ class HiddenObjectsTest {
     void aSpeckThatNobodySeesChangesNoBit(String name) {
         Scene scene = SceneReader.read(folder().resolve(name));
         RenderSettings settings = RenderSettings.of(scene)
-                .withSize(48, 32)
+                .withSize(36, 24)
                 .withThreads(1)
                 .withAntialias(2)
                 .withShadowSamples(3)
                 .withBudget(Budget.NONE);
-        RenderSettings cluster = settings.withMethod("cluster").withBudget(Budget.NONE.withSamples(8));
+        RenderSettings cluster = settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(8));
         RawPicture evenly = RawPicture.of(scene, settings);
         RawPicture clustered = RawPicture.of(scene, cluster);
         Map<String, ExactPoint> places = places(scene);

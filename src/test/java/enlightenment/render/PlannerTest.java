@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -18,13 +18,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A budget is kept, says which part of it was decisive, and can be written as a number of samples. */
 class PlannerTest {
-    private static final List<String> METHODS = List.of("cluster", "raytrace");
-
-    private static RenderSettings settings(Scene scene, String method, int width, int height) {
+    private static RenderSettings settings(Scene scene, Method method, int width, int height) {
         return RenderSettings.of(scene)
                 .withMethod(method)
                 .withSize(width, height)
@@ -56,16 +55,16 @@ class PlannerTest {
     }
 
     /** A picture of the other method, far more exact than what is compared with it. */
-    private static double[] reference(Scene scene, String method, int width, int height, double error) {
-        String other = method.equals("cluster") ? "raytrace" : "cluster";
+    private static double[] reference(Scene scene, Method method, int width, int height, double error) {
+        Method other = method == Method.CLUSTER ? Method.RAYTRACE : Method.CLUSTER;
         RenderSettings s = settings(scene, other, width, height).withSeed(424242);
         return doubles(render(scene, s.withBudget(Budget.NONE.withError(error))));
     }
 
     @ParameterizedTest
-    @CsvSource({"fire-and-ice, cluster", "cylinders, cluster", "glass, cluster", "keyhole, cluster", "keyhole, raytrace"
+    @CsvSource({"fire-and-ice, CLUSTER", "cylinders, CLUSTER", "glass, CLUSTER", "keyhole, CLUSTER", "keyhole, RAYTRACE"
     })
-    void theTrueErrorStaysBelowWhatWasAsked(String name, String method) {
+    void theTrueErrorStaysBelowWhatWasAsked(String name, Method method) {
         Scene scene = ManySeeds.shipped(name);
         double asked = 0.03;
         double[] truth = reference(scene, method, 72, 36, asked / 8);
@@ -85,8 +84,8 @@ class PlannerTest {
     @CsvSource({"cylinders, 0.01", "cylinders, 0.005", "cone, 0.01", "cone, 0.005"})
     void theJumpOfTheErrorWhereSurveysBeginDoesNotMisleadTheSearch(String name, double asked) {
         Scene scene = ManySeeds.shipped(name);
-        double[] truth = reference(scene, "cluster", 200, 100, asked / 10);
-        RenderSettings s = settings(scene, "cluster", 200, 100).withBudget(Budget.NONE.withError(asked));
+        double[] truth = reference(scene, Method.CLUSTER, 200, 100, asked / 10);
+        RenderSettings s = settings(scene, Method.CLUSTER, 200, 100).withBudget(Budget.NONE.withError(asked));
         for (int seed = 0; seed < 3; seed++) {
             RenderResult p = render(scene, s.withSeed(seed));
             double error = distance(p, truth);
@@ -99,8 +98,8 @@ class PlannerTest {
 
     @ParameterizedTest
     @Tag("full")
-    @ValueSource(strings = {"cluster", "raytrace"})
-    void theErrorThatIsAskedForIsKeptAndNotFarUndercut(String method) {
+    @EnumSource(Method.class)
+    void theErrorThatIsAskedForIsKeptAndNotFarUndercut(Method method) {
         int seeds = 20;
         List<String> failures = new ArrayList<>();
         for (String name : List.of("fire-and-ice", "cylinders", "cone", "glass", "keyhole", "torus")) {
@@ -137,10 +136,9 @@ class PlannerTest {
                         (double) rounds / seeds,
                         samples / seeds);
                 System.out.println(line);
-                // Where evenly spaced rays are not exact enough and the fewest that surveys take are far more exact,
-                // nothing
-                // between them is to be had, and less would not be quicker.
-                boolean fewest = method.equals("cluster") && samples / seeds < 2.5;
+                // Where evenly spaced rays are not exact enough and the fewest that surveys take are far more
+                // exact, there is nothing between them, and less would not be quicker.
+                boolean fewest = method == Method.CLUSTER && samples / seeds < 2.5;
                 // An interval whose upper end is as asked has its middle a seventh or more below.
                 if (kept < 0.95 * seeds || median < 0.5 && !fewest) {
                     failures.add(line);
@@ -153,7 +151,7 @@ class PlannerTest {
     @Test
     void whatWasPlannedMakesTheSamePictureAsANumberOfSamples() {
         Scene scene = ManySeeds.shipped("keyhole");
-        for (String method : METHODS) {
+        for (Method method : Method.values()) {
             for (Budget budget : List.of(
                     Budget.NONE.withError(0.02),
                     Budget.NONE.withSeconds(0.3),
@@ -174,12 +172,12 @@ class PlannerTest {
     @ValueSource(doubles = {1, 12.341, 12.36, 40})
     void aNumberOfSamplesIsDecisiveWhereTheErrorCannotBeReached(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        for (String method : METHODS) {
+        for (Method method : Method.values()) {
             RenderSettings s = settings(scene, method, 32, 16)
                     .withBudget(Budget.NONE.withError(1e-7).withSamples(samples));
             RenderReport p = render(scene, s).report();
-            assertEquals("samples", p.sampling().decidedBy(), method);
-            assertEquals(samples, p.sampling().plannedSamples(), method);
+            assertEquals("samples", p.sampling().decidedBy(), method.word());
+            assertEquals(samples, p.sampling().plannedSamples(), method.word());
             assertFalse(p.isErrorMet());
         }
     }
@@ -191,12 +189,13 @@ class PlannerTest {
         Scene scene = ManySeeds.shipped(name);
         for (double samples : new double[] {1, 1.7, 2.44, 2.45, 4}) {
             Budget budget = Budget.NONE.withSamples(samples);
-            Picture cluster =
-                    ManySeeds.render(scene, settings(scene, "cluster", 64, 32).withBudget(budget));
-            Picture raytrace =
-                    ManySeeds.render(scene, settings(scene, "raytrace", 64, 32).withBudget(budget));
+            Picture cluster = ManySeeds.render(
+                    scene, settings(scene, Method.CLUSTER, 64, 32).withBudget(budget));
+            Picture raytrace = ManySeeds.render(
+                    scene, settings(scene, Method.RAYTRACE, 64, 32).withBudget(budget));
             assertEquals(
-                    samples < 2.45 ? "raytrace" : "cluster", cluster.sampling().method());
+                    samples < 2.45 ? Method.RAYTRACE : Method.CLUSTER,
+                    cluster.sampling().method());
             assertEquals(samples < 2.45, Arrays.equals(raytrace.rgb(), cluster.rgb()), samples + " samples");
         }
     }
@@ -204,11 +203,11 @@ class PlannerTest {
     @Test
     void anErrorThatIsReachedAtOnceTakesTheFewestSamples() {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        for (String method : METHODS) {
+        for (Method method : Method.values()) {
             RenderSettings s = settings(scene, method, 64, 32).withBudget(Budget.NONE.withError(0.9));
             Picture p = ManySeeds.render(scene, s);
-            assertEquals("error", p.sampling().decidedBy(), method);
-            assertTrue(Arrays.stream(p.counts()).allMatch(n -> n == 1), method);
+            assertEquals("error", p.sampling().decidedBy(), method.word());
+            assertTrue(Arrays.stream(p.counts()).allMatch(n -> n == 1), method.word());
         }
     }
 
@@ -217,7 +216,7 @@ class PlannerTest {
     @ValueSource(doubles = {1, 1.37, 2.44, 2.5, 5, 12.3, 48})
     void raytraceTakesTheSamplesThatItMayTake(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        RenderSettings s = settings(scene, "raytrace", 96, 48).withShadowSamples(1);
+        RenderSettings s = settings(scene, Method.RAYTRACE, 96, 48).withShadowSamples(1);
         for (RenderSettings settings : List.of(s, s.withCrop(new RenderSettings.Crop(13, 5, 61, 33)))) {
             RenderReport report = render(scene, settings.withBudget(Budget.NONE.withSamples(samples)))
                     .report();
@@ -234,16 +233,11 @@ class PlannerTest {
         Scene scene = ManySeeds.shipped("glass");
         for (Budget budget : List.of(Budget.NONE.withError(0.02), Budget.NONE.withSeconds(0.3))) {
             RenderReport.Sampling sampling = render(
-                            scene, settings(scene, "raytrace", 160, 80).withBudget(budget))
+                            scene, settings(scene, Method.RAYTRACE, 160, 80).withBudget(budget))
                     .report()
                     .sampling();
             assertEquals(1, sampling.samplesPerPixel() / sampling.plannedSamples(), 0.01);
         }
-    }
-
-    private static long processorTime() {
-        return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
-                .getProcessCpuTime();
     }
 
     @Test
@@ -251,11 +245,10 @@ class PlannerTest {
         for (String name : List.of("fire-and-ice", "keyhole", "glass")) {
             Scene scene = ManySeeds.shipped(name);
             for (double samples : new double[] {4, 30}) {
-                RenderSettings s = settings(scene, "cluster", 96, 48).withBudget(Budget.NONE.withSamples(samples));
+                RenderSettings s = settings(scene, Method.CLUSTER, 96, 48).withBudget(Budget.NONE.withSamples(samples));
                 double taken = ManySeeds.render(scene, s).sampling().samplesPerPixel();
-                // All 72 blocks were looked at to plan it, but with other samples; and where clusters learn they look
-                // more
-                // often than was planned.
+                // All 72 blocks were surveyed to plan it, but with other samples; and where clusters learn they
+                // take more survey rays than was planned.
                 double chance = name.equals("fire-and-ice") ? 0.03 : 0.1;
                 assertEquals(1, taken / samples, chance, name + ": " + taken + " for " + samples);
             }

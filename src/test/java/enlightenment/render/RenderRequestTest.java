@@ -14,6 +14,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Budget;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -26,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class RenderRequestTest {
     private static final Set<Auxiliary> ALL = EnumSet.allOf(Auxiliary.class);
@@ -91,8 +92,8 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"raytrace", "cluster"})
-    void countsAndErrorsAgreeWithTheReport(String method) {
+    @EnumSource(Method.class)
+    void countsAndErrorsAgreeWithTheReport(Method method) {
         RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(12));
         RenderResult result = Renderer.render(
                 RenderRequest.of(SMALL, settings).withAuxiliary(Set.of(Auxiliary.ERROR, Auxiliary.SAMPLES)));
@@ -120,7 +121,7 @@ class RenderRequestTest {
 
     @ParameterizedTest
     @CsvSource({"raytrace,4", "raytrace,1", "raytrace,16", "cluster,2", "cluster,8"})
-    void thePassesDoNotChangeABit(String method, int antialias) {
+    void thePassesDoNotChangeABit(Method method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).withShadowSamples(1);
         RenderResult plain = Renderer.render(RenderRequest.of(SMALL, settings));
@@ -134,7 +135,7 @@ class RenderRequestTest {
 
     @ParameterizedTest
     @CsvSource({"raytrace,4", "raytrace,1", "cluster,4", "cluster,12"})
-    void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(String method, int antialias) {
+    void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(Method method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).withCrop(new RenderSettings.Crop(3, 5, 61, 30));
         List<Image> seen = new ArrayList<>();
@@ -186,8 +187,8 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"raytrace", "cluster"})
-    void aTimeBecomesANumberOfSamplesThatMakesTheSamePicture(String method) {
+    @EnumSource(Method.class)
+    void aTimeBecomesANumberOfSamplesThatMakesTheSamePicture(Method method) {
         RenderSettings settings = QUICK.withMethod(method).withShadowSamples(1);
         AtomicReference<String> told = new AtomicReference<>();
         RenderResult timed = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSeconds(0.5)))
@@ -219,8 +220,8 @@ class RenderRequestTest {
     /** A 64th of these samples would take an hour. */
     @ParameterizedTest
     @Timeout(600)
-    @ValueSource(strings = {"raytrace", "cluster"})
-    void theFirstPassCostsTheSameWhateverIsAskedFor(String method) {
+    @EnumSource(Method.class)
+    void theFirstPassCostsTheSameWhateverIsAskedFor(Method method) {
         AtomicBoolean stop = new AtomicBoolean();
         RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(Budget.MAX_SAMPLES));
         RenderResult result = Renderer.render(RenderRequest.of(SMALL, settings)
@@ -233,7 +234,7 @@ class RenderRequestTest {
 
     @Test
     void anErrorThatWasAskedForIsMetOrSaidNotToBe() {
-        RenderSettings settings = QUICK.withMethod("cluster");
+        RenderSettings settings = QUICK.withMethod(Method.CLUSTER);
         RenderReport met = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withError(0.05))))
                 .report();
         assertTrue(met.isErrorMet(), met.sampling().toString());

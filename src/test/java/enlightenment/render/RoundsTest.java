@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
@@ -21,7 +22,7 @@ class RoundsTest {
 
     private static RenderReport report(Budget budget, double samples, double error, double rounding) {
         RenderReport.Sampling sampling = new RenderReport.Sampling(
-                "raytrace", "error", samples, samples, error / 1.2, error / 1.44, error, 0, 0, 0, rounding, 1);
+                Method.RAYTRACE, "error", samples, samples, error / 1.2, error / 1.44, error, 0, 0, 0, rounding, 1);
         return new RenderReport(
                 "",
                 SETTINGS.withBudget(budget),

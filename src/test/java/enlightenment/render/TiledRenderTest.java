@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.ByteBuffer;
@@ -15,12 +16,12 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class TiledRenderTest {
     private static final Scene SCENE = TestScenes.whiteFireAndIce().build();
 
-    private static RenderSettings settings(String method) {
+    private static RenderSettings settings(Method method) {
         return RenderSettings.of(SCENE)
                 .withMethod(method)
                 .withSize(75, 42)
@@ -34,8 +35,8 @@ class TiledRenderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"raytrace", "cluster"})
-    void tilesInAnyOrderMakeThePictureAndTheCountsOfTheRenderer(String method) {
+    @EnumSource(Method.class)
+    void tilesInAnyOrderMakeThePictureAndTheCountsOfTheRenderer(Method method) {
         RenderSettings settings = settings(method);
         TiledRender tiled = tiled(settings);
         FilmAssembly assembly = tiled.assembly();
@@ -60,7 +61,7 @@ class TiledRenderTest {
 
     @Test
     void aTileThatWasTakenOutOrReplacedLeavesNothing() {
-        RenderSettings settings = settings("raytrace");
+        RenderSettings settings = settings(Method.RAYTRACE);
         TiledRender tiled = tiled(settings);
         FilmAssembly assembly = tiled.assembly();
         for (int tile = 0; tile < tiled.tiles(); tile++) {
@@ -96,17 +97,17 @@ class TiledRenderTest {
 
     @Test
     void aTileHasTheSameBytesWhateverWasMadeBefore() {
-        TiledRender tiled = tiled(settings("cluster"));
+        TiledRender tiled = tiled(settings(Method.CLUSTER));
         TileMaker maker = tiled.maker();
         byte[] first = maker.make(11);
         maker.make(3);
         assertArrayEquals(first, maker.make(11));
-        assertArrayEquals(first, tiled(settings("cluster")).maker().make(11));
+        assertArrayEquals(first, tiled(settings(Method.CLUSTER)).maker().make(11));
     }
 
     @Test
     void tilesOfACropAreCutWhereThoseOfTheWholePictureAre() {
-        RenderSettings settings = settings("cluster").withCrop(new RenderSettings.Crop(13, 5, 30, 21));
+        RenderSettings settings = settings(Method.CLUSTER).withCrop(new RenderSettings.Crop(13, 5, 30, 21));
         TiledRender tiled = tiled(settings);
         FilmAssembly assembly = tiled.assembly();
         for (int tile = 0; tile < tiled.tiles(); tile++) {
@@ -127,7 +128,8 @@ class TiledRenderTest {
 
     private static ColumnGrid grid(int width, int height, double samples) {
         return new ColumnGrid(
-                settings("raytrace").withSize(width, height), new TilePlan("raytrace", 1, samples, "samples"));
+                settings(Method.RAYTRACE).withSize(width, height),
+                new TilePlan(Method.RAYTRACE, 1, samples, "samples"));
     }
 
     private static void assertCovers(int width, int height, ColumnGrid grid) {
@@ -158,7 +160,7 @@ class TiledRenderTest {
 
     @Test
     void howFineTheCutIsDoesNotChangeThePicture() {
-        RenderSettings settings = settings("cluster").withSize(800, 400).withAntialias(1);
+        RenderSettings settings = settings(Method.CLUSTER).withSize(800, 400).withAntialias(1);
         TiledRender usual = tiled(settings);
         // As if a hundred thousand rays per pixel were to come, where one does.
         TilePlan plan = new TilePlan(usual.plan().method(), usual.plan().level(), 1e5, "samples");
@@ -176,7 +178,7 @@ class TiledRenderTest {
 
     @Test
     void whatCannotBeATileIsRefusedWithTheReason() {
-        TiledRender tiled = tiled(settings("raytrace"));
+        TiledRender tiled = tiled(settings(Method.RAYTRACE));
         FilmAssembly assembly = tiled.assembly();
         byte[] good = tiled.maker().make(0);
         int pixels = good.length - 64 * 36;
@@ -203,7 +205,7 @@ class TiledRenderTest {
 
     @Test
     void aTileThatIsTakenOutIsMissingAgain() {
-        TiledRender tiled = tiled(settings("raytrace"));
+        TiledRender tiled = tiled(settings(Method.RAYTRACE));
         FilmAssembly assembly = tiled.assembly();
         assembly.put(2, tiled.maker().make(2));
         assembly.put(2, tiled.maker().make(2));

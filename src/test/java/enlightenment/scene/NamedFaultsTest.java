@@ -17,7 +17,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.net.WorkerOptions;
-import enlightenment.render.Renderer;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
@@ -70,9 +69,7 @@ class NamedFaultsTest {
         fails("threads: must lie in 1..4096, not 0", () -> s.withThreads(0));
         fails("antialias: must lie in 1..256, not 0", () -> s.withAntialias(0));
         fails("samples: must lie in 1..16777216, not 0.5", () -> s.withBudget(Budget.NONE.withSamples(0.5)));
-        fails(
-                "render/method: must be one of [raytrace, cluster], not \"magic\"",
-                () -> Renderer.render(scene, s.withMethod("magic")));
+        fails("method: must be one of [raytrace, cluster], not \"magic\"", () -> Method.named("magic"));
     }
 
     @Test

@@ -123,7 +123,7 @@ final class Survey {
         }
         shader.shade(ray, address, color);
         int k = node(i, j);
-        int points = shader.askedPoints();
+        int points = shader.shadowRays();
         if (round == 0) {
             System.arraycopy(color, 0, rgb, 3 * k, 3);
             asked[k] = 0;
@@ -133,12 +133,12 @@ final class Survey {
         }
         keys[k] = shader.pathKey();
         asked[k] += points;
-        blocked[k] += shader.blockedPoints();
-        energy[k] = shader.lightEnergy();
-        spread[k] = shader.lightSpread();
+        blocked[k] += shader.blockedShadowRays();
+        energy[k] = shader.visibilityContrast();
+        spread[k] = shader.colorVariance();
         spreads |= spread[k] > 0;
         askedInAll += points;
-        blockedInAll += shader.blockedPoints();
+        blockedInAll += shader.blockedShadowRays();
         rays++;
     }
 

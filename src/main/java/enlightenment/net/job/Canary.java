@@ -3,6 +3,7 @@ package enlightenment.net.job;
 import enlightenment.file.ContentHash;
 import enlightenment.render.TileMaker;
 import enlightenment.render.TiledRender;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -50,7 +51,7 @@ public final class Canary {
     private static ContentHash compute() {
         Scene scene = SceneReader.readString(SCENE, Path.of(""), "canary");
         MessageDigest digest = ContentHash.sha256();
-        for (String method : new String[] {"raytrace", "cluster"}) {
+        for (Method method : Method.values()) {
             RenderSettings settings = RenderSettings.of(scene)
                     .withMethod(method)
                     .withAntialias(1)

@@ -3,6 +3,7 @@ package enlightenment.net.job;
 import enlightenment.render.RenderOutline;
 import enlightenment.render.TilePlan;
 import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
@@ -26,7 +27,7 @@ final class SettingsBytes {
     private SettingsBytes() {}
 
     static void write(DataOutputStream out, RenderSettings s, TilePlan plan) throws IOException {
-        text(out, s.method());
+        text(out, s.method().word());
         out.writeInt(s.width());
         out.writeInt(s.height());
         RenderSettings.Crop region = s.region();
@@ -43,7 +44,7 @@ final class SettingsBytes {
         write(out, s.budget().seconds());
         text(out, s.proposal());
         out.writeInt(s.tileSize());
-        text(out, plan.method());
+        text(out, plan.method().word());
         out.writeDouble(plan.level());
         out.writeDouble(plan.samples());
         text(out, plan.decidedBy());
@@ -64,7 +65,7 @@ final class SettingsBytes {
      * @throws IllegalArgumentException if a value is out of range
      */
     static Decided read(DataInputStream in, int threads) throws IOException {
-        String method = text(in);
+        Method method = Method.named(text(in));
         int width = in.readInt();
         int height = in.readInt();
         boolean cropped = in.readBoolean();
@@ -86,7 +87,7 @@ final class SettingsBytes {
                 text(in),
                 threads,
                 in.readInt());
-        return new Decided(settings, new TilePlan(text(in), in.readDouble(), in.readDouble(), text(in)));
+        return new Decided(settings, new TilePlan(Method.named(text(in)), in.readDouble(), in.readDouble(), text(in)));
     }
 
     private static OptionalDouble readOptional(DataInputStream in) throws IOException {

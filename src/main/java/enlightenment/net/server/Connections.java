@@ -1,16 +1,14 @@
 package enlightenment.net.server;
 
+import enlightenment.machine.MachineFacts;
 import enlightenment.net.listen.Strangers;
 import enlightenment.net.protocol.Limits;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import javax.management.JMException;
-import javax.management.ObjectName;
 
 /**
  * Who is connected to a server, how many may be, and who waits for the beginning. Its lock is held for none of what they do.
@@ -31,23 +29,8 @@ public final class Connections {
     private long made = LocalWorker.ID;
 
     public Connections() {
-        places = Strangers.places(Limits.STRANGERS, maxFiles());
+        places = Strangers.places(Limits.STRANGERS, MachineFacts.maxOpenFiles());
         strangers = new Strangers<>(places, Math.max(places / 2, 1));
-    }
-
-    /**
-     * How many files this process may open; 0 where that is not known. By the attribute's name, so that the module
-     * jdk.management need not be there.
-     */
-    private static long maxFiles() {
-        try {
-            Object files = ManagementFactory.getPlatformMBeanServer()
-                    .getAttribute(
-                            new ObjectName(ManagementFactory.OPERATING_SYSTEM_MXBEAN_NAME), "MaxFileDescriptorCount");
-            return files instanceof Long number ? number : 0;
-        } catch (JMException | RuntimeException e) {
-            return 0;
-        }
     }
 
     /** The number of a new connection. */

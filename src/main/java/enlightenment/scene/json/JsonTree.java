@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.text.Plain;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.charset.CharacterCodingException;
@@ -140,7 +141,7 @@ final class JsonTree {
                         at.getLineNr(),
                         at.getColumnNr(),
                         parser.streamReadContext().pathAsPointer().toString(),
-                        "the key " + JsonValue.quoted(key) + " is written twice in the same object");
+                        "the key " + Plain.quoted(key) + " is written twice in the same object");
             }
             keys.add(key);
             parser.nextToken();

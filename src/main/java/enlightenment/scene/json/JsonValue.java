@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.text.Plain;
 import java.util.List;
 
 /**
@@ -118,7 +119,7 @@ abstract sealed class JsonValue {
 
         @Override
         String describe() {
-            return "the number " + shortened(text);
+            return "the number " + Plain.excerpt(text);
         }
     }
 
@@ -133,7 +134,7 @@ abstract sealed class JsonValue {
 
         @Override
         String describe() {
-            return "the text " + quoted(text);
+            return "the text " + Plain.quoted(text);
         }
     }
 
@@ -162,21 +163,5 @@ abstract sealed class JsonValue {
         String describe() {
             return "null";
         }
-    }
-
-    /** A text in quotes, cut where it is long, for messages. */
-    static String quoted(String text) {
-        return '"' + shortened(text) + '"';
-    }
-
-    private static final int LONGEST_IN_A_MESSAGE = 60;
-
-    /** A text for messages: long ones cut, control characters replaced. */
-    static String shortened(String text) {
-        String s = text.length() <= LONGEST_IN_A_MESSAGE ? text : text.substring(0, LONGEST_IN_A_MESSAGE - 3) + "...";
-        return s.codePoints()
-                .map(c -> Character.isISOControl(c) ? '?' : c)
-                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
-                .toString();
     }
 }

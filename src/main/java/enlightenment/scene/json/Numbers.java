@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.text.Plain;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
@@ -32,7 +33,7 @@ final class Numbers {
             if (c >= '0' && c <= '9') {
                 digits++;
             } else if (c != '.' && !(c == '-' && i == 0)) {
-                return "must be a finite number, not " + JsonValue.shortened(text);
+                return "must be a finite number, not " + Plain.excerpt(text);
             }
         }
         if (digits > MOST_DIGITS) {
@@ -42,18 +43,18 @@ final class Numbers {
             return null;
         }
         if (!exponentIsModest(text, e)) {
-            return "must be a number that a double can hold, not " + JsonValue.shortened(text)
-                    + ": its exponent is beyond " + LARGEST_EXPONENT;
+            return "must be a number that a double can hold, not " + Plain.excerpt(text) + ": its exponent is beyond "
+                    + LARGEST_EXPONENT;
         }
         if (digits <= SAFE && e == text.length()) {
             return null;
         }
         double d = Double.parseDouble(text);
         if (Double.isInfinite(d)) {
-            return "must be a number that a double can hold (at most 1.8e308), not " + JsonValue.shortened(text);
+            return "must be a number that a double can hold (at most 1.8e308), not " + Plain.excerpt(text);
         }
         if (d == 0) {
-            return "must be 0 or a number that a double can hold (at least 4.9e-324), not " + JsonValue.shortened(text);
+            return "must be 0 or a number that a double can hold (at least 4.9e-324), not " + Plain.excerpt(text);
         }
         return null;
     }

@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.text.Plain;
 import java.io.IOException;
 import java.io.Reader;
 import java.util.regex.Matcher;
@@ -58,7 +59,7 @@ final class SyntaxError {
         if (word.isEmpty() || JSON_WORD.matcher(word).matches()) {
             return null;
         }
-        String found = JsonValue.quoted(word);
+        String found = Plain.quoted(word);
         if (word.matches("[-+.0-9].*")) {
             return found + " is not a number; expected a decimal number such as 8, -0.5 or 1e-3";
         }

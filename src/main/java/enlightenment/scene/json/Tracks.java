@@ -1,6 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.scene.Animation;
+import enlightenment.text.Plain;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.RoundingMode;
@@ -74,7 +75,7 @@ final class Tracks {
                                 o.value(i),
                                 place,
                                 "the key must be the number of a frame, such as \"0\" or \"25\", not "
-                                        + JsonValue.quoted(o.key(i)));
+                                        + Plain.quoted(o.key(i)));
             }
         }
         return f.make(() -> new Animation.Track(target, keys));
@@ -87,19 +88,17 @@ final class Tracks {
     private void checkTarget(Fields f, String target) {
         List<String> tokens = JsonPointer.parse(target);
         if (tokens == null) {
-            f.problem(
-                    "target",
-                    "must be a JSON pointer such as \"/objects/0/center/1\", not " + JsonValue.quoted(target));
+            f.problem("target", "must be a JSON pointer such as \"/objects/0/center/1\", not " + Plain.quoted(target));
             return;
         }
         JsonValue found = JsonPointer.resolve(root, tokens);
         if (!(found instanceof JsonValue.Num)) {
             String what = found == null ? "there is nothing" : "there is " + found.describe();
-            f.problem("target", "must lead to a number of this file, but at " + JsonValue.quoted(target) + " " + what);
+            f.problem("target", "must lead to a number of this file, but at " + Plain.quoted(target) + " " + what);
         } else if (tokens.get(0).equals("animation")) {
             f.problem("target", "must lead to a number outside the animation");
         } else if (!targets.add(tokens)) {
-            f.problem("target", JsonValue.quoted(target) + " is the target of another track too");
+            f.problem("target", Plain.quoted(target) + " is the target of another track too");
         }
     }
 

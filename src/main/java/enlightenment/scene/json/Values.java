@@ -3,6 +3,8 @@ package enlightenment.scene.json;
 import enlightenment.color.DisplayRgb;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.text.Plain;
+import enlightenment.text.Suggestion;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.util.Collection;
@@ -16,9 +18,16 @@ final class Values {
     static final String COLOR = "a colour: \"#rrggbb\", \"#rgb\", a CSS colour name such as \"teal\"";
 
     private final Problems problems;
+    private final Library library;
 
-    Values(Problems problems) {
+    Values(Problems problems, Library library) {
         this.problems = problems;
+        this.library = library;
+    }
+
+    /** What parts that are read later may refer to. */
+    Library library() {
+        return library;
     }
 
     Problems problems() {
@@ -61,7 +70,7 @@ final class Values {
                 return i.longValueExact();
             }
         }
-        problems.add(v, place, "must be " + expected + ", not " + JsonValue.shortened(((JsonValue.Num) v).text));
+        problems.add(v, place, "must be " + expected + ", not " + Plain.excerpt(((JsonValue.Num) v).text));
         return min;
     }
 
@@ -96,8 +105,7 @@ final class Values {
         if (planned.contains(text)) {
             problems.add(v, place, "\"" + text + "\" is not available yet; expected one of " + Suggestion.list(words));
         } else {
-            problems.add(
-                    v, place, "unknown: " + JsonValue.quoted(text) + Suggestion.of(text, words, "expected one of"));
+            problems.add(v, place, "unknown: " + Plain.quoted(text) + Suggestion.of(text, words, "expected one of"));
         }
         return null;
     }

@@ -275,8 +275,8 @@ class CheckpointJournalTest {
         long millis = 1_000_000;
         long start = Long.MAX_VALUE - 100 * millis;
         AtomicInteger forced = new AtomicInteger();
-        try (CheckpointJournal journal = CheckpointJournal.open(
-                file, JOB, TILES, start, r -> {}, channel -> forced.incrementAndGet())) {
+        try (CheckpointJournal journal =
+                CheckpointJournal.open(file, JOB, TILES, start, r -> {}, channel -> forced.incrementAndGet())) {
             assertEquals(1, forced.get(), "the header");
             journal.append(start + 199 * millis, RECORDS.get(0));
             journal.tick(start + 200 * millis - 1);

@@ -5,6 +5,7 @@ import enlightenment.net.protocol.Limits;
 import enlightenment.render.RenderOutline;
 import enlightenment.render.TestScenes;
 import enlightenment.render.TilePlan;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -295,7 +296,7 @@ final class ScalingSimulation {
             double samples = 60 * minutes * RAYS_PER_SECOND / ((double) width * height);
             RenderSettings settings = RenderSettings.of(scene).withSize(width, height);
             return new RenderOutline(
-                            "", settings, new TilePlan("raytrace", 1, samples, "samples"), List.of(), List.of())
+                            "", settings, new TilePlan(Method.RAYTRACE, 1, samples, "samples"), List.of(), List.of())
                     .tiles();
         }
 

@@ -19,6 +19,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -82,7 +83,10 @@ final class RandomScenes {
                 random.nextBoolean()
                         ? RenderDefaults.DEFAULT
                         : new RenderDefaults(
-                                "cluster", 1 + random.nextInt(256), 1 + random.nextInt(1_000_000), random.nextLong()),
+                                Method.CLUSTER,
+                                1 + random.nextInt(256),
+                                1 + random.nextInt(1_000_000),
+                                random.nextLong()),
                 random.nextBoolean() ? Optional.empty() : Optional.of(animation(objects)));
     }
 

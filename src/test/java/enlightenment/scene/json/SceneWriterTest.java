@@ -11,7 +11,6 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.scene.Animation;
-import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
@@ -166,9 +165,6 @@ class SceneWriterTest {
                 "/animation/tracks/0/target",
                 scene().animation(new Animation(1, 25, List.of(new Animation.Track("/objects/7/radius", keys))))
                         .build());
-        refused(
-                "/render/method",
-                scene().render(new RenderDefaults("magic", 1, 1, 0)).build());
         Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
         refused("/name", scene().name("a\ud800b").build());
         refused("/materials/\udc00", scene().material("\udc00", black).build());

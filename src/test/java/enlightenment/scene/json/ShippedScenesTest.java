@@ -18,6 +18,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import java.math.BigDecimal;
@@ -71,7 +72,7 @@ class ShippedScenesTest {
         assertEquals(400, s.height());
         assertEquals(WINDOW, s.camera());
         assertEquals(new ClassicShading(0.5, 0.5, DisplayRgb.BLACK, 100), s.shading());
-        assertEquals(new RenderDefaults("raytrace", 4, 10, 0), s.render());
+        assertEquals(new RenderDefaults(Method.RAYTRACE, 4, 10, 0), s.render());
         assertEquals(List.of(new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE)), s.lights());
         List<Shape> shapes = s.objects().stream().map(o -> o.shape()).toList();
         assertEquals(
@@ -205,7 +206,7 @@ class ShippedScenesTest {
         Set<String> types = read("primitives.json").objects().stream()
                 .map(o -> o.shape().type())
                 .collect(Collectors.toSet());
-        assertEquals(Vocabulary.OBJECTS.keySet(), types);
+        assertEquals(Set.copyOf(Shapes.FAMILY.types()), types);
     }
 
     @Test

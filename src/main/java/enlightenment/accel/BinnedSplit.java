@@ -1,0 +1,129 @@
+package enlightenment.accel;
+
+import java.util.Arrays;
+
+/** Finds the split of a range of boxes with the lowest surface area cost between equal bins of centroids, over all three axes. */
+final class BinnedSplit {
+    private static final int BINS = 16;
+
+    private final PrimitiveBoxes items;
+    private final double[] lowest = new double[3];
+    private final double[] highest = new double[3];
+    private final double[] scale = new double[3];
+    private final double[] binBoxes = new double[3 * BINS * 6];
+    private final int[] binCounts = new int[3 * BINS];
+    private final double[] sweep = new double[6];
+    private final double[] rightCost = new double[BINS];
+
+    private int axis;
+    private int border;
+    private double cost;
+
+    BinnedSplit(PrimitiveBoxes items) {
+        this.items = items;
+    }
+
+    /** Looks for a split of start..end−1 into two parts that are not empty; false if there is none. */
+    boolean find(int start, int end) {
+        measure(start, end);
+        fill(start, end);
+        cost = Double.POSITIVE_INFINITY;
+        for (int a = 0; a < 3; a++) {
+            if (scale[a] > 0) {
+                sweep(a, end - start);
+            }
+        }
+        return cost < Double.POSITIVE_INFINITY;
+    }
+
+    /** The surface area cost of the split: area times number of items, summed over both parts. */
+    double cost() {
+        return cost;
+    }
+
+    /** The axis with the largest extent of the centroids of start..end−1. */
+    int widestAxis(int start, int end) {
+        measure(start, end);
+        int widest = 0;
+        for (int a = 1; a < 3; a++) {
+            if (highest[a] - lowest[a] > highest[widest] - lowest[widest]) {
+                widest = a;
+            }
+        }
+        return widest;
+    }
+
+    private void measure(int start, int end) {
+        for (int a = 0; a < 3; a++) {
+            double lo = Double.POSITIVE_INFINITY;
+            double hi = Double.NEGATIVE_INFINITY;
+            for (int i = start; i < end; i++) {
+                double c = items.center(i, a);
+                lo = c < lo ? c : lo;
+                hi = c > hi ? c : hi;
+            }
+            lowest[a] = lo;
+            highest[a] = hi;
+            double spread = hi - lo;
+            scale[a] = spread > 0 ? BINS / spread : 0;
+        }
+    }
+
+    /** The bin of item i on an axis; the last one where the quotient overflows. */
+    private int bin(int i, int a) {
+        int k = (int) ((items.center(i, a) - lowest[a]) * scale[a]);
+        return k < BINS ? k : BINS - 1;
+    }
+
+    private void fill(int start, int end) {
+        Arrays.fill(binCounts, 0);
+        for (int k = 0; k < 3 * BINS; k++) {
+            PrimitiveBoxes.clear(binBoxes, 6 * k);
+        }
+        for (int a = 0; a < 3; a++) {
+            if (scale[a] > 0) {
+                for (int i = start; i < end; i++) {
+                    int k = BINS * a + bin(i, a);
+                    binCounts[k]++;
+                    items.add(i, binBoxes, 6 * k);
+                }
+            }
+        }
+    }
+
+    private void sweep(int a, int total) {
+        int n = 0;
+        PrimitiveBoxes.clear(sweep, 0);
+        for (int k = BINS - 1; k > 0; k--) {
+            n += binCounts[BINS * a + k];
+            PrimitiveBoxes.merge(binBoxes, 6 * (BINS * a + k), sweep, 0);
+            rightCost[k] = n == 0 ? Double.POSITIVE_INFINITY : n * items.area(sweep, 0);
+        }
+        n = 0;
+        PrimitiveBoxes.clear(sweep, 0);
+        for (int k = 1; k < BINS && n < total; k++) {
+            n += binCounts[BINS * a + k - 1];
+            PrimitiveBoxes.merge(binBoxes, 6 * (BINS * a + k - 1), sweep, 0);
+            double c = n == 0 ? Double.POSITIVE_INFINITY : n * items.area(sweep, 0) + rightCost[k];
+            if (c < cost) {
+                cost = c;
+                axis = a;
+                border = k;
+            }
+        }
+    }
+
+    /** Partitions start..end−1 by the split that was found; returns where the second part begins. */
+    int partition(int start, int end) {
+        int i = start;
+        int j = end - 1;
+        while (i <= j) {
+            if (bin(i, axis) < border) {
+                i++;
+            } else {
+                items.swap(i, j--);
+            }
+        }
+        return i;
+    }
+}

@@ -1,0 +1,2 @@
+/** Descriptions of cameras, in scene coordinates: immutable records, exact and validated when they are made. */
+package enlightenment.camera;

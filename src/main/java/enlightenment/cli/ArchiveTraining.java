@@ -1,0 +1,68 @@
+package enlightenment.cli;
+
+import enlightenment.file.WholeFile;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.file.Path;
+
+/**
+ * Runs typical commands on a small scene and says nothing: {@link SetupCommand} archives the classes that this loads. It is a
+ * program of its own because Java archives what one process has loaded when it ends.
+ */
+public final class ArchiveTraining {
+    private static final String SCENE =
+            """
+            {
+              "image": { "width": 16, "height": 16 },
+              "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "up": [0, 1, 0], "fieldOfView": 40 },
+              "textures": { "checks": { "type": "checker", "colors": ["#ffffff", "#808080"], "scale": 4 } },
+              "materials": {
+                "white": { "type": "matte", "color": { "texture": "checks" } },
+                "mirror": { "type": "mirror", "color": "#ffffff" },
+                "glass": { "type": "glass", "color": "#ffffff", "indexOfRefraction": 1.5 }
+              },
+              "lights": [ { "type": "sphere", "center": [2, 3, -2], "radius": 0.5, "color": "#ffffff" } ],
+              "objects": [
+                { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "mirror" },
+                { "type": "sphere", "center": [-1, 0, -2], "radius": 0.3, "material": "glass" },
+                { "type": "sphere", "center": [0, -101, 0], "radius": 100, "material": "white" }
+              ]
+            }
+            """;
+
+    private ArchiveTraining() {}
+
+    /**
+     * Runs the commands.
+     *
+     * @param args a folder for their files
+     */
+    public static void main(String[] args) throws IOException {
+        Path folder = Path.of(args[0]);
+        String scene = folder.resolve("training.json").toString();
+        String first = folder.resolve("a.png").toString();
+        String second = folder.resolve("b.png").toString();
+        WholeFile.write(Path.of(scene), SCENE);
+        int worst = 0;
+        for (String[] command : new String[][] {
+            {"render", scene, "-o", first, "--stats", "--progress", "plain"},
+            {"render", scene, "-o", second, "--method", "cluster", "--samples", "8", "--progress", "none"},
+            {"compare", first, second},
+            {"validate", scene},
+            {"inspect", scene},
+            {"schema"},
+            {"help"},
+            {"--version"}
+        }) {
+            worst = Math.max(worst, run(command));
+        }
+        System.exit(worst);
+    }
+
+    private static int run(String... command) {
+        PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
+        return Main.run(command, new Terminal(InputStream.nullInputStream(), nowhere, nowhere, new ShutdownSignal()));
+    }
+}

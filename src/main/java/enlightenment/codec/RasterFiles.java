@@ -1,0 +1,52 @@
+package enlightenment.codec;
+
+import enlightenment.file.WholeFile;
+import enlightenment.text.WordList;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+
+/** Reads picture files of every kind. */
+public final class RasterFiles {
+    private static final String KINDS =
+            WordList.join(Arrays.stream(RasterDecoder.values()).map(Enum::name).toList(), "nor");
+
+    private RasterFiles() {}
+
+    /** What becomes of a file's bytes. */
+    public interface Decoder<T> {
+        /** @throws IOException with the reason, without the file's name */
+        T decode(byte[] bytes) throws IOException;
+    }
+
+    /**
+     * The numbers of a file whose kind its first bytes tell.
+     *
+     * @throws IOException with the reason
+     */
+    public static Raster decode(byte[] bytes) throws IOException {
+        return RasterDecoder.of(bytes)
+                .orElseThrow(() -> new IOException(bytes.length == 0 ? "it is empty" : "it is neither " + KINDS))
+                .read(bytes);
+    }
+
+    /**
+     * Reads a whole file, and decodes it.
+     *
+     * @throws IOException with a message that names the file and the reason
+     */
+    public static <T> T read(Path file, Decoder<T> decoder) throws IOException {
+        try {
+            if (Files.isDirectory(file)) {
+                throw new IOException("it is a folder");
+            }
+            if (Files.size(file) > Integer.MAX_VALUE - 64) {
+                throw new IOException("it has more than 2 GiB");
+            }
+            return decoder.decode(Files.readAllBytes(file));
+        } catch (IOException e) {
+            throw new IOException("cannot read " + file + ": " + WholeFile.reason(e), e);
+        }
+    }
+}

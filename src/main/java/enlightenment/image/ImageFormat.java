@@ -1,0 +1,113 @@
+package enlightenment.image;
+
+import enlightenment.codec.RasterDecoder;
+import enlightenment.text.WordList;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * The kinds of picture files: the only list of them. {@link ImageFiles} reads all, and writes those that {@linkplain
+ * #isWritten are written}.
+ *
+ * <p>The components of all of them are taken to be display-referred, as an {@link Image}'s are: whole numbers are fractions
+ * of their maximum, floats are the components themselves, without limits.
+ */
+public enum ImageFormat {
+    /** Portable Network Graphics (W3C): lossless, the format of finished pictures. */
+    PNG(List.of("png"), List.of(8, 16), true, RasterDecoder.PNG),
+
+    /** JPEG (ISO/IEC 10918). Two Java versions may decode the same file to components that differ by one step. */
+    JPEG(List.of("jpg", "jpeg"), List.of(8), false, RasterDecoder.JPEG),
+
+    /** Windows bitmaps. */
+    BMP(List.of("bmp"), List.of(8), false, RasterDecoder.BMP),
+
+    /** P. Debevec's portable float map: every component bit by bit, for measuring and further work. */
+    PFM(List.of("pfm"), List.of(), true, RasterDecoder.PFM);
+
+    /** The number of bytes at the beginning of a file that {@link #ofContent} needs. */
+    public static final int SIGNATURE_LENGTH = RasterDecoder.SIGNATURE_LENGTH;
+
+    private final List<String> extensions;
+    private final List<Integer> depths;
+    private final boolean written;
+    private final RasterDecoder decoder;
+
+    ImageFormat(List<String> extensions, List<Integer> depths, boolean written, RasterDecoder decoder) {
+        this.extensions = extensions;
+        this.depths = depths;
+        this.written = written;
+        this.decoder = decoder;
+    }
+
+    /** The formats that {@link ImageFiles} writes, the usual one first. */
+    public static List<ImageFormat> written() {
+        return Arrays.stream(values()).filter(ImageFormat::isWritten).toList();
+    }
+
+    /** The formats that a texture may have: those of whole numbers. */
+    public static List<ImageFormat> textures() {
+        return Arrays.stream(values()).filter(f -> !f.holdsFloats()).toList();
+    }
+
+    /** The format that a file's extension names, in capital or small letters; empty if it names none. */
+    public static Optional<ImageFormat> ofExtension(Path file) {
+        Path last = file.getFileName();
+        String name = last == null ? "" : last.toString();
+        String extension = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        boolean hasOne = extension.length() < name.length();
+        return Arrays.stream(values())
+                .filter(f -> hasOne && f.extensions.contains(extension))
+                .findFirst();
+    }
+
+    /**
+     * The format that a file's first bytes tell; empty if they tell none.
+     *
+     * @param start the whole file or its first {@link #SIGNATURE_LENGTH} bytes; fewer if the file has fewer
+     */
+    public static Optional<ImageFormat> ofContent(byte[] start) {
+        return Arrays.stream(values()).filter(f -> f.decoder.matches(start)).findFirst();
+    }
+
+    /** Extensions for messages: {@code .png or .pfm}. */
+    public static String extensions(List<ImageFormat> formats) {
+        return WordList.join(formats.stream().map(f -> "." + f.word()).toList(), "or");
+    }
+
+    /** Names for messages: {@code PNG, JPEG and BMP}, with the conjunction "and". */
+    public static String names(List<ImageFormat> formats, String conjunction) {
+        return WordList.join(formats.stream().map(ImageFormat::name).toList(), conjunction);
+    }
+
+    /** The format's name in small letters, which is its usual extension, too: {@code png}. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The extensions of its files, in small letters and without the dot; the usual one first. */
+    public List<String> extensions() {
+        return extensions;
+    }
+
+    /** Whether {@link ImageFiles} writes this format. */
+    public boolean isWritten() {
+        return written;
+    }
+
+    /** Whether components are floats, exact and without limits; otherwise whole numbers that stand for 0..1. */
+    public boolean holdsFloats() {
+        return depths.isEmpty();
+    }
+
+    /**
+     * Bits per component, the usual number first; empty for floats. A format that is not written has those of its files
+     * that are read.
+     */
+    public List<Integer> depths() {
+        return depths;
+    }
+}

@@ -1,0 +1,2 @@
+/** Pictures to look colours up in. */
+package enlightenment.texture;

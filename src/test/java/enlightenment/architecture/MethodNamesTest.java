@@ -1,0 +1,67 @@
+package enlightenment.architecture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.scene.Method;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** The names of the methods stand in {@link Method} and nowhere else in the code. */
+class MethodNamesTest {
+    private static final Path SOURCES = Path.of("src/main/java");
+
+    /** A string literal with an escape, or a comment, which may say what it likes. */
+    private static final Pattern LITERAL_OR_COMMENT =
+            Pattern.compile("(\"(?:[^\"\\\\\\n]|\\\\.)*\")|//[^\\n]*|/\\*(?s:.*?)\\*/|'(?:[^'\\\\\\n]|\\\\.)+'");
+
+    private static final Pattern NAME = Pattern.compile("\\b(?:" + String.join("|", Method.words()) + ")\\b");
+
+    private static List<String> literalsWithNames(String source) {
+        List<String> found = new ArrayList<>();
+        Matcher literal = LITERAL_OR_COMMENT.matcher(source);
+        while (literal.find()) {
+            if (literal.group(1) != null && NAME.matcher(literal.group(1)).find()) {
+                found.add(literal.group(1));
+            }
+        }
+        return found;
+    }
+
+    @Test
+    void noNameOfAMethodStandsInALiteralOutsideTheRegistry() throws IOException {
+        List<String> found = new ArrayList<>();
+        List<Path> files;
+        try (Stream<Path> all = Files.walk(SOURCES)) {
+            files = all.filter(f -> f.toString().endsWith(".java")).sorted().toList();
+        }
+        Path registry = SOURCES.resolve("enlightenment/scene/Method.java");
+        for (Path file : files) {
+            for (String literal : literalsWithNames(Files.readString(file))) {
+                if (!file.equals(registry)) {
+                    found.add(SOURCES.relativize(file) + ": " + literal);
+                }
+            }
+        }
+        assertEquals(List.of(), found);
+        assertEquals(
+                Method.words().size(),
+                literalsWithNames(Files.readString(registry)).size());
+    }
+
+    @Test
+    void theSearchFindsLiteralsAndPassesOverComments() {
+        String name = Method.values()[0].word();
+        assertEquals(
+                List.of("\"\\\"take " + name + "\""),
+                literalsWithNames("/* \"" + name + "\" */ // \"" + name + "\"\nf('\"', \"\\\"take " + name + "\");"));
+        assertTrue(literalsWithNames("\"" + name + "s\" + " + name).isEmpty());
+    }
+}

@@ -1,0 +1,105 @@
+package enlightenment.image;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ImageFormatTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void everyWrittenFormatIsWrittenUnderEachOfItsNamesAndReadBackAsItself() throws IOException {
+        Image image = new Image(2, 1, new float[] {0, 0.2f, 0.4f, 0.6f, 0.8f, 1});
+        for (ImageFormat format : ImageFormat.written()) {
+            ByteArrayOutputStream stream = new ByteArrayOutputStream();
+            ImageFiles.write(image, stream, format, PngOptions.DEFAULT);
+            for (String extension : format.extensions()) {
+                for (String name : List.of("a." + extension, "A.B." + extension.toUpperCase(Locale.ROOT))) {
+                    Path file = folder.resolve(name);
+                    assertEquals(format, ImageFiles.writtenFormat(file));
+                    ImageFiles.write(image, file, PngOptions.DEFAULT);
+                    byte[] bytes = Files.readAllBytes(file);
+                    assertArrayEquals(stream.toByteArray(), bytes);
+                    byte[] start = Arrays.copyOf(bytes, ImageFormat.SIGNATURE_LENGTH);
+                    assertEquals(Optional.of(format), ImageFormat.ofContent(start));
+                    // Fifths are fractions of 255 as well.
+                    assertArrayEquals(image.toArray(), ImageFiles.read(file).toArray());
+                }
+            }
+        }
+    }
+
+    @Test
+    void aFormatThatIsOnlyReadIsNotWritten() {
+        Image image = new Image(1, 1, new float[3]);
+        List<ImageFormat> readOnly =
+                Arrays.stream(ImageFormat.values()).filter(f -> !f.isWritten()).toList();
+        assertEquals(List.of(ImageFormat.JPEG, ImageFormat.BMP), readOnly);
+        for (ImageFormat format : readOnly) {
+            ByteArrayOutputStream out = new ByteArrayOutputStream();
+            assertThrows(
+                    IllegalArgumentException.class, () -> ImageFiles.write(image, out, format, PngOptions.DEFAULT));
+            assertEquals(0, out.size());
+            Path file = folder.resolve("a." + format.word());
+            assertEquals(Optional.of(format), ImageFormat.ofExtension(file));
+            IllegalArgumentException e =
+                    assertThrows(IllegalArgumentException.class, () -> ImageFiles.writtenFormat(file));
+            assertEquals("cannot tell how to write " + file + ": the name must end in .png or .pfm", e.getMessage());
+        }
+    }
+
+    @Test
+    void theNameIsAnExtensionAndNoExtensionIsSharedOrTakenFromTheMiddleOfAName() {
+        List<String> all = Arrays.stream(ImageFormat.values())
+                .flatMap(f -> f.extensions().stream())
+                .toList();
+        assertEquals(all.size(), all.stream().distinct().count());
+        for (ImageFormat format : ImageFormat.values()) {
+            assertEquals(format.word(), format.name().toLowerCase(Locale.ROOT));
+            assertTrue(format.extensions().contains(format.word())
+                    || format.extensions().contains("jpeg"));
+        }
+        for (String name : List.of("png", "a", "a.", "a.pn", "a.pngs", "a.png.txt", "a.png/b", "", "/")) {
+            assertEquals(Optional.empty(), ImageFormat.ofExtension(Path.of(name)), name);
+        }
+    }
+
+    @Test
+    void depthsAreThoseThatPngOptionsTake() {
+        for (int depth : ImageFormat.PNG.depths()) {
+            assertEquals(depth, new PngOptions(depth, java.util.Map.of()).depth());
+        }
+        for (ImageFormat format : ImageFormat.values()) {
+            assertEquals(format.holdsFloats(), format.depths().isEmpty());
+            assertEquals(!format.holdsFloats(), ImageFormat.textures().contains(format));
+        }
+        assertEquals(List.of(ImageFormat.PNG, ImageFormat.PFM), ImageFormat.written());
+    }
+
+    @Test
+    void contentDecidesNotTheFirstBytesOfAnotherKind() {
+        assertEquals(Optional.empty(), ImageFormat.ofContent(new byte[0]));
+        for (String text : List.of("P", "PF", "PFx1", "PG\n1", "B", "GIF89a", "\u0089PNG\r\n\u001a")) {
+            byte[] start = text.getBytes(StandardCharsets.ISO_8859_1);
+            assertEquals(Optional.empty(), ImageFormat.ofContent(start), text);
+        }
+        for (String text : List.of("PF\n1", "Pf 1")) {
+            byte[] start = text.getBytes(StandardCharsets.ISO_8859_1);
+            assertEquals(Optional.of(ImageFormat.PFM), ImageFormat.ofContent(start), text);
+        }
+    }
+}

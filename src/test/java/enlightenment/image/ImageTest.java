@@ -1,0 +1,50 @@
+package enlightenment.image;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+
+class ImageTest {
+    private static final float NAN = Float.NaN;
+
+    @Test
+    void pixelsForAScreenAreLimitedRoundedAndOpaque() {
+        float[] rgb = {0, 0.5f, 1, -3, 7, NAN, 1 / 255f, 254.4f / 255, 254.6f / 255};
+        assertArrayEquals(new int[] {0xff0080ff, 0xff00ff00, 0xff01feff}, new Image(1, 3, rgb.clone()).toArgb());
+        assertArrayEquals(new int[] {0xff0080ff, 0xff00ff00, 0xff01feff}, new Image(3, 1, rgb.clone()).toArgb());
+    }
+
+    @Test
+    void pixelsForAScreenAreThoseOfThePngFile() throws IOException {
+        Image image = TestImages.noise(17, 9, 3);
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        ImageFiles.toPng(image, png, PngOptions.DEFAULT);
+        BufferedImage decoded = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
+        assertArrayEquals(decoded.getRGB(0, 0, 17, 9, null, 0, 17), image.toArgb());
+    }
+
+    @Test
+    void componentsStandRowByRowAndTheArrayThatIsReturnedIsACopy() {
+        Image image = new Image(2, 2, new float[] {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
+        assertEquals(4, image.component(1, 0, 1));
+        assertEquals(8, image.component(0, 1, 2));
+        image.toArray()[0] = 99;
+        assertEquals(0, image.component(0, 0, 0));
+    }
+
+    @Test
+    void anArrayOfAnotherLengthIsRefused() {
+        assertThrows(IllegalArgumentException.class, () -> new Image(2, 2, new float[11]));
+        assertThrows(IllegalArgumentException.class, () -> new Image(0, 2, new float[0]));
+        assertThrows(NullPointerException.class, () -> new Image(1, 1, null));
+        // 3 · 2^16 · 2^16 is a multiple of 2^32: only longs tell it from nothing.
+        assertThrows(IllegalArgumentException.class, () -> new Image(1 << 16, 1 << 16, new float[0]));
+    }
+}

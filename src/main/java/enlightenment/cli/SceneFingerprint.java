@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.ContentHash;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
@@ -7,9 +8,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 
 /** Tells a scene from all others. */
 final class SceneFingerprint {
@@ -19,7 +17,7 @@ final class SceneFingerprint {
     static String of(Scene scene) throws IOException {
         try {
             String json = SceneWriter.toJson(scene.withoutAnimation(), SceneFingerprint::hashOf);
-            return hash(json.getBytes(StandardCharsets.UTF_8));
+            return ContentHash.of(json.getBytes(StandardCharsets.UTF_8)).toString();
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }
@@ -27,17 +25,9 @@ final class SceneFingerprint {
 
     private static String hashOf(Path image) {
         try {
-            return hash(Files.readAllBytes(image));
+            return ContentHash.of(Files.readAllBytes(image)).toString();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        }
-    }
-
-    private static String hash(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
         }
     }
 }

@@ -1,6 +1,19 @@
 package enlightenment.net;
 
 import enlightenment.engine.TiledRender;
+import enlightenment.net.listen.ServerLog;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.schedule.Action;
+import enlightenment.net.schedule.Coordinator;
+import enlightenment.net.schedule.CoordinatorSettings;
+import enlightenment.net.schedule.Event;
+import enlightenment.net.schedule.Snapshot;
+import enlightenment.net.secure.Secrets;
+import enlightenment.net.server.Connections;
+import enlightenment.net.server.LocalWorker;
+import enlightenment.net.server.ServerConnection;
+import enlightenment.net.server.ServerJob;
 import java.security.SecureRandom;
 import java.util.List;
 

@@ -2,6 +2,14 @@ package enlightenment.net;
 
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.TiledRender;
+import enlightenment.file.ContentHash;
+import enlightenment.net.checkpoint.Origin;
+import enlightenment.net.job.Build;
+import enlightenment.net.job.Canary;
+import enlightenment.net.job.JobContent;
+import enlightenment.net.job.TileData;
+import enlightenment.net.schedule.Action;
+import enlightenment.net.server.ServerJob;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;

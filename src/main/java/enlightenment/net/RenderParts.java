@@ -2,6 +2,10 @@ package enlightenment.net;
 
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.TiledRender;
+import enlightenment.file.ContentHash;
+import enlightenment.net.job.Build;
+import enlightenment.net.job.JobContent;
+import enlightenment.net.job.PartFile;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;

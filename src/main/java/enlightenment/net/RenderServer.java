@@ -1,6 +1,11 @@
 package enlightenment.net;
 
 import enlightenment.engine.TiledRender;
+import enlightenment.net.job.Canary;
+import enlightenment.net.job.JobContent;
+import enlightenment.net.listen.ServerLog;
+import enlightenment.net.secure.Secrets;
+import enlightenment.net.server.ServerJob;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;

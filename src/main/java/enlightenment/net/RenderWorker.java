@@ -1,5 +1,13 @@
 package enlightenment.net;
 
+import enlightenment.net.job.Canary;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.secure.SecretFile;
+import enlightenment.net.secure.Tls;
+import enlightenment.net.secure.Token;
+import enlightenment.net.worker.SessionEnd;
+import enlightenment.net.worker.WorkerJobs;
+import enlightenment.net.worker.WorkerSession;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.security.SecureRandom;

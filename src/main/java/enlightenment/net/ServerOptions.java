@@ -1,6 +1,12 @@
 package enlightenment.net;
 
 import enlightenment.check.Check;
+import enlightenment.net.job.Build;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.schedule.CoordinatorSettings;
+import enlightenment.net.secure.OwnCertificate;
+import enlightenment.net.secure.Secrets;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
@@ -148,8 +154,8 @@ public final class ServerOptions {
         }
 
         /**
-         * Rendering begins when so many workers have joined, or after so long. Where no worker is connected for that long
-         * later on, this process renders by itself.
+         * Rendering begins when {@code minWorkers} have joined, or after {@code seconds}. Where no worker is connected for
+         * that time later on, this process renders by itself.
          *
          * @param minWorkers 0 to {@value #MAX_WORKERS}; 0 begins at once, as is usual
          * @param seconds at least 0; 30 as is usual

@@ -2,6 +2,16 @@ package enlightenment.net;
 
 import enlightenment.engine.TiledRender;
 import enlightenment.image.Image;
+import enlightenment.net.listen.Acceptor;
+import enlightenment.net.listen.ServerLog;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.schedule.Snapshot;
+import enlightenment.net.secure.Secrets;
+import enlightenment.net.server.Connections;
+import enlightenment.net.server.Lobby;
+import enlightenment.net.server.ServerConnection;
+import enlightenment.net.server.ServerJob;
+import enlightenment.net.status.StatusServer;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import java.io.Closeable;
@@ -18,7 +28,7 @@ import java.util.function.BooleanSupplier;
  */
 final class ServerRound implements StatusServer.Source {
     private static final long TICK_MILLIS = 200;
-    private static final long ACCEPT_END_MILLIS = 2_000;
+    private static final long ACCEPT_END_TIMEOUT_MILLIS = 2_000;
 
     /** What workers are told where another round follows. */
     private static final String MORE = "the picture is rendered again with more samples";
@@ -28,7 +38,7 @@ final class ServerRound implements StatusServer.Source {
     private final ServerJob job;
     private final Connections connections = new Connections();
     private final Coordination coordination;
-    private final Reception reception;
+    private final Acceptor acceptor;
     private final StatusServer status;
 
     /** The thread that listens. */
@@ -40,7 +50,7 @@ final class ServerRound implements StatusServer.Source {
         this.job = job;
         coordination = new Coordination(options, log, secrets, job, connections);
         try {
-            reception = openReception();
+            acceptor = openAcceptor();
             status = openStatus();
         } catch (IOException e) {
             job.close();
@@ -48,9 +58,9 @@ final class ServerRound implements StatusServer.Source {
         }
     }
 
-    private Reception openReception() throws IOException {
+    private Acceptor openAcceptor() throws IOException {
         try {
-            return Reception.at(InetAddress.getByName(options.host), options.port, log);
+            return Acceptor.at(InetAddress.getByName(options.host), options.port, log);
         } catch (IOException e) {
             throw new IOException("cannot listen at " + options.host + ":" + options.port + ": " + e.getMessage(), e);
         }
@@ -58,9 +68,11 @@ final class ServerRound implements StatusServer.Source {
 
     private StatusServer openStatus() throws IOException {
         try {
-            return options.statusPort < 0 ? null : StatusServer.start(this, options.statusPort, options.threads, log);
+            return options.statusPort < 0
+                    ? null
+                    : StatusServer.start(this, options.statusPort, options.threads, log, System::nanoTime);
         } catch (IOException e) {
-            reception.close();
+            acceptor.close();
             throw new IOException("cannot show a status page at " + options.statusPort + ": " + e.getMessage(), e);
         }
     }
@@ -73,7 +85,7 @@ final class ServerRound implements StatusServer.Source {
         }
         ServerRound round = new ServerRound(options, log, secrets, job);
         Lobby lobby = new Lobby(round.coordination, round.connections, options.threads, log);
-        round.accepting = lobby.startThread(() -> round.reception.accept(lobby::welcome, lobby::makeRoom), "accept");
+        round.accepting = lobby.startThread(() -> round.acceptor.accept(lobby::welcome, lobby::makeRoom), "accept");
         lobby.startThread(round::tickAll, "tick");
         return round;
     }
@@ -94,7 +106,7 @@ final class ServerRound implements StatusServer.Source {
     }
 
     int port() {
-        return reception.port();
+        return acceptor.port();
     }
 
     /** The port of the status page, or -1. */
@@ -123,7 +135,7 @@ final class ServerRound implements StatusServer.Source {
 
     private void tickAll() {
         try {
-            while (!reception.isClosed()) {
+            while (!acceptor.isClosed()) {
                 Thread.sleep(TICK_MILLIS);
                 try {
                     tick();
@@ -185,7 +197,7 @@ final class ServerRound implements StatusServer.Source {
         connections.list().forEach(c -> c.sayLast(last));
         coordination.stopLocal();
         connections.waitForFarewells();
-        closeQuietly(reception);
+        closeQuietly(acceptor);
         waitUntilNobodyListens();
         if (status != null) {
             closeQuietly(status::close);
@@ -197,7 +209,7 @@ final class ServerRound implements StatusServer.Source {
     private void waitUntilNobodyListens() {
         if (accepting != null && accepting != Thread.currentThread()) {
             try {
-                accepting.join(ACCEPT_END_MILLIS);
+                accepting.join(ACCEPT_END_TIMEOUT_MILLIS);
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }

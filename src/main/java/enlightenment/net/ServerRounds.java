@@ -1,6 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.engine.TiledRender;
+import enlightenment.net.server.Connections;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import java.io.IOException;

@@ -1,6 +1,13 @@
 package enlightenment.net;
 
 import enlightenment.check.Check;
+import enlightenment.file.ContentHash;
+import enlightenment.net.job.Build;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.secure.Token;
+import enlightenment.net.worker.Machine;
+import enlightenment.net.worker.RenderPool;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HexFormat;

@@ -2,10 +2,12 @@
  * Many machines, one picture: a server that hands out tile columns and workers that render them.
  *
  * <p>{@link enlightenment.net.RenderServer} and {@link enlightenment.net.RenderWorker} are the two sides; {@link
- * enlightenment.net.RenderParts} does the same by files, for job arrays.
+ * enlightenment.net.RenderParts} does the same by files, for job arrays; {@link enlightenment.net.EngineJob} is for engines
+ * that move data and tiles themselves, such as Spark.
  *
- * <p>Everything that decides is free of clocks, sockets and threads, so that it can be simulated: {@code Coordinator} (who
- * renders what), {@code WorkerCore} (what a worker holds and owes), {@code CheckpointJournal} (what survives), {@code Frames} and
- * {@code Message} (what is said), {@code Handshake} (who may say it). docs/distributed-protocol.md describes the protocol.
+ * <p>The packages below are internal: {@code schedule} decides who renders what, {@code protocol} and {@code secure} what is
+ * said and who may say it, {@code checkpoint} and {@code job} what survives and what travels, {@code server}, {@code worker},
+ * {@code listen} and {@code status} are the two sides with their threads and sockets. docs/distributed-protocol.md describes
+ * the protocol.
  */
 package enlightenment.net;

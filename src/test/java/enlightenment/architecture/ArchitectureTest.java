@@ -88,7 +88,7 @@ class ArchitectureTest {
             .layer("engine")
             .definedBy("enlightenment.engine")
             .layer("net")
-            .definedBy("enlightenment.net")
+            .definedBy("enlightenment.net..")
             .layer("measure")
             .definedBy("enlightenment.measure..")
             .layer("cli")
@@ -159,6 +159,82 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers(
                     "picture", "texture", "film", "plan", "render", "engine", "net", "measure", "cli", "json");
 
+    /** Server and workers, from what is said over the wire up to what is exported. */
+    @ArchTest
+    static final ArchRule aLayerOfNetUsesOnlyLayersAboveIt = Architectures.layeredArchitecture()
+            .consideringOnlyDependenciesInAnyPackage("enlightenment.net..")
+            .layer("secure")
+            .definedBy("enlightenment.net.secure")
+            .layer("protocol")
+            .definedBy("enlightenment.net.protocol")
+            .layer("job")
+            .definedBy("enlightenment.net.job")
+            .layer("checkpoint")
+            .definedBy("enlightenment.net.checkpoint")
+            .layer("schedule")
+            .definedBy("enlightenment.net.schedule")
+            .layer("listen")
+            .definedBy("enlightenment.net.listen")
+            .layer("worker")
+            .definedBy("enlightenment.net.worker")
+            .layer("server")
+            .definedBy("enlightenment.net.server")
+            .layer("status")
+            .definedBy("enlightenment.net.status")
+            .layer("net")
+            .definedBy("enlightenment.net")
+            .whereLayer("net")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("status")
+            .mayOnlyBeAccessedByLayers("net")
+            .whereLayer("server")
+            .mayOnlyBeAccessedByLayers("net")
+            .whereLayer("worker")
+            .mayOnlyBeAccessedByLayers("server", "net")
+            .whereLayer("listen")
+            .mayOnlyBeAccessedByLayers("server", "status", "net")
+            .whereLayer("schedule")
+            .mayOnlyBeAccessedByLayers("worker", "server", "status", "net")
+            .whereLayer("checkpoint")
+            .mayOnlyBeAccessedByLayers("schedule", "server", "net")
+            .whereLayer("job")
+            .mayOnlyBeAccessedByLayers("schedule", "worker", "server", "net")
+            .whereLayer("protocol")
+            .mayOnlyBeAccessedByLayers("job", "checkpoint", "schedule", "worker", "server", "net");
+
+    /** So that whole renders can be simulated. */
+    @ArchTest
+    static final ArchRule whatDecidesWhoRendersWhatKnowsNoClockSocketOrThread = noClasses()
+            .that()
+            .resideInAPackage("enlightenment.net.schedule")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("java.net..", "java.nio..", "java.io..", "java.util.concurrent..")
+            .orShould()
+            .callMethod(System.class, "nanoTime")
+            .orShould()
+            .callMethod(System.class, "currentTimeMillis")
+            .orShould()
+            .dependOnClassesThat()
+            .areAssignableTo(Thread.class);
+
+    /** So that embedding works without it, as long as no message is sent. */
+    @ArchTest
+    static final ArchRule onlyTheMessageCodecSeesCbor = noClasses()
+            .that()
+            .doNotHaveFullyQualifiedName("enlightenment.net.protocol.MessageCodec")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("tools.jackson.dataformat..");
+
+    @ArchTest
+    static final ArchRule serversAndWorkersNeedNoModuleOfTheJdkThatMayBeMissing = noClasses()
+            .that()
+            .resideInAPackage("enlightenment.net..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("com.sun..", "jdk..");
+
     /** So that files appear as a whole; what is appended to, such as checkpoints, is left to the journals. */
     @ArchTest
     static final ArchRule filesAreWrittenByWholeFileOnly = noClasses()
@@ -181,7 +257,11 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule onlyReadersAndWritersOfJsonSeeJackson = noClasses()
             .that()
-            .resideOutsideOfPackages("enlightenment.scene.json", "enlightenment.json", "enlightenment.net")
+            .resideOutsideOfPackages(
+                    "enlightenment.scene.json",
+                    "enlightenment.json",
+                    "enlightenment.net.protocol",
+                    "enlightenment.net.status")
             .and()
             .haveSimpleNameNotEndingWith("Json")
             .should()

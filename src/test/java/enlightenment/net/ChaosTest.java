@@ -3,6 +3,8 @@ package enlightenment.net;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.worker.RenderPool;
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.nio.file.Path;

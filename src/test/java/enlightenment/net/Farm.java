@@ -3,6 +3,7 @@ package enlightenment.net;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
+import enlightenment.net.protocol.Timing;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
@@ -11,7 +12,10 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -21,7 +25,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 
 /** A server and its workers, all in this process, on loopback; ends within a minute whatever happens. */
-final class Farm implements AutoCloseable {
+public final class Farm implements AutoCloseable {
     static final Scene SCENE = TestScenes.whiteFireAndIce().build();
     static final RenderSettings SETTINGS = RenderSettings.of(SCENE)
             .withSize(75, 42)
@@ -30,9 +34,9 @@ final class Farm implements AutoCloseable {
             .withThreads(1);
 
     /** Deadlines short enough for tests. */
-    static final Timing QUICK = new Timing(600, 600, 600, 600, 50, 400);
+    public static final Timing QUICK = new Timing(600, 600, 600, 600, 50, 400);
 
-    static final long PATIENCE_SECONDS = 60;
+    static final long TIMEOUT_SECONDS = 60;
 
     final RenderServer server;
     final List<String> log = Collections.synchronizedList(new ArrayList<>());
@@ -118,17 +122,25 @@ final class Farm implements AutoCloseable {
     }
 
     RenderResult result() throws Exception {
-        return result.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        return result.get(TIMEOUT_SECONDS, TimeUnit.SECONDS);
     }
 
     /** Waits until that is so, for as long as anything may take. */
     static void until(BooleanSupplier condition, String what) {
-        long end = System.nanoTime() + PATIENCE_SECONDS * 1_000_000_000L;
+        long end = System.nanoTime() + TIMEOUT_SECONDS * 1_000_000_000L;
         while (!condition.getAsBoolean()) {
             if (System.nanoTime() - end > 0) {
                 throw new AssertionError("waited in vain until " + what);
             }
             sleep(5);
+        }
+    }
+
+    /** What the status page's server answers. */
+    String status(String path) throws IOException {
+        URI uri = URI.create("http://127.0.0.1:" + server.statusPort() + "/" + path);
+        try (InputStream in = uri.toURL().openStream()) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         }
     }
 

@@ -5,6 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.file.ContentHash;
+import enlightenment.net.protocol.Frames;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.secure.Handshake;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetAddress;

@@ -1,5 +1,13 @@
 package enlightenment.net;
 
+import enlightenment.net.job.Build;
+import enlightenment.net.job.Canary;
+import enlightenment.net.protocol.Frames;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.schedule.Peers;
+import enlightenment.net.secure.Handshake;
+import enlightenment.net.secure.Tls;
 import java.io.Closeable;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -8,13 +16,13 @@ import java.net.Socket;
 import java.util.HexFormat;
 
 /** Somebody who speaks to a server byte by byte or message by message, rightly or wrongly. */
-final class RawPeer implements Closeable {
+public final class RawPeer implements Closeable {
     final Socket socket;
     private final InputStream in;
 
-    RawPeer(int port) throws IOException {
+    public RawPeer(int port) throws IOException {
         socket = new Socket("127.0.0.1", port);
-        socket.setSoTimeout(15_000);
+        socket.setSoTimeout(60_000);
         socket.setTcpNoDelay(true);
         in = socket.getInputStream();
     }
@@ -32,7 +40,7 @@ final class RawPeer implements Closeable {
         bytes(HexFormat.of().parseHex(hex));
     }
 
-    void send(Message message) throws IOException {
+    public void send(Message message) throws IOException {
         DataOutputStream out = new DataOutputStream(socket.getOutputStream());
         Frames.write(out, message, Limits.FRAME);
         out.flush();
@@ -55,9 +63,8 @@ final class RawPeer implements Closeable {
         }
     }
 
-    /** Milliseconds until the server closes the connection. */
-    long millisUntilClosed() {
-        long start = System.nanoTime();
+    /** Reads until the server closes the connection, and fails if it does not for as long as anything may take. */
+    void awaitClose() {
         try {
             while (in.read() >= 0) {
                 continue;
@@ -65,9 +72,9 @@ final class RawPeer implements Closeable {
         } catch (java.net.SocketTimeoutException e) {
             throw new AssertionError("the server does not close the connection", e);
         } catch (IOException e) {
-            return (System.nanoTime() - start) / 1_000_000;
+            // Closed with a reset.
+            return;
         }
-        return (System.nanoTime() - start) / 1_000_000;
     }
 
     static Message.Hello hello(String machine) {

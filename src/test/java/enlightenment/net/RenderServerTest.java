@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.engine.FilmAssembly;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.net.protocol.Timing;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderRequest;
@@ -33,6 +35,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Timeout(120)
 class RenderServerTest {
     private static final byte[] ALONE = Farm.alone();
+
+    /** No deadline comes near, however busy the machine is. */
+    private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
 
     @TempDir
     Path folder;
@@ -168,9 +173,14 @@ class RenderServerTest {
 
     @Test
     void aWorkerThatComesLateGetsItsShare() throws Exception {
-        try (Farm farm = new Farm(Farm.options()).begin()) {
-            farm.join(Farm.slow(100));
-            Farm.until(() -> farm.server.round().job().film().done() > 3, "the first worker has begun");
+        try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
+            FilmAssembly film = farm.server.round().job().film();
+            // After a few tiles the first worker makes no other until the second has made a dozen.
+            farm.join(Farm.worker(1).tamper((tile, bytes) -> {
+                Farm.until(() -> film.done() < 4 || film.done() > 16, "the second worker has done its share");
+                return bytes;
+            }));
+            Farm.until(() -> film.done() > 3, "the first worker has begun");
             CompletableFuture<RenderWorker.Outcome> late = farm.join(Farm.worker(1));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertTrue(late.get().tiles() > 10, "what one worker had was not shared");
@@ -178,12 +188,20 @@ class RenderServerTest {
     }
 
     @Test
-    void theServerWaitsForWorkersButNotForEver() throws Exception {
-        try (Farm farm = new Farm(Farm.options().awaitWorkers(2, 1.5)).begin()) {
+    void theServerBeginsWhenTheWorkersAreThere() throws Exception {
+        try (Farm farm = new Farm(Farm.options().awaitWorkers(2, 1e6)).begin()) {
             farm.join(Farm.worker(1));
             Farm.until(() -> farm.logHas("joined"), "the worker is there");
-            Farm.sleep(300);
-            assertEquals(0, farm.server.round().job().film().done());
+            assertEquals(0, farm.server.round().snapshot().workers().size(), "it waits for the other one");
+            farm.join(Farm.worker(1));
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+        }
+    }
+
+    @Test
+    void theServerDoesNotWaitForEver() throws Exception {
+        try (Farm farm = new Farm(Farm.options().awaitWorkers(2, 0.3)).begin()) {
+            farm.join(Farm.worker(1));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
         }
     }

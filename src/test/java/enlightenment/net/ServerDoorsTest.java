@@ -6,12 +6,21 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.net.listen.ServerLog;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.schedule.Peers;
+import enlightenment.net.secure.Token;
+import enlightenment.net.worker.Machine;
+import enlightenment.net.worker.RenderPool;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -27,6 +36,9 @@ class ServerDoorsTest {
     /** No deadline comes near, however busy the machine is. */
     private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
 
+    /** More connections than there are places. */
+    private static final int REFUSED = Limits.STRANGERS + 16;
+
     @TempDir
     Path folder;
 
@@ -36,6 +48,14 @@ class ServerDoorsTest {
             ByteBuffer.wrap(wrong).putDouble(wrong.length - 36, 0.125);
             return wrong;
         };
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private static void end(Farm farm, CompletableFuture<RenderWorker.Outcome> honest) throws Exception {
@@ -58,7 +78,12 @@ class ServerDoorsTest {
     @Test
     void whoRepeatsWhatAnotherSaidOfItselfDoesNotTakeItsPlace() throws Exception {
         try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
-            CompletableFuture<RenderWorker.Outcome> honest = farm.join(Farm.slow(30));
+            CountDownLatch everybodyCame = new CountDownLatch(1);
+            CompletableFuture<RenderWorker.Outcome> honest =
+                    farm.join(Farm.worker(1).tamper((tile, bytes) -> {
+                        await(everybodyCame);
+                        return bytes;
+                    }));
             Farm.until(() -> farm.logHas("joined"), "the honest one is there");
             for (String name : new String[] {Machine.name(), "local", "this process"}) {
                 try (RawPeer peer = new RawPeer(farm.server.port())) {
@@ -67,6 +92,7 @@ class ServerDoorsTest {
                     peer.receive(Message.Alive.class);
                 }
             }
+            everybodyCame.countDown();
             end(farm, honest);
             assertFalse(farm.logHas("newer connection"), farm.log.toString());
         }
@@ -76,9 +102,12 @@ class ServerDoorsTest {
     void whoTakesManyNamesDoesNotOutvoteTheHonestOne() throws Exception {
         try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
             AtomicReference<byte[]> first = new AtomicReference<>();
+            CountDownLatch everybodyLied = new CountDownLatch(1);
             CompletableFuture<RenderWorker.Outcome> honest =
                     farm.join(Farm.worker(1).machine("honest").tamper((tile, bytes) -> {
-                        Farm.sleep(30);
+                        if (tile > 0) {
+                            await(everybodyLied);
+                        }
                         first.compareAndSet(null, tile == 0 ? bytes : null);
                         return bytes;
                     }));
@@ -94,6 +123,7 @@ class ServerDoorsTest {
             for (RawPeer peer : peers) {
                 peer.send(new Message.Result(0, farm.server.round().job().hash(), 0, wrong));
             }
+            everybodyLied.countDown();
             end(farm, honest);
             assertTrue(farm.logHas(RawPeer.called("liar 0", farm) + " expelled"));
             assertFalse(farm.logHas(RawPeer.called("honest", farm) + " expelled"));
@@ -107,10 +137,10 @@ class ServerDoorsTest {
     void strangersWhoSitAndSayNothingDoNotKeepAWorkerOut() throws Exception {
         try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
             List<RawPeer> strangers = new ArrayList<>();
-            for (int i = 0; i < 3 * Limits.STRANGERS; i++) {
+            for (int i = 0; i < Limits.STRANGERS + 16; i++) {
                 strangers.add(new RawPeer(farm.server.port()));
             }
-            strangers.get(0).millisUntilClosed();
+            strangers.get(0).awaitClose();
             farm.join(Farm.worker(2));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             assertTrue(farm.log.size() < 3 * ServerLog.LINES_ABOUT_ONE + 20, "lines: " + farm.log.size());
@@ -127,7 +157,7 @@ class ServerDoorsTest {
         ServerOptions.Builder options = Farm.options().timing(PATIENT).threads(work -> new Thread(work) {
             @Override
             public void start() {
-                if (getName().equals("server connection") && refused.getAndIncrement() < 300) {
+                if (getName().equals("server connection") && refused.getAndIncrement() < REFUSED) {
                     throw new OutOfMemoryError("unable to create native thread");
                 }
                 setUncaughtExceptionHandler((t, e) -> uncaught.set(e));
@@ -135,9 +165,9 @@ class ServerDoorsTest {
             }
         });
         try (Farm farm = new Farm(options).begin()) {
-            for (int i = 0; i < 300; i++) {
+            for (int i = 0; i < REFUSED; i++) {
                 try (RawPeer peer = new RawPeer(farm.server.port())) {
-                    peer.millisUntilClosed();
+                    peer.awaitClose();
                 }
             }
             farm.join(Farm.worker(1));

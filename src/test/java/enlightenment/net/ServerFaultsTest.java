@@ -7,6 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.file.ContentHash;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.secure.Token;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -59,12 +63,12 @@ class ServerFaultsTest {
                 byte[] garbage = new byte[random.nextInt(300) + 5];
                 random.nextBytes(garbage);
                 peer.bytes(garbage);
-                peer.millisUntilClosed();
+                peer.awaitClose();
             }
         }
         try (RawPeer peer = peer()) {
             peer.bytes("GET / HTTP/1.1\r\nHost: x\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
-            peer.millisUntilClosed();
+            peer.awaitClose();
         }
         assertLogged("outside the limits 1..4096");
     }
@@ -73,7 +77,7 @@ class ServerFaultsTest {
     void aFrameThatClaimsTwoGibibytesIsNotWaitedFor() throws Exception {
         try (RawPeer peer = peer()) {
             peer.bytes("7fffffff00");
-            assertTrue(peer.millisUntilClosed() < 500);
+            peer.awaitClose();
         }
         assertLogged("a frame of 2147483647 bytes");
     }
@@ -94,8 +98,8 @@ class ServerFaultsTest {
                 }
             });
             trickle.start();
-            assertTrue(trickling.millisUntilClosed() < 3_000);
-            assertTrue(silent.millisUntilClosed() < 3_000);
+            trickling.awaitClose();
+            silent.awaitClose();
             trickle.join(5_000);
         }
         assertLogged("did not prove within 600 ms");
@@ -109,7 +113,7 @@ class ServerFaultsTest {
                 RawPeer peer = new RawPeer(patient.server.port())) {
             peer.enter("slow", Token.NONE);
             peer.bytes("00001000");
-            peer.millisUntilClosed();
+            peer.awaitClose();
             Farm.until(() -> patient.logHas("sends a message too slowly"), "the log tells of slowness");
         }
     }
@@ -118,7 +122,7 @@ class ServerFaultsTest {
     void whoIsIdleAfterTheHandshakeIsHungUpOn() throws Exception {
         try (RawPeer peer = peer()) {
             peer.enter("idle", Token.NONE);
-            assertTrue(peer.millisUntilClosed() < 3_000);
+            peer.awaitClose();
         }
         assertLogged("is idle");
     }
@@ -196,7 +200,7 @@ class ServerFaultsTest {
         }) {
             try (RawPeer peer = peer()) {
                 peer.send(message);
-                peer.millisUntilClosed();
+                peer.awaitClose();
             }
         }
         assertLogged("no hello");
@@ -242,7 +246,7 @@ class ServerFaultsTest {
         try (RawPeer peer = peer()) {
             peer.enter("curious", Token.NONE);
             peer.send(new Message.ContentRequest(ContentHash.of("/etc/passwd".getBytes(StandardCharsets.UTF_8)), 0));
-            peer.millisUntilClosed();
+            peer.awaitClose();
         }
         assertLogged("there is no content");
     }

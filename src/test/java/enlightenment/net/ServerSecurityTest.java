@@ -2,6 +2,7 @@ package enlightenment.net;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -74,8 +75,7 @@ class ServerSecurityTest {
 
     @Test
     void aServerThatNoAuthorityVouchesForIsNotTriedAgain() throws Exception {
-        Path other = folder.resolve("other.pem");
-        OwnCertificate.make(other, OwnCertificate.keytool(), OwnCertificate.Validity.DEFAULT);
+        Path other = copy("self-signed.pem");
         try (Farm farm = new Farm(secured()).begin()) {
             assertUntrusted(farm, other);
         }
@@ -149,15 +149,42 @@ class ServerSecurityTest {
     }
 
     @Test
-    void shortTokensAndFilesThatAreNoKeysAreRefused() throws IOException {
-        Path small = Files.writeString(folder.resolve("small"), "0123456789abcde\n");
-        assertFails("at least 16 characters, not 15", Farm.options().tokenFile(small));
-        assertFails("holds no \"BEGIN PRIVATE KEY\"", Farm.options().tls(certificate, certificate));
-        assertFails("is no PEM file of certificates", Farm.options().tls(key, key));
+    void aServerThatMadeItsSecretsIsJoinedWithTokenAndPin() throws Exception {
+        Path made = folder.resolve("made-token");
+        ServerOptions.Builder options =
+                Farm.options().tls(folder.resolve("made.pem")).tokenFile(made);
+        try (Farm farm = new Farm(options).begin()) {
+            farm.join(Farm.worker(1).pin(farm.server.pin()).tokenFile(made));
+            farm.join(Farm.worker(1).pin(farm.server.pin()).token(Files.readString(made)));
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+            for (var worker : farm.workers) {
+                assertTrue(worker.get(10, TimeUnit.SECONDS).isDone());
+            }
+        }
     }
 
-    private static void assertFails(String words, ServerOptions.Builder options) {
-        IOException e = assertThrows(IOException.class, () -> new Farm(options).close());
-        assertTrue(e.getMessage().contains(words), e.getMessage());
+    @Test
+    void anExpiredCertificateIsRefusedByWhoChecksItAndTakenByWhoPinsIt() throws Exception {
+        Path expired = copy("expired.pem");
+        try (Farm farm = new Farm(Farm.options().tls(expired)).begin()) {
+            RenderWorker.Outcome refused = farm.join(
+                            Farm.worker(1).authorities(expired).reconnectSeconds(0))
+                    .get(20, TimeUnit.SECONDS);
+            assertFalse(refused.isDone());
+            farm.join(Farm.worker(1).pin(farm.server.pin()));
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+        }
+    }
+
+    @Test
+    void aWorkerMakesNoTokenAndSaysWhereItComesFrom() {
+        Path none = folder.resolve("none");
+        WorkerOptions options = WorkerOptions.builder().tokenFile(none).build();
+        String message = assertThrows(IOException.class, () -> RenderWorker.run("127.0.0.1", 1, options, () -> true))
+                .getMessage();
+        assertTrue(message.endsWith("there is no such file; copy the server's token to it"), message);
+        assertFalse(Files.exists(none));
+        assertThrows(
+                IllegalArgumentException.class, () -> WorkerOptions.builder().token("0123456789abcde\n"));
     }
 }

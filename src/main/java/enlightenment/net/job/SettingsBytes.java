@@ -1,0 +1,149 @@
+package enlightenment.net.job;
+
+import enlightenment.engine.RenderOutline;
+import enlightenment.plan.RenderPlan;
+import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * Settings and what was decided from them as bytes. What has no influence on the picture (threads) is left out, so that the
+ * same picture has the same bytes.
+ */
+final class SettingsBytes {
+    /** Largest number of texts in a list. */
+    private static final int MAX_TEXTS = 1_000;
+
+    private static final int MAX_TEXT_BYTES = 1 << 20;
+
+    private SettingsBytes() {}
+
+    static void write(DataOutputStream out, RenderSettings s, RenderPlan plan) throws IOException {
+        text(out, s.method().word());
+        out.writeInt(s.width());
+        out.writeInt(s.height());
+        RenderSettings.Crop region = s.region();
+        out.writeBoolean(s.crop().isPresent());
+        out.writeInt(region.x());
+        out.writeInt(region.y());
+        out.writeInt(region.width());
+        out.writeInt(region.height());
+        out.writeInt(s.antialias());
+        out.writeInt(s.shadowSamples());
+        out.writeLong(s.seed());
+        write(out, s.budget().samples());
+        write(out, s.budget().error());
+        write(out, s.budget().seconds());
+        text(out, s.proposal());
+        out.writeInt(s.tileSize());
+        text(out, plan.method().word());
+        out.writeDouble(plan.level());
+        out.writeDouble(plan.samples());
+        text(out, plan.decidedBy());
+    }
+
+    private static void write(DataOutputStream out, OptionalDouble value) throws IOException {
+        // A budget's numbers are greater than 0.
+        out.writeDouble(value.orElse(0));
+    }
+
+    /** Settings that were read, and the plan. */
+    record Decided(RenderSettings settings, RenderPlan plan) {}
+
+    /**
+     * Reads what {@link #write} wrote.
+     *
+     * @param threads what the settings are to say of threads
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    static Decided read(DataInputStream in, int threads) throws IOException {
+        Method method = Method.named(text(in));
+        int width = in.readInt();
+        int height = in.readInt();
+        boolean cropped = in.readBoolean();
+        RenderSettings.Crop region = new RenderSettings.Crop(in.readInt(), in.readInt(), in.readInt(), in.readInt());
+        int antialias = in.readInt();
+        int shadowSamples = in.readInt();
+        long seed = in.readLong();
+        // For which file the error was planned matters to nobody who has the plan.
+        Budget budget = new Budget(readOptional(in), readOptional(in), readOptional(in), 0);
+        RenderSettings settings = new RenderSettings(
+                method,
+                width,
+                height,
+                cropped ? Optional.of(region) : Optional.empty(),
+                antialias,
+                shadowSamples,
+                seed,
+                budget,
+                text(in),
+                threads,
+                in.readInt());
+        return new Decided(
+                settings, new RenderPlan(Method.named(text(in)), in.readDouble(), in.readDouble(), text(in)));
+    }
+
+    private static OptionalDouble readOptional(DataInputStream in) throws IOException {
+        double value = in.readDouble();
+        return value == 0 ? OptionalDouble.empty() : OptionalDouble.of(value);
+    }
+
+    static void write(DataOutputStream out, RenderOutline outline) throws IOException {
+        text(out, outline.sceneName());
+        write(out, outline.settings(), outline.plan());
+        write(out, outline.features());
+        write(out, outline.kinds());
+    }
+
+    static RenderOutline readOutline(DataInputStream in, int threads) throws IOException {
+        String name = text(in);
+        Decided decided = read(in, threads);
+        return new RenderOutline(name, decided.settings(), decided.plan(), readTexts(in), readTexts(in));
+    }
+
+    static void write(DataOutputStream out, List<String> texts) throws IOException {
+        out.writeInt(texts.size());
+        for (String text : texts) {
+            text(out, text);
+        }
+    }
+
+    static List<String> readTexts(DataInputStream in) throws IOException {
+        int count = in.readInt();
+        if (count < 0 || count > MAX_TEXTS) {
+            throw new IllegalArgumentException("a list of " + count + " texts");
+        }
+        List<String> texts = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            texts.add(text(in));
+        }
+        return texts;
+    }
+
+    /** Length in bytes, then UTF-8. */
+    static void text(DataOutputStream out, String text) throws IOException {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        out.writeInt(bytes.length);
+        out.write(bytes);
+    }
+
+    static String text(DataInputStream in) throws IOException {
+        int length = in.readInt();
+        if (length < 0 || length > MAX_TEXT_BYTES) {
+            throw new IllegalArgumentException("a text of " + length + " bytes");
+        }
+        byte[] bytes = in.readNBytes(length);
+        if (bytes.length < length) {
+            throw new IllegalArgumentException("a text that ends too early");
+        }
+        return new String(bytes, StandardCharsets.UTF_8);
+    }
+}

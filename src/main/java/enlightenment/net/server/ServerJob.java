@@ -1,0 +1,218 @@
+package enlightenment.net.server;
+
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.TiledRender;
+import enlightenment.file.ContentHash;
+import enlightenment.net.checkpoint.CheckpointJournal;
+import enlightenment.net.checkpoint.JournalRecord;
+import enlightenment.net.checkpoint.Origin;
+import enlightenment.net.checkpoint.Restored;
+import enlightenment.net.job.JobContent;
+import enlightenment.net.schedule.Action;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+
+/** What a server renders: the job, its picture so far and its checkpoint. One thread at a time changes it. */
+public final class ServerJob implements Closeable {
+    /** Fewer digits may be those of two machines. */
+    private static final int FEWEST_DIGITS = 8;
+
+    private final TiledRender render;
+    private final JobContent content;
+    private final FilmAssembly film;
+    private final Consumer<String> log;
+
+    /** The hashes of the tiles that are kept. */
+    private final ContentHash[] kept;
+
+    private Restored restored = Restored.NOTHING;
+    private CheckpointJournal journal;
+    private Set<Origin.Peer> alreadyExpelled = Set.of();
+
+    public ServerJob(TiledRender render, JobContent content, Consumer<String> log) {
+        this.render = render;
+        this.content = content;
+        this.log = log;
+        film = render.assembly();
+        kept = new ContentHash[render.tiles()];
+    }
+
+    /** The job of the same picture with more samples; machines that were found out stay expelled. */
+    public ServerJob with(TiledRender more, String build, Set<Origin.Peer> expelled) {
+        ServerJob next = new ServerJob(more, content.with(more.outline(), build), log);
+        next.alreadyExpelled = Set.copyOf(expelled);
+        return next;
+    }
+
+    /** Goes on from a checkpoint, or begins one. */
+    public void open(Path checkpoint) throws IOException {
+        open(checkpoint, List.of());
+    }
+
+    /**
+     * Goes on from a checkpoint, or begins one.
+     *
+     * @param pardoned machines that it says are expelled, and are not any more, each by its first digits
+     * @throws IllegalArgumentException if one of them is not expelled
+     */
+    public void open(Path checkpoint, List<String> pardoned) throws IOException {
+        Restored.Builder builder = new Restored.Builder();
+        List<String> wrong = new ArrayList<>();
+        journal = CheckpointJournal.open(checkpoint, hash(), tiles(), System.nanoTime(), entry -> {
+            if (entry instanceof JournalRecord.Kept kept) {
+                String problem = film.problem(kept.tile(), kept.data()).orElse(null);
+                if (problem != null) {
+                    wrong.add("tile " + kept.tile() + ": " + problem);
+                    return;
+                }
+                film.put(kept.tile(), kept.data());
+            }
+            builder.add(entry);
+        });
+        pardon(pardoned, builder);
+        restored = builder.build();
+        BitSet there = new BitSet();
+        restored.tiles().forEach(tile -> {
+            there.set(tile.tile());
+            kept[tile.tile()] = tile.hash();
+        });
+        for (int tile = 0; tile < tiles(); tile++) {
+            if (!there.get(tile)) {
+                film.remove(tile);
+            }
+        }
+        wrong.forEach(w -> log.accept("checkpoint: " + w));
+        if (journal.gaps() > 0) {
+            log.accept("checkpoint: damaged in " + journal.gaps() + " places, " + journal.lostBytes()
+                    + " bytes; what they held is rendered again");
+        }
+        if (journal.cutBytes() > 0) {
+            log.accept("checkpoint: a torn end of " + journal.cutBytes() + " bytes was cut off");
+        }
+        if (film.done() > 0) {
+            log.accept("checkpoint: " + film.done() + " of " + tiles() + " tiles are done already");
+        }
+    }
+
+    private void pardon(List<String> machines, Restored.Builder builder) throws IOException {
+        Set<Origin.Peer> expelled = builder.build().expelled();
+        for (String digits : machines) {
+            List<Origin.Peer> meant = expelled.stream()
+                    .filter(m -> digits.length() >= FEWEST_DIGITS
+                            && m.machine().toString().startsWith(digits))
+                    .toList();
+            if (meant.size() != 1) {
+                close();
+                throw new IllegalArgumentException("no expelled machine is called " + digits + "; "
+                        + (expelled.isEmpty() ? "none is expelled" : "these are: " + words(expelled)));
+            }
+            JournalRecord pardon = new JournalRecord.Pardoned(meant.get(0));
+            builder.add(pardon);
+            journal.append(System.nanoTime(), pardon);
+            log.accept("machine " + meant.get(0) + " is pardoned");
+        }
+    }
+
+    private static String words(Set<Origin.Peer> machines) {
+        return machines.stream().map(Origin.Peer::toString).sorted().collect(Collectors.joining(", "));
+    }
+
+    /** What is to be kept; false if the action is none of these. */
+    public boolean keep(Action action) {
+        if (action instanceof Action.Keep a) {
+            film.put(a.tile(), a.data().bytes());
+            kept[a.tile()] = a.data().hash();
+            write(new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
+        } else if (action instanceof Action.Confirm a) {
+            write(new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
+        } else if (action instanceof Action.Revoke a) {
+            film.remove(a.tile());
+            write(new JournalRecord.Revoked(a.tile()));
+        } else if (action instanceof Action.Expel a) {
+            log.accept("machine " + a.machine() + " expelled: " + a.reason()
+                    + (journal == null ? "" : " (started again with --pardon " + a.machine() + " it is let in)"));
+            write(new JournalRecord.Expelled(a.machine()));
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    private void write(JournalRecord entry) {
+        if (journal == null) {
+            return;
+        }
+        try {
+            journal.append(System.nanoTime(), entry);
+        } catch (IOException e) {
+            giveUpJournal(e);
+        }
+    }
+
+    /** The picture is worth more than its checkpoint. */
+    private void giveUpJournal(IOException e) {
+        log.accept("the checkpoint cannot be written any more, going on without: " + e.getMessage());
+        try {
+            journal.close();
+        } catch (IOException again) {
+            log.accept("nor closed: " + again.getMessage());
+        }
+        journal = null;
+    }
+
+    /** Time has passed. */
+    public void tick() {
+        if (journal != null) {
+            try {
+                journal.tick(System.nanoTime());
+            } catch (IOException e) {
+                giveUpJournal(e);
+            }
+        }
+    }
+
+    public TiledRender render() {
+        return render;
+    }
+
+    public FilmAssembly film() {
+        return film;
+    }
+
+    public JobContent content() {
+        return content;
+    }
+
+    public Restored restored() {
+        if (alreadyExpelled.isEmpty()) {
+            return restored;
+        }
+        Set<Origin.Peer> all = new HashSet<>(restored.expelled());
+        all.addAll(alreadyExpelled);
+        return new Restored(restored.tiles(), all);
+    }
+
+    public ContentHash hash() {
+        return content.hash();
+    }
+
+    public int tiles() {
+        return render.tiles();
+    }
+
+    @Override
+    public void close() throws IOException {
+        if (journal != null) {
+            journal.close();
+            journal = null;
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package enlightenment.net.worker;
+
+import enlightenment.file.ContentHash;
+import java.io.IOException;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Collections;
+import java.util.HexFormat;
+import java.util.TreeSet;
+
+/** What this machine is called. */
+public final class Machine {
+    private Machine() {}
+
+    /** For people; asks no network. */
+    public static String name() {
+        for (String variable : new String[] {"HOSTNAME", "COMPUTERNAME"}) {
+            String name = System.getenv(variable);
+            if (name != null && !name.isBlank()) {
+                return cut(name);
+            }
+        }
+        try {
+            return cut(Files.readString(Path.of("/etc/hostname")).strip());
+        } catch (IOException | RuntimeException e) {
+            return "worker";
+        }
+    }
+
+    private static String cut(String name) {
+        return name.length() > 100 ? name.substring(0, 100) : name;
+    }
+
+    /**
+     * The same for all processes of a machine, and that of no other: a hash of what only those know who are on it. It is
+     * told to nobody as it is.
+     */
+    public static byte[] secret() {
+        StringBuilder all = new StringBuilder(name());
+        all.append(cards());
+        String id = firstOf("/etc/machine-id", "/var/lib/dbus/machine-id");
+        // Containers often have no number of their own: then what the system drew when it was started has to do.
+        all.append(id.isEmpty() ? firstOf("/proc/sys/kernel/random/boot_id") : id);
+        if (id.isEmpty()) {
+            for (String property : new String[] {"user.home", "java.home"}) {
+                all.append(birth(Path.of(System.getProperty(property, ""))));
+            }
+        }
+        return ContentHash.of(all.toString().getBytes(StandardCharsets.UTF_8)).toBytes();
+    }
+
+    private static String firstOf(String... files) {
+        for (String file : files) {
+            try {
+                String text = Files.readString(Path.of(file)).strip();
+                if (!text.isEmpty()) {
+                    return text;
+                }
+            } catch (IOException | RuntimeException e) {
+                continue;
+            }
+        }
+        return "";
+    }
+
+    /** When a folder was made, to the nanosecond; nothing where only its last change is known, which does not stay. */
+    private static String birth(Path folder) {
+        try {
+            BasicFileAttributes of = Files.readAttributes(folder, BasicFileAttributes.class);
+            return of.creationTime().equals(of.lastModifiedTime())
+                    ? ""
+                    : of.creationTime().toInstant().toString();
+        } catch (IOException | RuntimeException e) {
+            return "";
+        }
+    }
+
+    private static String cards() {
+        TreeSet<String> cards = new TreeSet<>();
+        try {
+            for (NetworkInterface card : Collections.list(NetworkInterface.getNetworkInterfaces())) {
+                byte[] address = card.getHardwareAddress();
+                if (address != null) {
+                    cards.add(HexFormat.of().formatHex(address));
+                }
+            }
+        } catch (SocketException e) {
+            cards.add("unknown");
+        }
+        return cards.toString();
+    }
+}

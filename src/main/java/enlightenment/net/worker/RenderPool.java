@@ -1,0 +1,143 @@
+package enlightenment.net.worker;
+
+import enlightenment.engine.TileMaker;
+import enlightenment.engine.TiledRender;
+import enlightenment.net.job.TileData;
+import enlightenment.net.schedule.WorkerCore;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
+
+/** Threads that render what a {@link WorkerCore} says. All waits end by themselves when the pool is closed. */
+public final class RenderPool implements AutoCloseable {
+    private static final long WAIT_MILLIS = 500;
+
+    /** What a machine makes of a tile that it has rendered: the same, but for faulty machines in tests. */
+    @FunctionalInterface
+    public interface Tamper {
+        byte[] change(int tile, byte[] bytes);
+    }
+
+    private final TiledRender render;
+    private final WorkerCore core;
+    private final Consumer<Throwable> failed;
+    private final Tamper tamper;
+    private final List<Thread> threads = new ArrayList<>();
+    private Runnable flush = () -> {};
+    private volatile boolean closed;
+    private long made;
+
+    /**
+     * A pool that waits for work.
+     *
+     * @param window largest number of tiles that are sent and not acknowledged
+     * @param failed hears of what went wrong in a thread, which has then ended
+     */
+    public RenderPool(TiledRender render, int threads, int window, Consumer<Throwable> failed) {
+        this(render, threads, window, failed, (tile, bytes) -> bytes);
+    }
+
+    /** @param tamper what a faulty machine makes of a tile, for tests */
+    public RenderPool(TiledRender render, int threads, int window, Consumer<Throwable> failed, Tamper tamper) {
+        this.tamper = tamper;
+        this.render = render;
+        this.failed = failed;
+        core = new WorkerCore(threads, window, Long.MAX_VALUE);
+        for (int i = 0; i < threads; i++) {
+            Thread thread = new Thread(this::work, "tiles-" + i);
+            thread.setDaemon(true);
+            this.threads.add(thread);
+        }
+    }
+
+    /**
+     * Starts the threads.
+     *
+     * @param whenFinished called whenever a tile is finished, by the thread that made it, without locks
+     */
+    public void start(Runnable whenFinished) {
+        flush = whenFinished;
+        threads.forEach(Thread::start);
+    }
+
+    private void work() {
+        try {
+            TileMaker maker = render.maker(() -> closed);
+            for (WorkerCore.Task task = next(); task != null; task = next()) {
+                TileData data = TileData.of(tamper.change(task.tile(), maker.make(task.tile())));
+                finished(task, data);
+                flush.run();
+            }
+        } catch (CancellationException e) {
+            // Nobody wants the tile any more.
+            return;
+        } catch (RuntimeException | Error e) {
+            failed.accept(e);
+        }
+    }
+
+    private synchronized WorkerCore.Task next() {
+        while (!closed) {
+            Optional<WorkerCore.Task> task = core.begin();
+            if (task.isPresent()) {
+                return task.get();
+            }
+            try {
+                wait(WAIT_MILLIS);
+            } catch (InterruptedException e) {
+                return null;
+            }
+        }
+        return null;
+    }
+
+    private synchronized void finished(WorkerCore.Task task, TileData data) {
+        core.finished(task, data);
+        made++;
+    }
+
+    /** The tiles to send now. */
+    public synchronized List<WorkerCore.Outgoing> outgoing() {
+        return core.outgoing(System.nanoTime());
+    }
+
+    public synchronized void granted(long lease, int first, int last) {
+        core.granted(lease, first, last);
+        notifyAll();
+    }
+
+    public synchronized void cancelled(long lease) {
+        core.cancelled(lease);
+    }
+
+    public synchronized void skipped(long lease, int first, int last) {
+        core.skipped(lease, first, last);
+    }
+
+    public synchronized void acknowledged(int tile) {
+        core.acknowledged(tile);
+        notifyAll();
+    }
+
+    synchronized void disconnected() {
+        core.disconnected();
+    }
+
+    public synchronized List<Long> leases() {
+        return core.leases();
+    }
+
+    /** Number of tiles made. */
+    synchronized long made() {
+        return made;
+    }
+
+    /** Ends the threads, soon and in the middle of the tiles that they have in hand. */
+    @Override
+    public synchronized void close() {
+        closed = true;
+        notifyAll();
+    }
+}

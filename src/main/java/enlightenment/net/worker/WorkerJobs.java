@@ -1,0 +1,118 @@
+package enlightenment.net.worker;
+
+import enlightenment.engine.TiledRender;
+import enlightenment.file.ContentHash;
+import enlightenment.net.job.JobContent;
+import enlightenment.net.protocol.Limits;
+import enlightenment.net.protocol.Message;
+import enlightenment.scene.SceneException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What a worker knows beyond its connections: contents by their hashes, in memory only, and the job that it works at. */
+public final class WorkerJobs implements AutoCloseable {
+    private final int threads;
+    private final String version;
+    private final RenderPool.Tamper tamper;
+    private final Map<ContentHash, byte[]> contents = new HashMap<>();
+    private ContentHash job;
+    private RenderPool pool;
+    private long madeBefore;
+    private Throwable failure;
+
+    /**
+     * No job yet.
+     *
+     * @param threads number of tiles that are rendered at once
+     * @param version of this program: only jobs of the same are taken
+     * @param tamper what becomes of each tile before it is sent
+     */
+    public WorkerJobs(int threads, String version, RenderPool.Tamper tamper) {
+        this.threads = threads;
+        this.version = version;
+        this.tamper = tamper;
+    }
+
+    /** Whether the content is here. */
+    synchronized boolean has(ContentHash hash) {
+        return contents.containsKey(hash);
+    }
+
+    /** Keeps a content. */
+    synchronized void keep(ContentHash hash, byte[] content) {
+        contents.put(hash, content);
+    }
+
+    /** The pool that works at this job, whose contents are all here; a new one if it is another job than before. */
+    RenderPool pool(Message.Job wanted, Runnable whenFinished) throws IOException {
+        synchronized (this) {
+            if (wanted.job().equals(job) && failure == null) {
+                return pool;
+            }
+        }
+        TiledRender render = render(wanted);
+        synchronized (this) {
+            end();
+            job = wanted.job();
+            contents.keySet().retainAll(wanted.contents());
+            pool = new RenderPool(render, threads, Limits.UNACKNOWLEDGED_TILES, this::failed, tamper);
+            pool.start(whenFinished);
+            return pool;
+        }
+    }
+
+    private TiledRender render(Message.Job wanted) throws IOException {
+        List<ContentHash> images =
+                wanted.contents().subList(1, wanted.contents().size());
+        Map<String, byte[]> byName = new LinkedHashMap<>();
+        byte[] document;
+        synchronized (this) {
+            document = contents.get(wanted.contents().get(0));
+            images.forEach(hash -> byName.put(hash.toString(), contents.get(hash)));
+        }
+        JobContent.Document read = JobContent.read(document, images, version, threads);
+        try {
+            TiledRender render = TiledRender.planned(
+                    read.scene(), read.settings(), read.plan(), (Path file) -> byName.get(file.toString()));
+            if (render.tiles() != wanted.tiles()) {
+                throw new IOException(
+                        "the job has " + wanted.tiles() + " tiles at the server, " + render.tiles() + " here");
+            }
+            return render;
+        } catch (IllegalArgumentException | SceneException e) {
+            throw new IOException("the job cannot be used: " + e.getMessage(), e);
+        }
+    }
+
+    private synchronized void failed(Throwable thrown) {
+        failure = thrown;
+    }
+
+    /** What went wrong in a rendering thread, or null. */
+    synchronized Throwable failure() {
+        return failure;
+    }
+
+    /** Number of tiles made. */
+    public synchronized long made() {
+        return madeBefore + (pool == null ? 0 : pool.made());
+    }
+
+    private void end() {
+        if (pool != null) {
+            madeBefore += pool.made();
+            pool.close();
+        }
+    }
+
+    @Override
+    public synchronized void close() {
+        if (pool != null) {
+            pool.close();
+        }
+    }
+}

@@ -1,0 +1,293 @@
+package enlightenment.net.worker;
+
+import enlightenment.file.ContentHash;
+import enlightenment.net.job.Canary;
+import enlightenment.net.protocol.Message;
+import enlightenment.net.protocol.MessageChannel;
+import enlightenment.net.protocol.Timing;
+import enlightenment.net.schedule.WorkerCore;
+import enlightenment.net.secure.Handshake;
+import enlightenment.net.secure.Tls;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.security.SecureRandom;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import javax.net.ssl.SSLSocket;
+
+/** One connection of a worker, from its first byte to its last. */
+public final class WorkerSession {
+    private static final int CONNECT_TIMEOUT_MILLIS = 10_000;
+    private static final long TICK_MILLIS = 100;
+    private static final SecureRandom RANDOM = new SecureRandom();
+
+    private final ServerAddress server;
+    private final Identity identity;
+    private final Timing timing;
+    private final WorkerJobs jobs;
+    private final AtomicReference<WorkerSession> current;
+    private final Consumer<String> log;
+    private final BooleanSupplier cancelled;
+    private volatile MessageChannel channel;
+    private volatile RenderPool pool;
+    private volatile boolean wasWelcome;
+    private volatile boolean isOver;
+    private volatile long opened;
+    private volatile Socket socket;
+    private ContentHash job;
+    private int heartbeatMillis = Timing.DEFAULT.heartbeatMillis();
+    private volatile int silenceMillis;
+
+    /** Where the server is and how it is spoken to; {@code tls} is null for none. */
+    public record ServerAddress(String host, int port, byte[] token, Tls tls) {}
+
+    /**
+     * What a worker says of itself.
+     *
+     * @param version of this program
+     * @param threads number of tiles that it renders at once
+     * @param process a secret of this process, the same over all its connections
+     * @param machine a secret of this machine, see {@link Machine#secret}
+     */
+    public record Identity(String version, int threads, byte[] process, byte[] machine) {}
+
+    /**
+     * A session that has not begun.
+     *
+     * @param jobs what the worker has kept from earlier sessions
+     * @param current the session that is on, shared by all sessions of a worker: finished tiles go there, whichever session
+     *     began them
+     * @param cancelled asked several times a second; once true, the session says good-bye
+     */
+    public WorkerSession(
+            ServerAddress server,
+            Identity identity,
+            Timing timing,
+            WorkerJobs jobs,
+            AtomicReference<WorkerSession> current,
+            Consumer<String> log,
+            BooleanSupplier cancelled) {
+        this.server = server;
+        this.identity = identity;
+        this.timing = timing;
+        this.jobs = jobs;
+        this.current = current;
+        this.log = log;
+        this.cancelled = cancelled;
+    }
+
+    /** Whether the server let us in. */
+    public boolean wasWelcome() {
+        return wasWelcome;
+    }
+
+    public SessionEnd run() {
+        try (Socket plain = new Socket()) {
+            socket = plain;
+            opened = System.nanoTime();
+            Thread ticker = new Thread(this::tickAll, "heartbeat");
+            ticker.setDaemon(true);
+            ticker.start();
+            plain.connect(new InetSocketAddress(server.host(), server.port()), CONNECT_TIMEOUT_MILLIS);
+            plain.setTcpNoDelay(true);
+            return talk(plain);
+        } catch (IOException e) {
+            MessageChannel mine = channel;
+            String reason = mine == null || mine.reason().isEmpty() ? describe(e) : "the server " + mine.reason();
+            return new SessionEnd(jobs.failure() != null || e instanceof Tls.UntrustedException, false, reason);
+        } finally {
+            isOver = true;
+            current.compareAndSet(this, null);
+            if (channel != null) {
+                channel.close();
+            }
+            if (pool != null) {
+                pool.disconnected();
+            }
+        }
+    }
+
+    private String describe(IOException e) {
+        Throwable failure = jobs.failure();
+        String said = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+        return failure == null ? said : "rendering failed here: " + failure;
+    }
+
+    private SessionEnd talk(Socket plain) throws IOException {
+        ContentHash certificate = Tls.noCertificate();
+        Socket over = plain;
+        if (server.tls() != null) {
+            SSLSocket secured = server.tls().over(plain, server.host());
+            certificate = Tls.shown(secured);
+            over = secured;
+        }
+        MessageChannel on = new MessageChannel(plain, over, timing, "worker").begin();
+        channel = on;
+        byte[] nonce = new byte[Handshake.NONCE_BYTES];
+        RANDOM.nextBytes(nonce);
+        on.send(hello(nonce));
+        Message answer = on.receive();
+        if (answer instanceof Message.Challenge challenge && challenge.protocol() == Message.PROTOCOL) {
+            byte[] proof =
+                    Handshake.proof(Handshake.Side.WORKER, server.token(), nonce, challenge.nonce(), certificate);
+            on.send(new Message.Proof(proof));
+            answer = on.receive();
+            if (answer instanceof Message.Welcome welcome) {
+                byte[] expected =
+                        Handshake.proof(Handshake.Side.SERVER, server.token(), nonce, challenge.nonce(), certificate);
+                return Handshake.same(expected, welcome.mac())
+                        ? work(on, welcome)
+                        : unproven("does not know the token");
+            }
+        }
+        return unproven(
+                answer instanceof Message.Refuse refusal
+                        ? "says: " + refusal.reason()
+                        : answer instanceof Message.Bye bye
+                                ? "says: " + bye.reason()
+                                : answer == null ? "closes the connection" : "says what makes no sense now");
+    }
+
+    /** Whoever has not proved to be our server decides nothing: it may be our server later, and somebody else now. */
+    private SessionEnd unproven(String what) {
+        return new SessionEnd(
+                false,
+                false,
+                "who answers at " + server.host() + ":" + server.port() + ", not proved to be the server, " + what);
+    }
+
+    private Message.Hello hello(byte[] nonce) {
+        return new Message.Hello(
+                Message.MAGIC,
+                Message.PROTOCOL,
+                Message.PROTOCOL,
+                identity.version(),
+                Machine.name(),
+                identity.threads(),
+                Canary.hash(),
+                nonce);
+    }
+
+    private static SessionEnd end(Message last) {
+        if (last instanceof Message.Refuse refusal) {
+            return new SessionEnd(!refusal.again(), false, refusal.reason());
+        }
+        if (last instanceof Message.Bye bye) {
+            return new SessionEnd(true, true, bye.reason());
+        }
+        return new SessionEnd(
+                false,
+                false,
+                last == null ? "the server closed the connection" : "the server says what makes no sense now");
+    }
+
+    private SessionEnd work(MessageChannel on, Message.Welcome welcome) throws IOException {
+        on.trust();
+        wasWelcome = true;
+        heartbeatMillis = welcome.heartbeatMillis();
+        silenceMillis = welcome.silenceMillis();
+        Message first = on.receive();
+        if (!(first instanceof Message.Job wanted)) {
+            return end(first);
+        }
+        SessionEnd early = new WorkerContents(on, jobs).fetch(wanted);
+        if (early != null) {
+            return early;
+        }
+        job = wanted.job();
+        RenderPool mine;
+        try {
+            mine = jobs.pool(wanted, this::flush);
+        } catch (IOException e) {
+            on.sayLast(new Message.Bye(e.getMessage()));
+            return new SessionEnd(true, false, e.getMessage());
+        }
+        on.send(new Message.Ready(job, identity.process(), Handshake.hmac(identity.machine(), job.toBytes())));
+        pool = mine;
+        current.set(this);
+        flush();
+        log.accept("working for " + server.host() + ":" + server.port());
+        while (true) {
+            Message message = on.receive();
+            if (!hear(message)) {
+                return end(message);
+            }
+        }
+    }
+
+    /** False if it is the last message, or none that belongs here. */
+    private boolean hear(Message message) {
+        if (message instanceof Message.Grant m && m.job().equals(job)) {
+            pool.granted(m.lease(), m.first(), m.last());
+        } else if (message instanceof Message.Cancel m) {
+            pool.cancelled(m.lease());
+        } else if (message instanceof Message.Skip m) {
+            pool.skipped(m.lease(), m.first(), m.last());
+        } else if (message instanceof Message.Acknowledge m) {
+            pool.acknowledged(m.tile());
+            flush();
+        } else {
+            return message instanceof Message.Alive;
+        }
+        return true;
+    }
+
+    /** Sends what is finished, over the session that is on. */
+    private void flush() {
+        WorkerSession now = current.get();
+        if (now == null || now.pool == null) {
+            return;
+        }
+        for (WorkerCore.Outgoing tile : now.pool.outgoing()) {
+            byte[] bytes = tile.data().bytes();
+            now.channel.send(new Message.Result(tile.lease(), now.job, tile.tile(), bytes));
+        }
+    }
+
+    private void tickAll() {
+        long lastBeat = 0;
+        while (!isOver) {
+            try {
+                Thread.sleep(Math.min(TICK_MILLIS, heartbeatMillis));
+            } catch (InterruptedException e) {
+                return;
+            }
+            long now = System.nanoTime();
+            tick(now);
+            if (pool != null && now - lastBeat >= heartbeatMillis * 1_000_000L) {
+                lastBeat = now;
+                channel.send(new Message.Heartbeat(pool.leases()));
+            }
+        }
+    }
+
+    private void tick(long now) {
+        MessageChannel on = channel;
+        if (cancelled.getAsBoolean() || jobs.failure() != null) {
+            if (on == null || on.isLastSaid()) {
+                closeSocket();
+            } else {
+                on.sayLast(new Message.Bye(jobs.failure() == null ? "stopped" : "failed: " + jobs.failure()));
+            }
+        }
+        if (!wasWelcome && now - opened > timing.authenticationMillis() * 1_000_000L) {
+            closeSocket();
+        }
+        if (on != null) {
+            on.check(now);
+            if (pool != null && now - on.heard() > silenceMillis * 1_000_000L) {
+                on.close("is silent");
+            }
+        }
+    }
+
+    private void closeSocket() {
+        try {
+            socket.close();
+        } catch (IOException e) {
+            log.accept("while closing: " + e.getMessage());
+        }
+    }
+}

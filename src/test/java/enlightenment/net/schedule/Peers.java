@@ -1,0 +1,33 @@
+package enlightenment.net.schedule;
+
+import enlightenment.file.ContentHash;
+import enlightenment.net.checkpoint.Origin;
+import enlightenment.net.secure.Handshake;
+import java.nio.charset.StandardCharsets;
+
+/** Processes and machines by names, for tests. */
+public final class Peers {
+    private Peers() {}
+
+    public static byte[] secret(String name) {
+        return ContentHash.of(name.getBytes(StandardCharsets.UTF_8)).toBytes();
+    }
+
+    public static Origin.Peer machine(String name) {
+        return Origin.Peer.of(secret(name));
+    }
+
+    /** The machine as real workers of a job say it. */
+    public static Origin.Peer machine(String name, ContentHash job) {
+        return Origin.Peer.of(Handshake.hmac(secret(name), job.toBytes()));
+    }
+
+    public static Event.Joined joined(long worker, String process, String machine, int threads, double weight) {
+        ContentHash key = ContentHash.of(secret(process));
+        return new Event.Joined(worker, key, machine(machine), false, machine, threads, weight);
+    }
+
+    public static Event.Joined server(long worker, int threads) {
+        return new Event.Joined(worker, null, Origin.SERVER, false, "this process", threads, 1);
+    }
+}

@@ -1,31 +1,51 @@
 #!/usr/bin/env bash
-# Measures the trade of speed against accuracy of the shipped scenes: docs/trade/make.sh [SCENE...], after a build.
-# BUDGET=seconds for each scene (90). Keeps the page, the charts and the figures; not the reference, which is large.
-# At the end docs/trade/summary.csv has a line for each error that both methods were measured at, of all scenes: what may be
-# said of them in a sentence (docs/trade.md, "summary.csv").
+# Measures speed against accuracy for the shipped scenes: docs/trade/make.sh [SCENE...], after a build.
+# BUDGET=seconds for each scene (90).
+# With --evaluate as the first argument nothing is measured: pages, charts and tables are made again from the runs kept here.
+#
+# The repository keeps what the rest is made from: runs (trade.csv), figures of the reference (measured.txt),
+# settings, summary, and the chart of error over time. The page index.html and all other charts and tables lie beside them,
+# ignored by git; references and pictures are not kept.
+# At the end docs/trade/summary.csv has a line for each error that both methods were measured at (docs/trade.md, "summary.csv").
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 jar=target/enlightenment.jar
 [ -f "$jar" ] || { echo "there is no $jar: mvn -q -B -DskipTests package" >&2; exit 1; }
+evaluate=
+if [ "${1:-}" = --evaluate ]; then
+  evaluate=yes
+  shift
+fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 if [ $# -eq 0 ]; then
   for file in scenes/*.json; do set -- "$@" "$(basename "$file" .json)"; done
 fi
 for scene in "$@"; do
+  kept="docs/trade/$scene"
   # Half the scene's width and height: the page has five pictures in it.
   size=$(java -jar "$jar" inspect "scenes/$scene.json" | sed -nE 's/^size: +([0-9]+)x([0-9]+)$/\1 \2/p')
   read -r width height <<< "$size"
-  echo "== $scene, $((width / 2))x$((height / 2))"
   # In a folder of the same name, so that the commands on the page hold.
-  java -jar "$jar" trade "scenes/$scene.json" -o "$work/$scene" --size "$((width / 2))x$((height / 2))" \
-    --budget "${BUDGET:-90}" --progress plain --sweep shadowSamples=1..64
-  mkdir -p "docs/trade/$scene"
+  folder="$work/$scene"
+  mkdir -p "$folder" "$kept"
+  options=(--size "$((width / 2))x$((height / 2))" --sweep shadowSamples=1..64)
+  if [ -n "$evaluate" ]; then
+    [ -f "$kept/trade.csv" ] || { echo "$kept holds no measurement" >&2; exit 1; }
+    for file in trade.csv measured.txt settings.txt; do
+      if [ -f "$kept/$file" ]; then cp "$kept/$file" "$folder/"; fi
+    done
+    # The number of threads is the fifth column of the runs.
+    options+=(--threads "$(sed -n 2p "$kept/trade.csv" | cut -d, -f5)" --evaluate)
+  else
+    options+=(--budget "${BUDGET:-90}" --progress plain)
+  fi
+  echo "== $scene, $((width / 2))x$((height / 2))"
+  java -jar "$jar" trade "scenes/$scene.json" -o "$folder" "${options[@]}"
   # The page names the folder it was made in: name one that a reader can make.
-  sed "s#$work/#out/#g" "$work/$scene/index.html" > "docs/trade/$scene/index.html"
-  for file in trade.csv trade.json summary.csv measured.txt settings.txt; do cp "$work/$scene/$file" "docs/trade/$scene/"; done
-  cp "$work/$scene"/*.svg "docs/trade/$scene/"
-  cp "$work/$scene"/error-over-time.png "docs/trade/$scene/"
+  sed "s#$work/#out/#g" "$folder/index.html" > "$kept/index.html"
+  cp "$folder"/*.svg "$folder"/*.csv "$folder/trade.json" "$folder/measured.txt" "$kept/"
+  if [ -f "$folder/settings.txt" ]; then cp "$folder/settings.txt" "$kept/"; fi
 done
 {
   head -n 1 "docs/trade/$1/summary.csv" | sed 's/^/scene,/'
@@ -33,5 +53,5 @@ done
     sed "1d; s/^/$(basename "$(dirname "$file")"),/" "$file"
   done
 } > docs/trade/summary.csv
-# scene, error, light points (the scene's own or the best of several), how many times as long the first takes, both sides
+# scene, error, light samples (the scene's own or the best of several), time of the first / time of the second, both sides
 cut -d, -f1-6,7,12,13,14,20 docs/trade/summary.csv

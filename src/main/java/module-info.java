@@ -33,6 +33,7 @@ module enlightenment {
     exports enlightenment.render;
     exports enlightenment.net;
     exports enlightenment.measure;
+    exports enlightenment.measure.trade;
 
     opens enlightenment.cli to
             info.picocli;

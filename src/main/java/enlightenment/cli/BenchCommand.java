@@ -2,7 +2,6 @@ package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
 import enlightenment.measure.Bench;
-import enlightenment.measure.Machine;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -49,7 +48,7 @@ final class BenchCommand extends Subcommand {
             files.forEach(file -> outputs.reads(file, SceneReader.read(file)));
             outputs.check();
         }
-        Map<String, String> machine = Machine.facts();
+        Map<String, String> machine = Bench.machine();
         machine.forEach((label, value) -> terminal.out().printf(Locale.ROOT, "%-20s%s%n", label + ":", value));
         terminal.out().println();
         terminal.out()

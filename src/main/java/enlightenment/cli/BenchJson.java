@@ -2,7 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.json.JsonText;
 import enlightenment.measure.Bench;
-import enlightenment.measure.Spread;
+import enlightenment.measure.trade.Spread;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;

@@ -3,10 +3,10 @@ package enlightenment.cli;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
-import enlightenment.measure.Sweep;
 import enlightenment.measure.Trade;
-import enlightenment.measure.TradeResult;
-import enlightenment.measure.TradeSettings;
+import enlightenment.measure.trade.Sweep;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -173,7 +173,7 @@ final class TradeCommand extends Subcommand {
 
     private void evaluate(TradeSettings settings, TradeOutput output) throws IOException {
         try {
-            output.write(Trade.evaluate(settings, folder));
+            output.write(Trade.read(settings, folder));
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--evaluate: " + e.problem());
         }
@@ -192,7 +192,7 @@ final class TradeCommand extends Subcommand {
             throw CliException.failed("stopped before there was anything to compare with; --resume goes on");
         }
         output.write(result.get());
-        if (!result.get().circumstances().complete()) {
+        if (!result.get().conditions().complete()) {
             throw CliException.failed("stopped: " + folder + " holds what was measured; --resume goes on");
         }
     }

@@ -1,17 +1,18 @@
 package enlightenment.cli;
 
 import enlightenment.json.JsonText;
-import enlightenment.measure.Circumstances;
-import enlightenment.measure.Contender;
-import enlightenment.measure.Curve;
-import enlightenment.measure.EqualTime;
-import enlightenment.measure.Meeting;
-import enlightenment.measure.Need;
-import enlightenment.measure.PowerLaw;
-import enlightenment.measure.Reference;
-import enlightenment.measure.SweepResult;
-import enlightenment.measure.TradeResult;
-import enlightenment.measure.Verdict;
+import enlightenment.measure.analysis.Configuration;
+import enlightenment.measure.analysis.CostEstimate;
+import enlightenment.measure.analysis.Curve;
+import enlightenment.measure.analysis.EqualErrorComparison;
+import enlightenment.measure.analysis.EqualTimeComparison;
+import enlightenment.measure.analysis.EqualTimePicture;
+import enlightenment.measure.analysis.PowerLaw;
+import enlightenment.measure.analysis.SweepResult;
+import enlightenment.measure.analysis.TradeAnalysis;
+import enlightenment.measure.analysis.Verdict;
+import enlightenment.measure.trade.Reference;
+import enlightenment.measure.trade.TradeResult;
 import enlightenment.scene.RenderSettings;
 import java.util.Locale;
 import java.util.Optional;
@@ -21,12 +22,12 @@ import tools.jackson.core.JsonGenerator;
 final class TradeJson {
     private TradeJson() {}
 
-    static String of(TradeResult result) {
-        return JsonText.of(json -> trade(json, result));
+    static String of(TradeAnalysis result, EqualTimeComparison equalTime) {
+        return JsonText.of(json -> trade(json, result, equalTime));
     }
 
-    private static void trade(JsonGenerator json, TradeResult result) {
-        Circumstances c = result.circumstances();
+    private static void trade(JsonGenerator json, TradeAnalysis result, EqualTimeComparison equalTime) {
+        TradeResult.Conditions c = result.result().conditions();
         json.writeStartObject();
         json.writeStringProperty("enlightenment", Version.number());
         BenchJson.machine(json, c.machine());
@@ -35,69 +36,68 @@ final class TradeJson {
         json.writeNumberProperty("coldStartSeconds", c.coldSeconds());
         json.writeNumberProperty("shareOfProcessors", result.shareOfProcessors());
         settings(json, result);
-        reference(json, result.reference());
+        reference(json, result.result().reference());
         json.writeArrayPropertyStart("verdicts");
         Verdict.all(result).forEach(v -> verdict(json, v, result));
         json.writeEndArray();
         json.writeArrayPropertyStart("meetings");
-        Meeting.all(result).forEach(m -> meeting(json, m));
+        EqualErrorComparison.all(result).forEach(m -> meeting(json, m));
         json.writeEndArray();
         json.writeArrayPropertyStart("needs");
         for (double target : TradeResult.TARGETS) {
             if (result.isKnown(target)) {
-                result.reaches().forEach(r -> r.forError(target).ifPresent(n -> need(json, n)));
+                result.costs().forEach(r -> r.forError(target).ifPresent(n -> cost(json, n)));
             }
         }
         json.writeEndArray();
         json.writeArrayPropertyStart("curves");
         result.curves().forEach(x -> curve(json, x));
         json.writeEndArray();
-        equalTime(json, result);
+        equalTime(json, equalTime);
         json.writeArrayPropertyStart("sweeps");
         result.sweeps().forEach(s -> sweep(json, s));
         json.writeEndArray();
         json.writeEndObject();
     }
 
-    private static void verdict(JsonGenerator json, Verdict v, TradeResult result) {
+    private static void verdict(JsonGenerator json, Verdict v, TradeAnalysis result) {
         json.writeStartObject();
         json.writeNumberProperty("error", v.target());
         json.writeStringProperty("known", word(v.known()));
         json.writeStringProperty("sentence", v.sentence());
         v.best().ifPresent(b -> {
             json.writeStringProperty("arguments", Verdict.arguments(b, result.settings()));
-            need(json, "need", b);
+            cost(json, "need", b);
         });
         json.writeArrayPropertyStart("comparisons");
         for (Verdict.Comparison c : v.comparisons()) {
             json.writeStartObject();
             json.writeNumberProperty("timesAsLong", c.ratio());
             json.writeBooleanProperty("alike", c.alike());
-            need(json, "need", c.need());
+            cost(json, "need", c.cost());
             json.writeEndObject();
         }
         json.writeEndArray();
         json.writeEndObject();
     }
 
-    private static void meeting(JsonGenerator json, Meeting m) {
+    private static void meeting(JsonGenerator json, EqualErrorComparison m) {
         json.writeStartObject();
         json.writeNumberProperty("error", m.error());
         json.writeBooleanProperty("smallest", m.smallest());
         json.writeStringProperty("lightPoints", m.best() ? "best" : "scene");
         json.writeNumberProperty("timesAsLong", m.ratio());
-        need(json, "first", m.first());
-        need(json, "second", m.second());
+        cost(json, "first", m.first());
+        cost(json, "second", m.second());
         json.writeEndObject();
     }
 
-    private static void equalTime(JsonGenerator json, TradeResult result) {
-        double variance = result.reference().variance();
-        json.writeBooleanProperty("equal", EqualTime.areEqual(result.equalTime()));
-        EqualTime.sentence(result.equalTime(), variance)
-                .ifPresent(s -> json.writeStringProperty("equalTimeSentence", s));
+    private static void equalTime(JsonGenerator json, EqualTimeComparison comparison) {
+        json.writeBooleanProperty("equal", comparison.isEqual());
+        comparison.sentence().ifPresent(s -> json.writeStringProperty("equalTimeSentence", s));
         json.writeArrayPropertyStart("equalTime");
-        for (EqualTime e : result.equalTime()) {
+        double variance = comparison.referenceVariance();
+        for (EqualTimePicture e : comparison.pictures()) {
             json.writeStartObject();
             json.writeStringProperty("method", e.run().method());
             json.writeNumberProperty("lightPoints", e.run().shadowSamples());
@@ -114,7 +114,7 @@ final class TradeJson {
         return value.name().toLowerCase(Locale.ROOT);
     }
 
-    private static void settings(JsonGenerator json, TradeResult result) {
+    private static void settings(JsonGenerator json, TradeAnalysis result) {
         RenderSettings s = result.settings().base();
         json.writeObjectPropertyStart("settings");
         json.writeArrayPropertyStart("methods");
@@ -138,7 +138,7 @@ final class TradeJson {
         for (Reference.Part part : reference.parts()) {
             json.writeStartObject();
             json.writeStringProperty("method", part.method());
-            json.writeNumberProperty("lightPoints", part.lightPoints());
+            json.writeNumberProperty("lightPoints", part.lightSamples());
             json.writeNumberProperty("samples", part.samples());
             json.writeNumberProperty("seed", part.seed());
             json.writeEndObject();
@@ -147,15 +147,15 @@ final class TradeJson {
         json.writeEndObject();
     }
 
-    private static void need(JsonGenerator json, String key, Need n) {
+    private static void cost(JsonGenerator json, String key, CostEstimate n) {
         json.writeName(key);
-        need(json, n);
+        cost(json, n);
     }
 
-    private static void need(JsonGenerator json, Need n) {
+    private static void cost(JsonGenerator json, CostEstimate n) {
         json.writeStartObject();
         json.writeNumberProperty("error", n.target());
-        contender(json, n.contender());
+        configuration(json, n.configuration());
         json.writeNumberProperty("samples", n.samples());
         json.writeNumberProperty("errorItGives", n.error());
         n.flip().ifPresent(f -> json.writeNumberProperty("flip", f));
@@ -168,15 +168,15 @@ final class TradeJson {
         json.writeEndObject();
     }
 
-    private static void contender(JsonGenerator json, Contender c) {
+    private static void configuration(JsonGenerator json, Configuration c) {
         json.writeStringProperty("method", c.method());
-        json.writeNumberProperty("lightPoints", c.lightPoints());
+        json.writeNumberProperty("lightPoints", c.lightSamples());
         json.writeBooleanProperty("grid", c.grid());
     }
 
     private static void curve(JsonGenerator json, Curve curve) {
         json.writeStartObject();
-        contender(json, curve.contender());
+        configuration(json, curve.configuration());
         fit(json, "overSamples", curve.overSamples());
         fit(json, "overTime", curve.overTime());
         json.writeNumberProperty("insideOwnInterval", curve.insideOwnInterval());

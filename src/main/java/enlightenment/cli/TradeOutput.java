@@ -2,16 +2,17 @@ package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
 import enlightenment.image.ImageFiles;
-import enlightenment.measure.EqualTime;
-import enlightenment.measure.Need;
 import enlightenment.measure.Trade;
-import enlightenment.measure.TradeResult;
-import enlightenment.measure.TradeSettings;
-import enlightenment.measure.Verdict;
+import enlightenment.measure.analysis.CostEstimate;
+import enlightenment.measure.analysis.EqualTimeComparison;
+import enlightenment.measure.analysis.TradeAnalysis;
+import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.chart.Chart;
 import enlightenment.measure.chart.TradeCharts;
 import enlightenment.measure.page.PageContext;
 import enlightenment.measure.page.TradePage;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeSettings;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -47,27 +48,29 @@ final class TradeOutput {
         return names;
     }
 
-    void write(TradeResult result) throws IOException {
-        WholeFile.write(folder.resolve(FIGURES), TradeJson.of(result));
+    void write(TradeResult measured) throws IOException {
+        TradeAnalysis result = TradeAnalysis.of(measured);
+        EqualTimeComparison equalTime = EqualTimeComparison.read(folder, measured);
+        WholeFile.write(folder.resolve(FIGURES), TradeJson.of(result, equalTime));
         WholeFile.write(folder.resolve(SUMMARY), TradeSummary.of(result));
         List<Chart> charts = charts(result);
-        WholeFile.write(folder.resolve(PAGE), TradePage.of(result, context(), charts));
+        WholeFile.write(folder.resolve(PAGE), TradePage.of(result, equalTime, context(), charts));
         Verdict headline = Verdict.headline(result);
         terminal.show(headline.sentence());
         headline.best()
-                .filter(Need::isMeasured)
+                .filter(CostEstimate::isMeasured)
                 .ifPresent(b -> terminal.show("  " + context().render(b, result.settings())));
         for (Verdict v : Verdict.all(result)) {
             if (v.target() != headline.target()) {
                 terminal.show(v.sentence());
             }
         }
-        EqualTime.sentence(result.equalTime(), result.reference().variance()).ifPresent(terminal::show);
+        equalTime.sentence().ifPresent(terminal::show);
         terminal.show("All of it: " + folder.resolve(PAGE));
     }
 
     /** A machine without fonts, as some small containers are, draws no charts; all else is worth having. */
-    private List<Chart> charts(TradeResult result) throws IOException {
+    private List<Chart> charts(TradeAnalysis result) throws IOException {
         Optional<String> whyNot = TradeCharts.whyNot();
         if (whyNot.isPresent()) {
             terminal.say("there are no charts: " + whyNot.get());

@@ -1,6 +1,6 @@
 package enlightenment.cli;
 
-import enlightenment.measure.TradeListener;
+import enlightenment.measure.trade.TradeListener;
 import java.io.PrintStream;
 
 /** Progress of a trade, measured in time, as its budget is. */

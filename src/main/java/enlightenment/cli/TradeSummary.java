@@ -1,8 +1,8 @@
 package enlightenment.cli;
 
-import enlightenment.measure.Meeting;
-import enlightenment.measure.Need;
-import enlightenment.measure.TradeResult;
+import enlightenment.measure.analysis.CostEstimate;
+import enlightenment.measure.analysis.EqualErrorComparison;
+import enlightenment.measure.analysis.TradeAnalysis;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -26,29 +26,29 @@ final class TradeSummary {
                         .toList());
     }
 
-    static String of(TradeResult result) {
+    static String of(TradeAnalysis result) {
         StringBuilder text = new StringBuilder(HEADER).append('\n');
-        for (Meeting m : Meeting.all(result)) {
+        for (EqualErrorComparison m : EqualErrorComparison.all(result)) {
             List<String> cells = new ArrayList<>();
             cells.add(Double.toString(m.error()));
             cells.add(Boolean.toString(m.smallest()));
             cells.add(m.best() ? "best" : "scene");
             cells.add(Double.toString(m.ratio()));
-            need(cells, m.first());
-            need(cells, m.second());
+            cost(cells, m.first());
+            cost(cells, m.second());
             text.append(String.join(",", cells)).append('\n');
         }
         return text.toString();
     }
 
-    private static void need(List<String> cells, Need n) {
+    private static void cost(List<String> cells, CostEstimate n) {
         cells.add(n.method());
-        cells.add(Integer.toString(n.contender().lightPoints()));
+        cells.add(Integer.toString(n.configuration().lightSamples()));
         cells.add(Double.toString(n.samples()));
         cells.add(Double.toString(n.wall().median()));
         cells.add(n.cpu().map(c -> Double.toString(c.median())).orElse(""));
         cells.add(Double.toString(n.error()));
         cells.add(n.flip().map(f -> Double.toString(f)).orElse(""));
-        cells.add(n.source().name().toLowerCase(Locale.ROOT) + (n.isMoreThanAsked() ? " less" : ""));
+        cells.add(n.source().name().toLowerCase(Locale.ROOT) + (n.undercutsTarget() ? " less" : ""));
     }
 }

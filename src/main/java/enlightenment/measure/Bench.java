@@ -1,5 +1,7 @@
 package enlightenment.measure;
 
+import enlightenment.check.Check;
+import enlightenment.measure.trade.Spread;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
@@ -9,21 +11,22 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /**
- * How fast one scene is rendered.
+ * How fast one scene renders, measured by repeated renders after a warm-up.
  *
- * @param name what it is called in the output
- * @param settings the settings in force
- * @param wall seconds by the clock of each render, from scene description to picture
- * @param cpu seconds of all processors
- * @param rays rays of all kinds that were traced in one render
- * @param lightSamples light points that were asked for in one render: what the paper's program counted as rays
+ * @param name what the measurement is called in the output
+ * @param settings the settings of the renders
+ * @param wall seconds by the clock for one render, from the scene in memory to the finished image
+ * @param cpu seconds of all processors for one render; 0 where the machine cannot tell
+ * @param rays rays of all kinds that one render traced
+ * @param lightSamples light samples that one render evaluated, with or without a ray: what the paper's program counted as rays
  */
 public record Bench(String name, RenderSettings settings, Spread wall, Spread cpu, long rays, long lightSamples) {
-    /** The paper's benchmark, {@code runners.Benchmark}: fire and ice with these settings. */
+    /** The settings of the paper's benchmark, {@code runners.Benchmark}. */
     private static final int PAPER_WIDTH = 400;
 
     private static final int PAPER_HEIGHT = 200;
@@ -33,12 +36,13 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
 
     private static final double NANO = 1e-9;
 
-    /** Renders for nothing go on for so many seconds, and those that count for at most so many. */
+    /** The warm-up lasts at least this many seconds. */
     private static final double WARM_UP = 2;
 
-    private static final double LONGEST = 20;
+    /** No measured render begins after this many seconds, but the first. */
+    private static final double MAX_SECONDS = 20;
 
-    /** The settings of the paper's benchmark. */
+    /** The settings of the paper's benchmark, for its scene fire and ice; all else is the scene's own. */
     public static RenderSettings paperSettings(Scene fireAndIce) {
         return RenderSettings.of(fireAndIce)
                 .withMethod(Method.RAYTRACE)
@@ -49,13 +53,18 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
     }
 
     /**
-     * Renders again and again, warm, and takes the time.
+     * Renders repeatedly and measures the time. Warm-up and measurement take 2 to 22 seconds, or as long as two renders.
      *
-     * @param repeats how many renders count, at least 1; fewer where they take long
-     * @return nothing where it was cancelled before one was finished
+     * @param name the name of the measurement
+     * @param repeats how many renders are measured, at least 1; fewer where they take long
+     * @param cancelled asked often, from several threads; once it answers true, no further render counts
+     * @return the measurement; empty where it was cancelled before a render had ended
+     * @throws enlightenment.scene.SceneException if the scene cannot be rendered
+     * @throws enlightenment.math.InvalidValueException if {@code repeats} is less than 1
      */
     public static Optional<Bench> run(
             String name, Scene scene, RenderSettings settings, int repeats, BooleanSupplier cancelled) {
+        Check.that(repeats >= 1, "repeats", "must be at least 1, not " + repeats);
         long start = System.nanoTime();
         do {
             if (!Renderer.render(scene, settings, RenderProgress.NONE, cancelled)
@@ -67,7 +76,7 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
         List<Double> cpu = new ArrayList<>();
         RenderReport report = null;
         start = System.nanoTime();
-        while (wall.size() < repeats && (wall.isEmpty() || seconds(start) < LONGEST)) {
+        while (wall.size() < repeats && (wall.isEmpty() || seconds(start) < MAX_SECONDS)) {
             long before = System.nanoTime();
             RenderResult result = Renderer.render(scene, settings, RenderProgress.NONE, cancelled);
             double took = seconds(before);
@@ -86,16 +95,21 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
                         name, settings, Spread.of(wall), Spread.of(cpu), report.rays(), report.lightSamples()));
     }
 
+    /** Processor, system, Java, and how busy this machine is now, by label: what any time depends on. */
+    public static Map<String, String> machine() {
+        return Machine.facts();
+    }
+
     private static double seconds(long since) {
         return (System.nanoTime() - since) * NANO;
     }
 
-    /** Rays of all kinds per second by the clock, in the median. */
+    /** Rays of all kinds per second by the clock, from the median time. */
     public double raysPerSecond() {
         return rays / wall.median();
     }
 
-    /** The paper's figure: light points per second by the clock, in the median. */
+    /** Light samples per second by the clock, from the median time: the paper's figure. */
     public double lightSamplesPerSecond() {
         return lightSamples / wall.median();
     }

@@ -1,33 +1,33 @@
 package enlightenment.measure;
 
+import enlightenment.measure.analysis.Digits;
+import enlightenment.measure.analysis.EqualTimeComparison;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * Looks for budgets that take equally long, by rendering: what a budget takes is only known from doing it, and the machine's speed
- * drifts. The slowest keeps its budget, the others are brought to its time.
+ * Searches for budgets that take equally long, by rendering: how long a budget takes is only known afterwards, and the machine's
+ * speed drifts. The slowest keeps its budget, the others are brought to its time.
  */
 final class EqualTimeSearch {
-    /** Times that differ by no more than this factor are called equal. */
-    static final double TOLERANCE = 1.1;
+    private static final int MAX_ROUNDS = 6;
 
-    private static final int MOST_ROUNDS = 6;
+    /** No budget changes by more than this factor at once. */
+    private static final double MAX_CHANGE = 4;
 
-    /** Nobody's budget changes by more than this at once, nor by a higher power of what its time is off by. */
-    private static final double MOST_CHANGE = 4;
+    /** No budget changes by a higher power of the ratio of times. */
+    private static final double MAX_POWER = 3;
 
-    private static final double STEEPEST = 3;
-
-    /** Renders once with a budget and tells the seconds. */
+    /** Renders once with a budget and returns the seconds. */
     @FunctionalInterface
     interface Stopwatch {
-        double seconds(int contender, double samples);
+        double seconds(int configuration, double samples);
     }
 
     /**
      * The budgets that came closest.
      *
-     * @param samples by contender
+     * @param samples by configuration
      * @param seconds the time that each was measured to take, in the same round: the mean of two renders
      */
     record Found(double[] samples, double[] seconds) {
@@ -38,7 +38,7 @@ final class EqualTimeSearch {
         }
 
         boolean isEqual() {
-            return apart() <= TOLERANCE;
+            return apart() <= EqualTimeComparison.TOLERANCE;
         }
     }
 
@@ -58,12 +58,12 @@ final class EqualTimeSearch {
         int leader = slowest(now.seconds);
         double[] power = new double[start.length];
         Arrays.fill(power, 1);
-        for (int round = 1; round < MOST_ROUNDS && !best.isEqual() && more.getAsBoolean(); round++) {
+        for (int round = 1; round < MAX_ROUNDS && !best.isEqual() && more.getAsBoolean(); round++) {
             double[] samples = now.samples.clone();
             for (int i = 0; i < samples.length; i++) {
                 if (i != leader) {
                     double factor = Math.pow(now.seconds[leader] / now.seconds[i], power[i]);
-                    samples[i] = Digits.nearTwo(samples[i] * Math.min(Math.max(factor, 1 / MOST_CHANGE), MOST_CHANGE));
+                    samples[i] = Digits.nearTwo(samples[i] * Math.min(Math.max(factor, 1 / MAX_CHANGE), MAX_CHANGE));
                 }
             }
             Found before = now;
@@ -76,7 +76,7 @@ final class EqualTimeSearch {
         return best;
     }
 
-    /** Everyone in turn and back again: a speed that changes steadily favours nobody. */
+    /** Each in turn and in reverse order: a speed that changes steadily favours none. */
     private Found measure(double[] samples) {
         double[] seconds = new double[samples.length];
         for (int i = 0; i < samples.length; i++) {
@@ -88,12 +88,12 @@ final class EqualTimeSearch {
         return new Found(samples, seconds);
     }
 
-    /** With which power of the time the budget goes, by the last two rounds: above 1 where much of the time does not depend on it. */
+    /** The power of the time that the budget grows with, from the last two rounds: above 1 where fixed costs are large. */
     private static double power(Found before, Found now, int i) {
         double samples = Math.log(now.samples[i] / before.samples[i]);
         double seconds = Math.log(now.seconds[i] / before.seconds[i]);
         double power = samples / seconds;
-        return Double.isFinite(power) && power > 1 ? Math.min(power, STEEPEST) : 1;
+        return Double.isFinite(power) && power > 1 ? Math.min(power, MAX_POWER) : 1;
     }
 
     private static int slowest(double[] seconds) {

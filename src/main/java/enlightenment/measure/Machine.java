@@ -1,6 +1,7 @@
 package enlightenment.measure;
 
 import enlightenment.machine.MachineFacts;
+import enlightenment.measure.trade.TradeResult;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -9,22 +10,19 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** What was measured on: without it no time means anything. */
-public final class Machine {
+/** The machine that is measured on. */
+final class Machine {
     private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
-    /** The label of the number of processors. */
-    static final String PROCESSORS = "processors in use";
-
     private static final double MEBI = 1 << 20;
 
     private Machine() {}
 
-    /** Processor, system, Java, and how busy the machine is now, label by label. */
-    public static Map<String, String> facts() {
+    /** Processor, system, Java, and how busy the machine is now, by label. */
+    static Map<String, String> facts() {
         Map<String, String> facts = new LinkedHashMap<>();
         Runtime runtime = Runtime.getRuntime();
         facts.put("processor", processor());
-        facts.put(PROCESSORS, Integer.toString(runtime.availableProcessors()));
+        facts.put(TradeResult.Conditions.PROCESSORS, Integer.toString(runtime.availableProcessors()));
         facts.put(
                 "system",
                 System.getProperty("os.name") + " " + System.getProperty("os.version") + " "
@@ -36,7 +34,7 @@ public final class Machine {
         return facts;
     }
 
-    /** The processor's name where Linux tells it, its kind elsewhere. */
+    /** The processor's model where Linux tells it, its architecture elsewhere. */
     private static String processor() {
         try {
             for (String line :
@@ -46,7 +44,7 @@ public final class Machine {
                 }
             }
         } catch (IOException e) {
-            // Not Linux, or not told.
+            // Not Linux, or not readable: the architecture has to do.
         }
         return System.getProperty("os.arch");
     }

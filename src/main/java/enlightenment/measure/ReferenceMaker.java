@@ -4,35 +4,38 @@ import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
+import enlightenment.measure.analysis.Configuration;
+import enlightenment.measure.trade.Reference;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
- * Makes what is taken for the truth: the mean of one long render by each method, with seeds that no run uses. Each part is
- * kept in a file, so that nobody has to wait for it twice.
+ * Makes the reference: the mean of one long render by each method, with seeds that no run uses. Each part is kept in a file, so that
+ * a resumed measurement has it at once.
  */
 final class ReferenceMaker {
-    /** How much of the budget the parts may take together, without sweeps and with. */
+    /** The share of the budget for all parts together, without sweeps and with. */
     private static final double SHARE = 0.4;
 
     private static final double SHARE_WITH_SWEEPS = 0.3;
 
-    private static final double LEAST_SAMPLES = 16;
+    private static final double MIN_SAMPLES = 16;
     private static final int PILOTS = 3;
-    private static final double MOST_SAMPLES = 1 << 16;
+    private static final double MAX_SAMPLES = 1 << 16;
 
-    /** For the two renders that tell the error of a given reference. */
+    /** The share for the two renders that estimate the error of a given reference. */
     private static final double PROBE_SHARE = 0.1;
 
     /**
      * Light points for each hit of a part made of evenly spaced rays, if the scene does not ask for fewer: few for each of many
      * rays lead to the same picture in less time. Fitted: 2 took 0.6 to 0.8 of the time to equal error that 10 and 25 took.
      */
-    private static final int LIGHT_POINTS = 2;
+    private static final int LIGHT_SAMPLES = 2;
 
     private final Session session;
 
@@ -45,7 +48,7 @@ final class ReferenceMaker {
                 ? given(session.settings.reference().get())
                 : made();
         ImageFiles.writePfm(reference.image(), session.folder.file("reference.pfm"));
-        // Finer than eight bits: errors of a thousandth are to be told from those of the file.
+        // Sixteen bits: rounding to eight would add an error of a thousandth.
         ImageFiles.writePng(reference.image(), session.folder.file("reference.png"), new PngOptions(16, Map.of()));
         return reference;
     }
@@ -57,21 +60,21 @@ final class ReferenceMaker {
         List<Image> images = new ArrayList<>();
         List<Reference.Part> parts = new ArrayList<>();
         for (int i = 0; i < methods.size(); i++) {
-            part(i, contender(methods.get(i)), share, images, parts);
+            part(i, configuration(methods.get(i)), share, images, parts);
         }
-        return Reference.meanOf(images, parts);
+        return meanOf(images, parts);
     }
 
-    /** Every method once, or the only one twice: of a single render nobody could tell how good it is. */
+    /** Every method once, or the only one twice: a single render could not tell its own error. */
     private List<String> pair() {
         List<String> methods = session.settings.methods();
         return methods.size() > 1 ? methods : List.of(methods.get(0), methods.get(0));
     }
 
-    private Contender contender(String method) {
-        Contender own = session.settings.own(method);
-        boolean fewer = !Contender.variants(own).isEmpty() && LIGHT_POINTS < own.lightPoints();
-        return fewer ? new Contender(method, LIGHT_POINTS, false) : own;
+    private Configuration configuration(String method) {
+        Configuration own = Configuration.ofScene(session.settings, method);
+        boolean fewer = !Configuration.variants(own).isEmpty() && LIGHT_SAMPLES < own.lightSamples();
+        return fewer ? new Configuration(method, LIGHT_SAMPLES, false) : own;
     }
 
     private long seed(int part) {
@@ -79,27 +82,28 @@ final class ReferenceMaker {
     }
 
     /** One part from its file, or rendered. */
-    private void part(int index, Contender contender, double share, List<Image> images, List<Reference.Part> parts)
+    private void part(
+            int index, Configuration configuration, double share, List<Image> images, List<Reference.Part> parts)
             throws IOException {
         Path note = session.folder.file("reference-" + (index + 1) + ".txt");
         Path file = session.folder.file("reference-" + (index + 1) + ".pfm");
         if (Files.exists(note) && Files.exists(file)) {
             images.add(ImageFiles.read(file));
-            parts.add(part(contender, samples(note), index));
+            parts.add(part(configuration, samples(note), index));
             return;
         }
-        double samples = samples(contender, share * session.settings.budgetSeconds());
-        session.say("reference: " + contender.name() + ", " + (long) samples + " samples per pixel");
-        Image image = session.timed(contender, samples, seed(index)).image();
+        double samples = samples(configuration, share * session.settings.budgetSeconds());
+        session.say("reference: " + configuration.name() + ", " + (long) samples + " samples per pixel");
+        Image image = session.timed(configuration, samples, seed(index)).image();
         ImageFiles.writePfm(image, file);
-        // Last, as it says that the picture is whole.
+        // Last: it marks the part as whole.
         WholeFile.write(note, samples + "\n");
         images.add(image);
-        parts.add(part(contender, samples, index));
+        parts.add(part(configuration, samples, index));
     }
 
-    private Reference.Part part(Contender contender, double samples, int index) {
-        return new Reference.Part(contender.method(), contender.lightPoints(), samples, seed(index));
+    private Reference.Part part(Configuration configuration, double samples, int index) {
+        return new Reference.Part(configuration.method(), configuration.lightSamples(), samples, seed(index));
     }
 
     private static double samples(Path note) throws IOException {
@@ -110,29 +114,81 @@ final class ReferenceMaker {
         }
     }
 
-    /** The largest power of two that fits into so many seconds: that many samples are the best distributed. */
-    private double samples(Contender contender, double seconds) {
+    /** The largest power of two that fits into this many seconds: powers of two are the best distributed. */
+    private double samples(Configuration configuration, double seconds) {
         long seed = session.settings.base().seed();
-        for (int k = 0; k < PILOTS && session.expected(contender, LEAST_SAMPLES) < seconds / 4; k++) {
-            // The rate of few samples has the start in it, and the first render of more is not yet compiled.
-            session.timed(contender, LEAST_SAMPLES, seed);
+        for (int k = 0; k < PILOTS && session.expected(configuration, MIN_SAMPLES) < seconds / 4; k++) {
+            // A small budget includes fixed costs, and Java may still be compiling.
+            session.timed(configuration, MIN_SAMPLES, seed);
         }
-        double samples = LEAST_SAMPLES;
-        while (2 * samples <= MOST_SAMPLES && session.expected(contender, 2 * samples) <= seconds) {
+        double samples = MIN_SAMPLES;
+        while (2 * samples <= MAX_SAMPLES && session.expected(configuration, 2 * samples) <= seconds) {
             samples *= 2;
         }
         return samples;
     }
 
     private Reference given(Image image) {
-        session.say("looking at the reference");
+        session.say("estimating the error of the reference");
         List<String> methods = pair();
         List<Image> images = new ArrayList<>();
         for (int i = 0; i < 2; i++) {
-            Contender contender = contender(methods.get(i));
-            double samples = samples(contender, PROBE_SHARE / 2 * session.settings.budgetSeconds());
-            images.add(session.timed(contender, samples, seed(i)).image());
+            Configuration configuration = configuration(methods.get(i));
+            double samples = samples(configuration, PROBE_SHARE / 2 * session.settings.budgetSeconds());
+            images.add(session.timed(configuration, samples, seed(i)).image());
         }
-        return Reference.given(image, images.get(0), images.get(1));
+        return given(image, images.get(0), images.get(1));
+    }
+
+    /**
+     * The mean of independent renders. The mean squared difference of two of them estimates the sum of their variances, so the
+     * differences of all pairs estimate the variance of the mean without any assumption about the methods: for n renders, their
+     * sum over all pairs divided by n²(n − 1).
+     *
+     * @param images at least two, of one size
+     */
+    static Reference meanOf(List<Image> images, List<Reference.Part> parts) {
+        int n = images.size();
+        int width = images.get(0).width();
+        int height = images.get(0).height();
+        float[] mean = new float[3 * width * height];
+        double squares = 0;
+        int i = 0;
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                for (int c = 0; c < 3; c++) {
+                    double sum = 0;
+                    for (int a = 0; a < n; a++) {
+                        double value = images.get(a).component(x, y, c);
+                        sum += value;
+                        for (int b = 0; b < a; b++) {
+                            double d = value - images.get(b).component(x, y, c);
+                            squares += d * d;
+                        }
+                    }
+                    mean[i++] = (float) (sum / n);
+                }
+            }
+        }
+        double variance = squares / mean.length / ((double) n * n * (n - 1));
+        return new Reference(Optional.of(new Image(width, height, mean)), variance, parts);
+    }
+
+    /**
+     * An image that the user gave. The differences of two independent renders from it have only its own error in common, bias
+     * included: their mean product estimates its mean squared error.
+     */
+    static Reference given(Image reference, Image a, Image b) {
+        double sum = 0;
+        for (int y = 0; y < reference.height(); y++) {
+            for (int x = 0; x < reference.width(); x++) {
+                for (int c = 0; c < 3; c++) {
+                    double r = reference.component(x, y, c);
+                    sum += (a.component(x, y, c) - r) * (b.component(x, y, c) - r);
+                }
+            }
+        }
+        double mean = sum / (3.0 * reference.width() * reference.height());
+        return new Reference(Optional.of(reference), Math.max(mean, 0), List.of());
     }
 }

@@ -1,5 +1,12 @@
 package enlightenment.measure;
 
+import enlightenment.measure.analysis.Configuration;
+import enlightenment.measure.analysis.MeasuredCosts;
+import enlightenment.measure.analysis.TradeAnalysis;
+import enlightenment.measure.trade.Reference;
+import enlightenment.measure.trade.TradeListener;
+import enlightenment.measure.trade.TradeRun;
+import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.util.HashMap;
@@ -8,18 +15,18 @@ import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 
-/** What the steps of a trade share: stopwatch, journal, reference, and what renders are known to cost. */
+/** What the steps of a measurement share: clock, journal, reference, and how long renders are expected to take. */
 final class Session {
     private static final double NANO = 1e-9;
 
     final TradeSettings settings;
     final TradeFolder folder;
-    final Meter meter;
+    final TimedRenderer renderer;
     private final TradeListener listener;
     private final long start = System.nanoTime();
 
-    /** Seconds by the clock for one sample per pixel, by contender, as last seen. */
-    private final Map<Contender, Double> secondsPerSample = new HashMap<>();
+    /** Seconds by the clock for one sample per pixel, by configuration, as last measured. */
+    private final Map<Configuration, Double> secondsPerSample = new HashMap<>();
 
     private volatile String doing = "";
     private Reference reference;
@@ -33,19 +40,19 @@ final class Session {
         this.settings = settings;
         this.folder = folder;
         this.listener = listener;
-        meter = new Meter(scene, cancelled, this::tick);
+        renderer = new TimedRenderer(scene, cancelled, this::tick);
     }
 
     double elapsed() {
         return (System.nanoTime() - start) * NANO;
     }
 
-    /** Whether work of so many seconds still fits in before this share of the budget is over. */
+    /** Whether work of this many seconds would end within this share of the budget. */
     boolean fits(double seconds, double share) {
         return elapsed() + seconds <= share * settings.budgetSeconds();
     }
 
-    /** Says what comes next. */
+    /** Tells the listener what comes next. */
     void say(String what) {
         doing = what;
         tick();
@@ -64,25 +71,26 @@ final class Session {
         return reference;
     }
 
-    /** Renders, and remembers what it cost. */
-    Meter.Timed timed(Contender contender, double samples, long seed) {
-        Meter.Timed t = meter.render(contender.settings(settings.base(), samples, seed));
-        secondsPerSample.put(contender, t.wall() / samples);
+    /** Renders, and remembers how long it took. */
+    TimedRenderer.Timed timed(Configuration configuration, double samples, long seed) {
+        TimedRenderer.Timed t = renderer.render(configuration.settings(settings.base(), samples, seed));
+        secondsPerSample.put(configuration, t.wall() / samples);
         return t;
     }
 
-    /** What so many samples are expected to take; too much rather than too little where they are more than last time. */
-    double expected(Contender contender, double samples) {
-        Contender own = settings.own(contender.method());
-        // Of a number of light points that was not seen yet, what those of the scene take; more take more.
+    /** The seconds that a budget is expected to take: in proportion to the last one, which overestimates larger budgets. */
+    double expected(Configuration configuration, double samples) {
+        Configuration own = Configuration.ofScene(settings, configuration.method());
+        // A number of light samples that has not run yet takes as long as the scene's own; a larger one longer in
+        // proportion.
         double unseen = secondsPerSample.getOrDefault(own, 0.0)
-                * Math.max((double) contender.lightPoints() / own.lightPoints(), 1);
-        return secondsPerSample.getOrDefault(contender, unseen) * samples;
+                * Math.max((double) configuration.lightSamples() / own.lightSamples(), 1);
+        return secondsPerSample.getOrDefault(configuration, unseen) * samples;
     }
 
-    /** Judges renders that were made one after the other and writes them into the journal. */
-    List<TradeRun> record(String kind, List<Meter.Timed> renders) throws IOException {
-        List<TradeRun> runs = Meter.judge(kind, renders, reference.image());
+    /** Compares renders with the reference and writes them into the journal. */
+    List<TradeRun> record(String kind, List<TimedRenderer.Timed> renders) throws IOException {
+        List<TradeRun> runs = TimedRenderer.judge(kind, renders, reference.image());
         for (TradeRun run : runs) {
             record(run);
         }
@@ -101,20 +109,21 @@ final class Session {
         return folder.journal().runs().stream().anyMatch(which);
     }
 
-    /** What is known of a contender by now. */
-    Reach reach(Contender contender) {
-        return Reach.of(contender, folder.journal().runs(), settings.base().threads(), reference.variance());
+    /** The costs of a configuration as known by now. */
+    MeasuredCosts costs(Configuration configuration) {
+        return MeasuredCosts.of(
+                configuration, folder.journal().runs(), settings.base().threads(), reference.variance());
     }
 
-    /** What is known by now of all that ran, those with the scene's own light points first. */
-    List<Reach> reaches() {
-        return TradeResult.reaches(settings, folder.journal().runs(), reference.variance());
+    /** The costs of all configurations that ran, those with the scene's own light samples first. */
+    List<MeasuredCosts> costs() {
+        return TradeAnalysis.costs(settings, folder.journal().runs(), reference.variance());
     }
 
-    /** What is known by now of a method with any number of light points. */
-    List<Reach> reaches(String method) {
-        return reaches().stream()
-                .filter(r -> r.contender().method().equals(method))
+    /** The costs of a method with any number of light samples. */
+    List<MeasuredCosts> costs(String method) {
+        return costs().stream()
+                .filter(r -> r.configuration().method().equals(method))
                 .toList();
     }
 }

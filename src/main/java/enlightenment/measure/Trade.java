@@ -1,30 +1,36 @@
 package enlightenment.measure;
 
+import enlightenment.measure.analysis.TradeAnalysis;
+import enlightenment.measure.analysis.Verdict;
+import enlightenment.measure.trade.Advice;
+import enlightenment.measure.trade.TradeListener;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
-/** Measures the trade of speed against accuracy of a scene. */
+/** Measures the trade-off of speed against accuracy for a scene, and advises what to render with. */
 public final class Trade {
-    private static final double BEFORE_SWEEPS = 0.7;
-
     private Trade() {}
 
     /**
-     * Measures, and keeps every run in the folder as soon as it has ended: {@code trade.csv}. What was interrupted goes on with
-     * {@code resume}.
+     * Measures. Every run is in the folder's {@code trade.csv} as soon as it has ended, so that an interrupted measurement can be
+     * resumed; the reference and the pictures at equal time are written there as well ({@link #files}).
      *
-     * @param folder made if it is not there
-     * @param resume whether to go on with what the folder holds, if it holds something
-     * @param cancelled asked now and then from several threads; once true, the trade ends with what it has
-     * @return what is known, or nothing where it was stopped before there was a reference
-     * @throws enlightenment.math.InvalidValueException if the folder cannot be used: key "output", or "resume" where it
-     *     holds a trade of something else
+     * @param folder where to keep the measurement; made if it does not exist
+     * @param resume whether to resume a measurement that the folder holds; without one, a new one begins
+     * @param listener hears the progress
+     * @param cancelled asked often, from several threads; once it answers true, the measurement ends with what it has
+     * @return the result; empty where it was cancelled before there was a reference
+     * @throws enlightenment.math.InvalidValueException if the folder cannot be used: key "output", or "resume" where it holds a
+     *     measurement with other settings or of another scene
+     * @throws enlightenment.scene.SceneException if the scene cannot be rendered
+     * @throws IOException if the folder cannot be read or written
      */
     public static Optional<TradeResult> run(
             Scene scene,
@@ -36,61 +42,56 @@ public final class Trade {
             throws IOException {
         TradeFolder files = TradeFolder.open(folder, settings, resume);
         Session session = new Session(scene, settings, files, listener, cancelled);
-        List<EqualTime> pictures = new ArrayList<>();
-        Map<String, String> machine = Machine.facts();
+        Map<String, String> machine = Bench.machine();
         double cold = 0;
         boolean complete = true;
         try {
             cold = WarmUp.run(session);
             session.reference(new ReferenceMaker(session).make());
-            new Ladder(session).climb();
-            Trial trial = new Trial(session);
+            new BudgetSeries(session).run();
+            Validation validation = new Validation(session);
             for (double target : TradeResult.TARGETS) {
-                trial.run(target);
+                validation.run(target);
             }
-            pictures.addAll(EqualTime.make(session));
-            sweeps(session);
-        } catch (Stopped e) {
+            new EqualTimeRenders(session).run();
+            new SweepRunner(session).run();
+        } catch (CancelledException e) {
             complete = false;
         }
-        Circumstances circumstances = new Circumstances(machine, cold, session.elapsed(), complete);
         if (session.reference() == null) {
             return Optional.empty();
         }
-        files.keep(session.reference(), circumstances);
-        return Optional.of(
-                TradeResult.of(settings, session.reference(), session.runs(r -> true), pictures, circumstances));
+        TradeResult.Conditions conditions = new TradeResult.Conditions(machine, cold, session.elapsed(), complete);
+        files.keep(session.reference(), conditions);
+        return Optional.of(new TradeResult(settings, session.reference(), session.runs(r -> true), conditions));
     }
 
     /**
-     * Evaluates again what a folder holds, without measuring. Only the runs and the figures of the reference are needed; pictures
-     * are part of the result as far as they were kept.
+     * Reads the result that a folder holds, without measuring. The runs and the figures of the reference are enough; its picture is
+     * part of the result if it was kept.
      *
-     * @throws enlightenment.math.InvalidValueException key "evaluate", if the folder holds no trade or one of something else
+     * @param settings as the folder was measured with; budget, number of seeds and sweeps may differ
+     * @throws enlightenment.math.InvalidValueException key "evaluate", if the folder holds no finished measurement, or one with other
+     *     settings or of another scene
+     * @throws IOException if a file cannot be read or is damaged
      */
-    public static TradeResult evaluate(TradeSettings settings, Path folder) throws IOException {
+    public static TradeResult read(TradeSettings settings, Path folder) throws IOException {
         TradeFolder files = TradeFolder.stored(folder, settings);
-        TradeFolder.Kept kept = files.kept();
-        List<TradeRun> runs = files.journal().runs();
-        return TradeResult.of(
-                settings,
-                kept.reference(),
-                runs,
-                EqualTime.stored(
-                        settings.methods(), runs, files, kept.reference().variance()),
-                kept.circumstances());
+        MeasurementFile.Content kept = files.kept();
+        return new TradeResult(settings, kept.reference(), files.journal().runs(), kept.conditions());
     }
 
-    /** The names of all files that {@link #run} may write into its folder, whatever it finds. */
+    /**
+     * The advice for an error.
+     *
+     * @param error the root mean square error to reach, in display units; greater than 0. {@link TradeResult#TARGETS} were tried
+     */
+    public static Advice advice(TradeResult result, double error) {
+        return Verdict.of(TradeAnalysis.of(result), error).advice(result.settings());
+    }
+
+    /** The names of all files that {@link #run} may write into its folder. */
     public static List<String> files(TradeSettings settings) {
         return TradeFolder.names(settings.methods());
-    }
-
-    private static void sweeps(Session session) throws IOException {
-        List<Sweep> sweeps = session.settings.sweeps();
-        for (int i = 0; i < sweeps.size(); i++) {
-            double share = BEFORE_SWEEPS + (1 - BEFORE_SWEEPS) * (i + 1) / sweeps.size();
-            SweepResult.run(session, sweeps.get(i), share);
-        }
     }
 }

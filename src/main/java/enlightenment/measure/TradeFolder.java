@@ -4,17 +4,23 @@ import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
+import enlightenment.measure.analysis.EqualTimeComparison;
+import enlightenment.measure.trade.Reference;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeRun;
+import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
 /**
- * The folder of a trade: what it was made with, the runs so far, the parts of the reference. Whatever happens to the process,
- * the next one can go on from here.
+ * The folder of a measurement: its settings, the runs so far, the parts of the reference. Whatever happens to the process, the next
+ * one can resume from here.
  */
 final class TradeFolder {
     private static final String IDENTITY = "settings.txt";
@@ -30,9 +36,9 @@ final class TradeFolder {
     }
 
     /**
-     * Begins a folder or goes on with one.
+     * Begins a measurement in a folder, or resumes the one it holds.
      *
-     * @throws InvalidValueException if the place is taken (key "output") or belongs to a trade of something else (key
+     * @throws InvalidValueException if the folder holds something else (key "output") or a measurement with other settings (key
      *     "resume")
      */
     static TradeFolder open(Path folder, TradeSettings settings, boolean resume) throws IOException {
@@ -44,7 +50,7 @@ final class TradeFolder {
         Path runs = folder.resolve(RUNS);
         if (!Files.exists(identity) || !Files.exists(runs)) {
             TradeJournal journal = TradeJournal.create(runs);
-            WholeFile.write(identity, String.join("\n", settings.identity()) + "\n");
+            WholeFile.write(identity, String.join("\n", identity(settings)) + "\n");
             return new TradeFolder(folder, journal);
         }
         if (!resume) {
@@ -56,10 +62,9 @@ final class TradeFolder {
     }
 
     /**
-     * Opens a folder to read what was measured. One that lost its settings, as those in the documentation did, must hold runs with
-     * the same light points and threads.
+     * Opens a folder to read what was measured. One without its settings must hold runs with the same light samples and threads.
      *
-     * @throws InvalidValueException key "evaluate", if there is no trade in it or one of something else
+     * @throws InvalidValueException key "evaluate", if it holds no measurement, or one with other settings
      */
     static TradeFolder stored(Path folder, TradeSettings settings) throws IOException {
         for (String name : List.of(RUNS, KEPT)) {
@@ -87,13 +92,13 @@ final class TradeFolder {
         }
         if (!ran) {
             throw new InvalidValueException(
-                    "evaluate", folder + " holds no runs with " + base.shadowSamples() + " light points");
+                    "evaluate", folder + " holds no runs with " + base.shadowSamples() + " light samples");
         }
     }
 
     private static void checkIdentity(Path folder, TradeSettings settings, String key) throws IOException {
         List<String> then = Files.readAllLines(folder.resolve(IDENTITY));
-        List<String> now = settings.identity();
+        List<String> now = identity(settings);
         for (int i = 0; i < now.size(); i++) {
             String old = i < then.size() ? then.get(i) : "nothing";
             if (!old.equals(now.get(i))) {
@@ -104,37 +109,57 @@ final class TradeFolder {
         }
     }
 
-    /** What is needed beside the runs to evaluate them once more. */
-    record Kept(Reference reference, Circumstances circumstances) {}
-
-    /** Keeps the figures of the reference and the circumstances. */
-    void keep(Reference reference, Circumstances circumstances) throws IOException {
-        WholeFile.write(file(KEPT), String.join("\n", KeptText.lines(reference, circumstances)) + "\n");
+    /** Writes the figures of the reference and the conditions. */
+    void keep(Reference reference, TradeResult.Conditions conditions) throws IOException {
+        WholeFile.write(file(KEPT), String.join("\n", MeasurementFile.lines(reference, conditions)) + "\n");
     }
 
-    /** Reads what was kept, with the reference's picture if that is still there. */
-    Kept kept() throws IOException {
+    /** Reads them, with the reference's picture if that is still there. */
+    MeasurementFile.Content kept() throws IOException {
         Optional<Image> picture = Optional.empty();
         for (String name : List.of("reference.png", "reference.pfm")) {
             if (Files.exists(file(name))) {
                 picture = Optional.of(ImageFiles.read(file(name)));
             }
         }
-        return KeptText.parse(file(KEPT), picture);
+        return MeasurementFile.parse(file(KEPT), picture);
     }
 
-    /** All files that a trade of these methods may write; those who write them name them the same way. */
+    /** The names of all files that a measurement of these methods may write. */
     static List<String> names(List<String> methods) {
         List<String> names = new ArrayList<>(List.of(IDENTITY, RUNS, KEPT, "reference.pfm", "reference.png"));
-        // Of a single method the reference has two parts.
+        // The reference of a single method has two parts.
         for (int part = 1; part <= Math.max(methods.size(), 2); part++) {
             names.addAll(List.of("reference-" + part + ".pfm", "reference-" + part + ".txt"));
         }
         for (String method : methods) {
-            String picture = "equal-time-" + method;
-            names.addAll(List.of(picture + ".png", picture + "-flip.png", picture + "-error.png"));
+            names.addAll(List.of(
+                    EqualTimeComparison.pictureName(method),
+                    EqualTimeComparison.flipName(method),
+                    EqualTimeComparison.differenceName(method)));
         }
         return names;
+    }
+
+    /** Everything that must be the same for a measurement to be resumed, one {@code key=value} per line. */
+    private static List<String> identity(TradeSettings settings) {
+        RenderSettings base = settings.base();
+        RenderSettings.Crop c = base.region();
+        return List.of(
+                "format=2",
+                "scene=" + settings.sceneKey(),
+                "methods=" + String.join(",", settings.methods()),
+                "size=" + base.width() + "x" + base.height(),
+                "crop=" + c.x() + "," + c.y() + "," + c.width() + "," + c.height(),
+                "antialias=" + base.antialias(),
+                "shadowSamples=" + base.shadowSamples(),
+                "proposal=" + base.proposal(),
+                "seed=" + base.seed(),
+                "threads=" + base.threads(),
+                "reference="
+                        + settings.reference()
+                                .map(r -> "given, " + Arrays.hashCode(r.toArray()))
+                                .orElse("auto"));
     }
 
     Path file(String name) {

@@ -1,6 +1,7 @@
 package enlightenment.measure;
 
 import enlightenment.file.WholeFile;
+import enlightenment.measure.trade.TradeRun;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -9,7 +10,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The runs of a trade in a file of comma-separated values, one line for each, written as soon as it has ended. */
+/** The runs of a measurement in a file of comma-separated values: one line each, written as soon as the run has ended. */
 final class TradeJournal {
     private static final String HEADER =
             "kind,method,antialias,shadowSamples,threads,samples,seed,wallSeconds,cpuSeconds,"
@@ -23,13 +24,13 @@ final class TradeJournal {
         this.file = file;
     }
 
-    /** Begins a new file. */
+    /** Creates the file. */
     static TradeJournal create(Path file) throws IOException {
         WholeFile.write(file, HEADER + "\n");
         return new TradeJournal(file);
     }
 
-    /** Goes on with a file. A last line that an interruption cut short is dropped, from the file as well. */
+    /** Opens a file to append to. A last line that an interruption cut short is dropped, from the file as well. */
     static TradeJournal open(Path file) throws IOException {
         TradeJournal journal = new TradeJournal(file);
         String text = Files.readString(file);
@@ -103,7 +104,7 @@ final class TradeJournal {
                         Double.parseDouble(f[14]));
             }
         } catch (NumberFormatException e) {
-            // Told below, as a wrong number of columns is.
+            // Reported below, as a wrong number of columns is.
         }
         throw new IOException(place + ": is not a line that the command trade wrote: \"" + line + "\"");
     }

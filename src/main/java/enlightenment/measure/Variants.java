@@ -1,14 +1,17 @@
 package enlightenment.measure;
 
+import enlightenment.measure.analysis.Configuration;
+import enlightenment.measure.analysis.Curve;
+import enlightenment.measure.trade.TradeRun;
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Which other numbers of light points are worth going on with: comparing a method at a bad setting says nothing of the method, but
- * trying all of them on the whole ladder would take the time that the comparison needs.
+ * Chooses the numbers of light samples that a method goes on with: a comparison at a bad setting says nothing of the method, but
+ * running all of them over all budgets would take the time that the comparison needs.
  */
 final class Variants {
-    /** By so much slower than others is not chance, and never comes back by chance. */
+    /** A time longer by this factor is not chance. */
     private static final double CLEARLY = 1.15;
 
     private static final int IN_A_ROW = 2;
@@ -16,35 +19,35 @@ final class Variants {
     private Variants() {}
 
     /**
-     * Those that are worth another rung. What gives the same picture as the scene's own number is given up at once, and so is
-     * what twice in a row was surpassed: another number of the same method gave a smaller error in clearly less time.
+     * The variants that are worth another budget. One that gives the same image as the scene's own number is dropped at once, and
+     * one that was dominated twice in a row: another number gave a smaller error in clearly less time.
      */
-    static List<Contender> worthGoingOn(Contender own, List<TradeRun> ladder) {
-        List<Contender> left = new ArrayList<>();
-        for (Contender variant : Contender.variants(own)) {
-            if (!sameAs(own, variant, ladder) && !surpassed(variant, ladder)) {
+    static List<Configuration> worthwhile(Configuration own, List<TradeRun> ladder) {
+        List<Configuration> left = new ArrayList<>();
+        for (Configuration variant : Configuration.variants(own)) {
+            if (!sameAs(own, variant, ladder) && !dominated(variant, ladder)) {
                 left.add(variant);
             }
         }
         return left;
     }
 
-    private static boolean sameAs(Contender own, Contender variant, List<TradeRun> ladder) {
-        return ladder.stream().filter(r -> Contender.of(r).equals(variant)).anyMatch(r -> ladder.stream()
-                .anyMatch(o -> Contender.of(o).equals(own)
+    private static boolean sameAs(Configuration own, Configuration variant, List<TradeRun> ladder) {
+        return ladder.stream().filter(r -> Configuration.of(r).equals(variant)).anyMatch(r -> ladder.stream()
+                .anyMatch(o -> Configuration.of(o).equals(own)
                         && o.seed() == r.seed()
                         && o.samples() == r.samples()
                         && o.meanSquaredDifference() == r.meanSquaredDifference()
                         && o.flip() == r.flip()));
     }
 
-    private static boolean surpassed(Contender variant, List<TradeRun> ladder) {
+    private static boolean dominated(Configuration variant, List<TradeRun> ladder) {
         List<Curve.Point> mine = Curve.of(variant, ladder, 0).points();
         if (mine.size() < IN_A_ROW) {
             return false;
         }
         List<Curve.Point> others = ladder.stream()
-                .map(Contender::of)
+                .map(Configuration::of)
                 .distinct()
                 .filter(c -> c.method().equals(variant.method()) && !c.equals(variant))
                 .flatMap(c -> Curve.of(c, ladder, 0).points().stream())

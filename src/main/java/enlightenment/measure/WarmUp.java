@@ -1,30 +1,29 @@
 package enlightenment.measure;
 
-/**
- * Renders for nothing until Java has compiled what there is to compile, so that the first run that counts is not the one that
- * pays for it.
- */
+import enlightenment.measure.analysis.Configuration;
+
+/** Renders without counting until Java has compiled the code, so that the first measured run does not pay for it. */
 final class WarmUp {
     private static final double SAMPLES = 4;
 
-    /** The share of the budget, and the seconds, after which it is over; measured: fire and ice needs three to four. */
+    /** Ends after this share of the budget, at most after so many seconds. Measured: fire and ice needs three to four. */
     private static final double SHARE = 0.08;
 
-    private static final double LONGEST = 6;
-    private static final int LEAST_ROUNDS = 2;
+    private static final double MAX_SECONDS = 6;
+    private static final int MIN_ROUNDS = 2;
 
     private WarmUp() {}
 
-    /** Returns by how many seconds the very first render took longer than the same one now. */
+    /** Returns by how many seconds the first render took longer than the last, by the first method; at least 0. */
     static double run(Session session) {
         session.say("warming up");
-        double limit = Math.min(SHARE * session.settings.budgetSeconds(), LONGEST);
+        double limit = Math.min(SHARE * session.settings.budgetSeconds(), MAX_SECONDS);
         double first = 0;
         double last = 0;
         long seed = session.settings.base().seed();
-        for (int round = 0; round < LEAST_ROUNDS || session.elapsed() < limit; round++) {
+        for (int round = 0; round < MIN_ROUNDS || session.elapsed() < limit; round++) {
             for (String method : session.settings.methods()) {
-                double wall = session.timed(session.settings.own(method), SAMPLES, seed)
+                double wall = session.timed(Configuration.ofScene(session.settings, method), SAMPLES, seed)
                         .wall();
                 if (method.equals(session.settings.methods().get(0))) {
                     first = round == 0 ? wall : first;

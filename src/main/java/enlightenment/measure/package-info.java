@@ -1,5 +1,5 @@
 /**
- * The trade of speed against accuracy, measured: a ladder of budgets for each method, judged against a converged reference,
- * fitted, and put into words. {@code docs/trade.md} explains it.
+ * Measures speed: {@link enlightenment.measure.Bench} of one setting, {@link enlightenment.measure.Trade} against accuracy, for each
+ * method over a series of budgets and against a converged reference. {@code docs/trade.md} explains how.
  */
 package enlightenment.measure;

@@ -30,7 +30,7 @@ final class Planner {
     /**
      * With fewer samples per pixel than this, method {@code cluster} is exactly {@code raytrace}: its survey takes 1.27, one in each
      * pixel is the least, and what is left does not buy more than evenly spaced rays do. Measured: from 2.3 on fire and ice to 2.6
-     * on the keyhole, docs/cluster-sampler.md.
+     * on the keyhole, docs/cluster-laboratory.md.
      */
     private static final double FEWEST_OF_CLUSTER = 2.45;
 

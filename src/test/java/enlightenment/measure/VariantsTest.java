@@ -2,27 +2,30 @@ package enlightenment.measure;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.measure.analysis.Configuration;
+import enlightenment.measure.analysis.SyntheticRuns;
+import enlightenment.measure.trade.TradeRun;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class VariantsTest {
-    private static final Contender OWN = new Contender("raytrace", 10, false);
+    private static final Configuration OWN = new Configuration("raytrace", 10, false);
 
     private static List<Integer> worth(List<TradeRun> ladder) {
-        return Variants.worthGoingOn(OWN, ladder).stream()
-                .map(Contender::lightPoints)
+        return Variants.worthwhile(OWN, ladder).stream()
+                .map(Configuration::lightSamples)
                 .toList();
     }
 
     @Test
     void fewerAndMoreLightPointsAreTriedAtLeastAFactorOfTwoApart() {
         assertEquals(List.of(1, 4, 40), worth(List.of()));
-        assertEquals(List.of(), Variants.worthGoingOn(new Contender("cluster", 10, false), List.of()));
+        assertEquals(List.of(), Variants.worthwhile(new Configuration("cluster", 10, false), List.of()));
         assertEquals(
                 List.of(4),
-                Variants.worthGoingOn(new Contender("raytrace", 1, false), List.of()).stream()
-                        .map(Contender::lightPoints)
+                Variants.worthwhile(new Configuration("raytrace", 1, false), List.of()).stream()
+                        .map(Configuration::lightSamples)
                         .toList());
     }
 
@@ -39,7 +42,7 @@ class VariantsTest {
 
     @Test
     void whatMakesTheSamePictureIsNotTriedAgain() {
-        // A scene of point lights: the light points change nothing.
+        // A scene of point lights: the light samples change nothing.
         List<TradeRun> runs = new ArrayList<>(SyntheticRuns.ladder("raytrace", 10, 1, 0.08, 0.1, 0.1));
         runs.addAll(SyntheticRuns.ladder("raytrace", 4, 1, 0.08, 0.1, 0.1));
         assertEquals(List.of(1, 40), worth(runs));

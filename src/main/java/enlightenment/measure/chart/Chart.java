@@ -14,9 +14,9 @@ import org.apache.batik.svggen.SVGGraphics2D;
 import org.knowm.xchart.XYChart;
 import org.w3c.dom.Document;
 
-/** A finished chart, to be painted in any size or written as SVG. */
+/** A finished chart, as pixels or as SVG. */
 public final class Chart {
-    private static final int SHARPER = 2;
+    private static final int PIXELS_PER_UNIT = 2;
     private static final float WHITE = 255;
     private static final int DECIMALS = 2;
 
@@ -35,18 +35,18 @@ public final class Chart {
         return name;
     }
 
-    /** What it shows, for those who cannot see it. */
+    /** A text that stands for the chart where it cannot be seen. */
     public String description() {
         return description;
     }
 
-    /** As dots: twice as many along each side as the chart has units, for fine screens. */
+    /** As pixels: twice as many along each side as the chart has units, for screens of high resolution. */
     public Image image() {
-        int width = SHARPER * ChartTheme.WIDTH;
-        int height = SHARPER * ChartTheme.HEIGHT;
+        int width = PIXELS_PER_UNIT * ChartTheme.WIDTH;
+        int height = PIXELS_PER_UNIT * ChartTheme.HEIGHT;
         BufferedImage canvas = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = canvas.createGraphics();
-        g.scale(SHARPER, SHARPER);
+        g.scale(PIXELS_PER_UNIT, PIXELS_PER_UNIT);
         chart.paint(g, ChartTheme.WIDTH, ChartTheme.HEIGHT);
         g.dispose();
         float[] rgb = new float[3 * width * height];

@@ -1,6 +1,6 @@
 package enlightenment.measure.chart;
 
-import enlightenment.measure.Digits;
+import enlightenment.measure.analysis.Digits;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
@@ -12,7 +12,7 @@ import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** How all charts look: large type, few lines, and colours that the colour-blind tell apart, each with a mark of its own. */
+/** The look of all charts: large type, few lines, colours that the colour-blind can tell apart, a marker for each series. */
 final class ChartTheme {
     static final int WIDTH = 900;
     static final int HEIGHT = 560;
@@ -34,13 +34,13 @@ final class ChartTheme {
     private static final int TICK_SPACING = 60;
     private static final int PADDING = 12;
 
-    /** Room on a logarithmic axis before the first and after the last value, as a factor. */
-    private static final double ROOM = 1.25;
+    /** The margin of a logarithmic axis on either side, as a factor. */
+    private static final double MARGIN = 1.25;
 
-    /** From here on there is no room for more than one label for each power of ten. */
+    /** An axis of a larger ratio has room for one label per power of ten only. */
     private static final double MANY_DECADES = 5000;
 
-    private static final double LEAST_RANGE = 4;
+    private static final double MIN_RATIO = 4;
     private static final double DECADE = 10;
     private static final double NEARLY = 1e-6;
 
@@ -77,13 +77,13 @@ final class ChartTheme {
         s.setAnnotationTextFont(new Font(FAMILY, Font.PLAIN, SMALL)).setAnnotationTextFontColor(QUIET);
         s.setAxisTitleFont(new Font(FAMILY, Font.PLAIN, MEDIUM));
         s.setAxisTickLabelsFont(new Font(FAMILY, Font.PLAIN, SMALL));
-        // Dashes would become thousands of little shapes in an SVG file.
+        // Not dashed: XChart draws dashes as shapes, thousands of them in an SVG file.
         s.setPlotGridLinesStroke(new BasicStroke(1)).setPlotGridLinesColor(GRID).setAxisTickLabelsColor(INK);
         s.setXAxisTickMarkSpacingHint(TICK_SPACING).setPlotMargin(0);
         return chart;
     }
 
-    /** Both axes logarithmic, with plain numbers, and room around the values. */
+    /** Makes both axes logarithmic, with plain numbers and a margin around the values. */
     static void logarithmic(XYChart chart, double[] x, double[] y) {
         XYStyler s = chart.getStyler();
         s.setXAxisLogarithmic(true).setYAxisLogarithmic(true);
@@ -98,12 +98,12 @@ final class ChartTheme {
         s.setYAxisTickLabelsFormattingFunction(v -> decade(v, high));
     }
 
-    /** On either side, as a factor: values that are nearly the same are shown as such, not blown up. */
+    /** The margin on either side, as a factor: nearly equal values are not stretched over the whole axis. */
     private static double room(double[] values) {
-        return Math.max(ROOM, Math.sqrt(LEAST_RANGE * lowest(values) / highest(values)));
+        return Math.max(MARGIN, Math.sqrt(MIN_RATIO * lowest(values) / highest(values)));
     }
 
-    /** Every tick gets a label on a short axis, one that begins with 1, 2 or 5 on a longer one, with 1 on a very long one. */
+    /** The label of a tick: every one on a short axis, those that begin with 1, 2 or 5 on a longer one, with 1 on a very long one. */
     private static String decade(double value, double range) {
         double leading = value / Math.pow(10, Math.floor(Math.log10(value) + NEARLY));
         boolean shown = range < DECADE

@@ -1,7 +1,7 @@
 package enlightenment.measure.chart;
 
-import enlightenment.measure.Sweep;
-import enlightenment.measure.SweepResult;
+import enlightenment.measure.analysis.SweepResult;
+import enlightenment.measure.trade.Sweep;
 import java.util.List;
 import java.util.Optional;
 import org.knowm.xchart.AnnotationText;
@@ -10,16 +10,16 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The charts of sweeps: error against time with the notches written beside the points, and time against threads. */
+/** The charts of sweeps: error against time with the values beside the points, and time against threads. */
 final class SweepChart {
     private static final float LINE = 2.2f;
 
-    /** How far above its point a notch is written, as a share of the chart's height in the logarithm. */
+    /** How far above its point a value is written, as a share of the chart's height on the logarithmic axis. */
     private static final double LIFT = 0.045;
 
     private SweepChart() {}
 
-    /** What the chart of a sweep is called. */
+    /** The name of the chart of a sweep. */
     static String name(Sweep sweep) {
         return "sweep-" + sweep.name();
     }
@@ -37,7 +37,7 @@ final class SweepChart {
 
     private static Chart errors(SweepResult result, int threads) {
         String name = result.sweep().name();
-        String title = name + " with " + result.method() + ": what each notch costs and buys";
+        String title = name + " with " + result.method() + ": what each value costs and gains";
         XYChart chart = ChartTheme.chart(
                 title,
                 "time for the picture in seconds by the clock, " + threads + (threads == 1 ? " thread" : " threads"),
@@ -70,7 +70,7 @@ final class SweepChart {
             ideal[i] = y[0] * x[0] / x[i];
         }
         series(chart, "measured", x, y, 0);
-        XYSeries line = chart.addSeries("if all threads helped alike", x, ideal);
+        XYSeries line = chart.addSeries("perfect scaling", x, ideal);
         line.setMarker(SeriesMarkers.NONE).setLineColor(ChartTheme.QUIET).setLineStyle(ChartTheme.dashes());
         chart.getStyler().setYAxisMin(0.0).setYAxisMax(1.15 * ChartTheme.highest(y));
         chart.getStyler().setXAxisMin(x[0] - 0.5).setXAxisMax(x[x.length - 1] + 0.5);

@@ -1,12 +1,13 @@
 package enlightenment.measure.chart;
 
-import enlightenment.measure.Curve;
-import enlightenment.measure.Digits;
-import enlightenment.measure.PowerLaw;
-import enlightenment.measure.SweepResult;
-import enlightenment.measure.TradeResult;
-import enlightenment.measure.TradeRun;
-import enlightenment.measure.TradeSettings;
+import enlightenment.measure.analysis.Curve;
+import enlightenment.measure.analysis.Digits;
+import enlightenment.measure.analysis.PowerLaw;
+import enlightenment.measure.analysis.SweepResult;
+import enlightenment.measure.analysis.TradeAnalysis;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeRun;
+import enlightenment.measure.trade.TradeSettings;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -22,7 +23,7 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The charts of a trade. */
+/** The charts of a measurement of speed against accuracy. */
 public final class TradeCharts {
     private static final float LINE = 2.2f;
     private static final String OVER_TIME = "error-over-time";
@@ -32,7 +33,7 @@ public final class TradeCharts {
 
     private TradeCharts() {}
 
-    /** Why this machine cannot draw charts, if it cannot: some small containers have no letters. */
+    /** Why this machine cannot draw charts, if it cannot: some small containers have no fonts. */
     public static Optional<String> whyNot() {
         try {
             BufferedImage canvas = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
@@ -46,7 +47,7 @@ public final class TradeCharts {
         }
     }
 
-    /** The names of all charts that there may be. */
+    /** The names of all charts that {@link #of} may return. */
     public static List<String> names(TradeSettings settings) {
         List<String> names = new ArrayList<>(List.of(OVER_TIME, OVER_SAMPLES, OVER_PROCESSOR_TIME));
         settings.sweeps().forEach(sweep -> names.add(SweepChart.name(sweep)));
@@ -54,7 +55,7 @@ public final class TradeCharts {
     }
 
     /** All charts that the result has points for. */
-    public static List<Chart> of(TradeResult result) {
+    public static List<Chart> of(TradeAnalysis result) {
         List<Chart> charts = new ArrayList<>();
         String threads = result.settings().base().threads() == 1
                 ? "1 thread"
@@ -62,7 +63,7 @@ public final class TradeCharts {
         errors(
                         result,
                         OVER_TIME,
-                        "Error against time: further down and further left is better",
+                        "Error against time: lower left is better",
                         "time for the picture in seconds by the clock, " + threads,
                         TradeRun::wallSeconds,
                         p -> p.wall().median(),
@@ -71,7 +72,7 @@ public final class TradeCharts {
         errors(
                         result,
                         OVER_SAMPLES,
-                        "Error against samples: what each sample is worth",
+                        "Error against samples",
                         "camera rays per pixel",
                         TradeRun::samplesPerPixel,
                         Curve.Point::samplesPerPixel,
@@ -80,7 +81,7 @@ public final class TradeCharts {
         errors(
                         result,
                         OVER_PROCESSOR_TIME,
-                        "Error against processor time: neighbours on the machine count less",
+                        "Error against processor time: less disturbed by other work",
                         "time of all processors together in seconds",
                         TradeRun::cpuSeconds,
                         p -> p.cpu().median(),
@@ -93,14 +94,14 @@ public final class TradeCharts {
     }
 
     private static Optional<Chart> errors(
-            TradeResult result,
+            TradeAnalysis result,
             String name,
             String title,
             String xTitle,
             ToDoubleFunction<TradeRun> xOfRun,
             ToDoubleFunction<Curve.Point> xOfPoint,
             Function<Curve, Optional<PowerLaw>> fit) {
-        double variance = result.reference().variance();
+        double variance = result.result().reference().variance();
         XYChart chart = ChartTheme.chart(title, xTitle, "error (RMSE, 1 = black against white)");
         List<Double> allX = new ArrayList<>();
         List<Double> allY = new ArrayList<>();
@@ -117,9 +118,9 @@ public final class TradeCharts {
             double[] x = points.stream().mapToDouble(xOfPoint).toArray();
             double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
             line(chart, legend(label, fit.apply(curve)), x, y, i);
-            List<TradeRun> runs = result.runs().stream()
+            List<TradeRun> runs = result.result().runs().stream()
                     .filter(r -> r.kind().equals(TradeRun.LADDER)
-                            && curve.contender().made(r)
+                            && curve.configuration().made(r)
                             && r.isJudged(variance)
                             && xOfRun.applyAsDouble(r) > 0)
                     .toList();
@@ -141,12 +142,12 @@ public final class TradeCharts {
         return Optional.of(new Chart(name, title + ". The numbers are in the tables below.", chart));
     }
 
-    /** The methods as the scene has them, and with another number of light points where that is best for some error. */
-    private static List<Curve> shown(TradeResult result) {
+    /** The methods with the scene's number of light samples, and with another one that is best for some target error. */
+    private static List<Curve> shown(TradeAnalysis result) {
         return result.curves().stream()
-                .filter(c -> c.contender().equals(result.settings().own(c.method()))
+                .filter(c -> c.configuration().equals(result.own(c.method()))
                         || TradeResult.TARGETS.stream().anyMatch(t -> result.best(c.method(), t)
-                                .filter(n -> n.contender().equals(c.contender()))
+                                .filter(n -> n.configuration().equals(c.configuration()))
                                 .isPresent()))
                 .toList();
     }
@@ -155,7 +156,7 @@ public final class TradeCharts {
     private static String name(Curve curve, List<Curve> shown) {
         boolean only =
                 shown.stream().filter(c -> c.method().equals(curve.method())).count() == 1;
-        return only ? curve.method() : curve.contender().name();
+        return only ? curve.method() : curve.configuration().name();
     }
 
     private static String legend(String method, Optional<PowerLaw> fit) {
@@ -174,7 +175,7 @@ public final class TradeCharts {
         series.setLineColor(ChartTheme.color(i)).setLineWidth(LINE);
     }
 
-    /** Every run on its own: how far they lie apart is what chance and neighbours do. */
+    /** Every single run: their scatter is chance and other work on the machine. */
     private static void dots(XYChart chart, String name, double[] x, double[] y, int i) {
         XYSeries series = chart.addSeries(name, x, y);
         series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
@@ -182,7 +183,7 @@ public final class TradeCharts {
         series.setShowInLegend(false);
     }
 
-    /** A line across for each error that is asked about, where it lies within the chart. */
+    /** A horizontal line for each target error within the chart. */
     private static void targets(XYChart chart, double[] x, double[] y) {
         double left = chart.getStyler().getXAxisMin();
         double right = chart.getStyler().getXAxisMax();
@@ -195,7 +196,7 @@ public final class TradeCharts {
                         .setLineColor(ChartTheme.QUIET)
                         .setLineStyle(ChartTheme.dashes());
                 series.setShowInLegend(false);
-                // In the logarithm a little above the line, at the left end.
+                // A little above the line at its left end, on logarithmic axes.
                 double place = left * Math.pow(right / left, 0.04);
                 double bottom = chart.getStyler().getYAxisMin();
                 double lift = Math.pow(chart.getStyler().getYAxisMax() / bottom, 0.028);

@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
 
-/** Builds a text in HTML; what comes from outside is escaped here. */
+/** Builds a page in HTML; all text is escaped here. */
 final class Html {
     private final StringBuilder text = new StringBuilder();
 
@@ -21,7 +21,7 @@ final class Html {
         return this;
     }
 
-    /** Adds an element with a text. */
+    /** Adds an element with a text; {@code tag} may have attributes. */
     Html element(String tag, String content) {
         int space = tag.indexOf(' ');
         String name = space < 0 ? tag : tag.substring(0, space);
@@ -44,14 +44,14 @@ final class Html {
         return this;
     }
 
-    /** Adds a picture, which becomes part of the text. */
+    /** Adds a picture as a figure; its PNG bytes become part of the page. */
     Html picture(Image image, String description, String caption) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ImageFiles.toPng(image, out, PngOptions.DEFAULT);
         return figure("image/png", out.toByteArray(), description, caption);
     }
 
-    /** Adds a drawing, which becomes part of the text. */
+    /** Adds an SVG drawing as a figure; it becomes part of the page. */
     Html drawing(String svg, String description) {
         return figure("image/svg+xml", svg.getBytes(StandardCharsets.UTF_8), description, "");
     }

@@ -1,25 +1,26 @@
 package enlightenment.measure.page;
 
-import enlightenment.measure.Need;
-import enlightenment.measure.TradeSettings;
-import enlightenment.measure.Verdict;
+import enlightenment.measure.analysis.CostEstimate;
+import enlightenment.measure.analysis.Verdict;
+import enlightenment.measure.trade.TradeSettings;
 
 /**
- * What the page tells that the measurements do not know.
+ * What the page shows that is not in the measurements.
  *
  * @param title the scene's name
- * @param renderCommand the command line of the advice as far as it does not depend on it: program, scene, target, options
- * @param compareCommand the command line that checks the picture against the reference
+ * @param renderCommand the command line of a render without the advised options: program, scene, output, options that were given
+ * @param compareCommand the command line that compares the picture with the reference
  * @param tradeCommand the command line that made the page
  */
 public record PageContext(String title, String renderCommand, String compareCommand, String tradeCommand) {
-    private static final String LIGHT_POINTS = " --shadow-samples ";
+    private static final String SHADOW_SAMPLES = " --shadow-samples ";
 
-    /** The whole command line of an advice; its own number of light points goes before the one that was given. */
-    public String render(Need advice, TradeSettings settings) {
+    /** The command line of an advice; its number of light samples replaces one that was given. */
+    public String render(CostEstimate advice, TradeSettings settings) {
         String options = " " + Verdict.arguments(advice, settings);
-        String command =
-                options.contains(LIGHT_POINTS) ? renderCommand.replaceFirst(LIGHT_POINTS + "\\S+", "") : renderCommand;
+        String command = options.contains(SHADOW_SAMPLES)
+                ? renderCommand.replaceFirst(SHADOW_SAMPLES + "\\S+", "")
+                : renderCommand;
         return command + options;
     }
 }

@@ -1,6 +1,6 @@
 package enlightenment.measure.page;
 
-/** How the page looks. */
+/** The style sheet of the page. */
 final class PageStyle {
     static final String CSS =
             """

@@ -1,49 +1,55 @@
 package enlightenment.measure.page;
 
-import enlightenment.measure.Contender;
-import enlightenment.measure.Curve;
-import enlightenment.measure.Digits;
-import enlightenment.measure.EqualTime;
-import enlightenment.measure.Meeting;
-import enlightenment.measure.Need;
-import enlightenment.measure.Reach;
-import enlightenment.measure.Reference;
-import enlightenment.measure.SweepResult;
-import enlightenment.measure.TradeResult;
-import enlightenment.measure.Verdict;
+import enlightenment.measure.analysis.Configuration;
+import enlightenment.measure.analysis.CostEstimate;
+import enlightenment.measure.analysis.Curve;
+import enlightenment.measure.analysis.Digits;
+import enlightenment.measure.analysis.EqualErrorComparison;
+import enlightenment.measure.analysis.EqualTimeComparison;
+import enlightenment.measure.analysis.EqualTimePicture;
+import enlightenment.measure.analysis.MeasuredCosts;
+import enlightenment.measure.analysis.SweepResult;
+import enlightenment.measure.analysis.TradeAnalysis;
+import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.chart.Chart;
+import enlightenment.measure.trade.Reference;
+import enlightenment.measure.trade.TradeResult;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Everything that a trade found, as one page that needs nothing but itself. */
+/** The page of a measurement: one HTML file that refers to no other. */
 public final class TradePage {
     private static final double PERCENT = 100;
     private static final double QUIET_SHARE = 0.75;
 
-    private final TradeResult result;
+    private final TradeAnalysis result;
+    private final EqualTimeComparison equalTime;
     private final PageContext context;
     private final Html html = new Html();
 
-    private TradePage(TradeResult result, PageContext context) {
+    private TradePage(TradeAnalysis result, EqualTimeComparison equalTime, PageContext context) {
         this.result = result;
+        this.equalTime = equalTime;
         this.context = context;
     }
 
     /**
      * The page, in HTML.
      *
-     * @param charts shown in this order; those whose name begins with "sweep-" with the sweeps
+     * @param charts in the order to show them; those whose name begins with "sweep-" are shown with their sweep
      */
-    public static String of(TradeResult result, PageContext context, List<Chart> charts) throws IOException {
-        TradePage page = new TradePage(result, context);
+    public static String of(
+            TradeAnalysis result, EqualTimeComparison equalTime, PageContext context, List<Chart> charts)
+            throws IOException {
+        TradePage page = new TradePage(result, equalTime, context);
         page.begin();
         page.busy();
         page.verdict();
         page.charts(charts);
-        page.needs();
+        page.costs();
         page.pictures();
         page.sweeps(charts);
         page.ladder();
@@ -61,15 +67,16 @@ public final class TradePage {
         RenderSettings.Crop region = s.region();
         html.element(
                 "p class=\"quiet\"",
-                region.width() + " × " + region.height() + " pixels, " + s.shadowSamples() + " light points per hit, "
+                region.width() + " × " + region.height() + " pixels, " + s.shadowSamples() + " light samples per hit, "
                         + s.threads() + (s.threads() == 1 ? " thread" : " threads")
-                        + ". All that is said here holds for this size and these settings.");
-        if (!result.circumstances().complete()) {
-            html.element("p class=\"warning\"", "The measurement was stopped before its end: this is what is known.");
+                        + ". The figures hold for this size and these settings.");
+        if (!result.result().conditions().complete()) {
+            html.element(
+                    "p class=\"warning\"", "The measurement was stopped before its end: these are the results so far.");
         }
     }
 
-    /** Where neighbours took much of the machine, times are worth little, and that has to be said first. */
+    /** A warning where other work took much of the machine: it makes times unreliable. */
     private void busy() {
         double share = result.shareOfProcessors();
         if (share < QUIET_SHARE) {
@@ -77,8 +84,8 @@ public final class TradePage {
                     "p class=\"warning\"",
                     "The machine was busy with other work: the renders got "
                             + Math.round(PERCENT * share)
-                            + " % of the processors they asked for. Seconds by the clock are longer than they would be, "
-                            + "and scatter; the processor times are worth more. Errors are not affected.");
+                            + " % of the processors they asked for. Seconds by the clock are too long "
+                            + "and scatter; processor times are more reliable. Errors are not affected.");
         }
     }
 
@@ -87,15 +94,16 @@ public final class TradePage {
         html.raw("<section class=\"verdict\">\n").element("p class=\"big\"", headline.sentence());
         headline.best().ifPresent(best -> {
             html.element("pre", context.render(best, result.settings()));
-            if (best.source() == Need.Source.TRIED) {
+            if (best.source() == CostEstimate.Source.TRIED) {
                 html.element(
                         "p",
                         "This was tried: the picture that this command makes has an error of "
-                                + (best.error() > result.reference().error() ? "" : "at most ")
+                                + (best.error() > result.result().reference().error() ? "" : "at most ")
                                 + Digits.of(best.error(), 3)
-                                + ". It makes the same picture for you, to the last bit. The time is by the clock on this machine once Java has warmed up; as the first "
-                                + "render of a process it took "
-                                + Digits.of(Math.max(result.circumstances().coldSeconds(), 0.01), 2)
+                                + ". Repeated, it makes the same picture, to the last bit. The time is by the clock on this machine after "
+                                + "Java's warm-up; the first render of a process took "
+                                + Digits.of(
+                                        Math.max(result.result().conditions().coldSeconds(), 0.01), 2)
                                 + " s longer. To check it:");
                 html.element("pre", context.compareCommand());
                 html.element(
@@ -103,7 +111,8 @@ public final class TradePage {
                         "will say RMSE "
                                 + Digits.of(
                                         Math.hypot(
-                                                best.error(), result.reference().error()),
+                                                best.error(),
+                                                result.result().reference().error()),
                                         3) + " but for the rounding of the file.");
             }
         });
@@ -117,12 +126,12 @@ public final class TradePage {
         html.raw("</ul>\n");
         html.element(
                 "p",
-                "An error of 0.01 means: the numbers of the picture (0 is black, 1 is white) are off by one percent of "
-                        + "white, as a root mean square over all pixels and colours. One step of an 8-bit picture is 0.0039.");
+                "An error of 0.01 is a root mean square error, over all pixels and colours, of one percent of white. "
+                        + "One step of an 8-bit picture is 0.0039.");
     }
 
     private void charts(List<Chart> charts) throws IOException {
-        html.element("h2", "The trade");
+        html.element("h2", "Error against time");
         for (Chart chart : charts) {
             if (!chart.name().startsWith("sweep-")) {
                 html.drawing(chart.svg(), chart.description());
@@ -130,43 +139,43 @@ public final class TradePage {
         }
         html.element(
                 "p",
-                "Both axes are logarithmic: each step along an axis multiplies. Choose the error you can live with, go "
-                        + "across to the first line you meet, and read the time below it. A slope of −0.5 means that half the "
-                        + "error costs four times the samples, −1 that it costs twice. Small crosses are single renders, "
-                        + "lines go through the medians. The ± of a slope is an interval of 95 %.");
+                "Both axes are logarithmic. Choose an error, go across to the first line, and read the time below it. A "
+                        + "slope of −0.5 means that half the error costs four times the samples, −1 that it costs twice. "
+                        + "Small crosses are single renders, lines go through the medians. The ± of a slope is its 95 % "
+                        + "confidence interval.");
     }
 
-    private void needs() {
+    private void costs() {
         html.element("h2", "What an error costs");
         List<List<String>> rows = new ArrayList<>();
         for (double target : TradeResult.TARGETS) {
-            for (Reach reach : result.reaches()) {
+            for (MeasuredCosts reach : result.costs()) {
                 if (result.isKnown(target)) {
                     reach.forError(target).ifPresent(n -> rows.add(row(n)));
                 }
             }
         }
         html.table(
-                List.of("error", "by", "options", "error it gives", "FLIP", "seconds", "CPU seconds", "known because"),
+                List.of("error", "by", "options", "error it gives", "FLIP", "seconds", "CPU seconds", "how known"),
                 rows);
         html.element(
                 "p",
-                "An error that is missing here was not measured, or is smaller than the reference's own, "
-                        + Digits.of(result.reference().error(), 2) + ": below that, nothing is said.");
-        meetings();
+                "An error that is missing here was not measured, or is below the reference's own, "
+                        + Digits.of(result.result().reference().error(), 2) + ": nothing is known there.");
+        comparisons();
     }
 
-    private List<String> row(Need n) {
+    private List<String> row(CostEstimate n) {
         return List.of(
                 Digits.samples(PERCENT * n.target()) + " %",
-                n.contender().name(),
+                n.configuration().name(),
                 Verdict.arguments(n, result.settings()),
                 Digits.of(n.error(), 3),
                 n.flip().map(f -> Digits.of(f, 2)).orElse("–"),
                 spread(n.wall().low(), n.wall().median(), n.wall().high()),
                 n.cpu().map(c -> Digits.of(c.median(), 2)).orElse("–"),
                 n.evidence()
-                        + (n.source() == Need.Source.TRIED
+                        + (n.source() == CostEstimate.Source.TRIED
                                 ? ", " + runs(n.wall().count())
                                 : ""));
     }
@@ -175,10 +184,10 @@ public final class TradePage {
         return count + (count == 1 ? " run" : " runs");
     }
 
-    /** How many times faster: only where both were measured. */
-    private void meetings() {
+    /** The ratios of times, where both methods were measured. */
+    private void comparisons() {
         List<List<String>> rows = new ArrayList<>();
-        for (Meeting m : Meeting.all(result)) {
+        for (EqualErrorComparison m : EqualErrorComparison.all(result)) {
             rows.add(List.of(
                     Digits.of(m.error(), 2) + (m.smallest() ? ", the smallest that both reached" : ""),
                     side(m.first()),
@@ -186,13 +195,13 @@ public final class TradePage {
                     Digits.of(m.ratio(), 2)));
         }
         if (!rows.isEmpty()) {
-            html.element("h2", "Where both methods were measured");
-            html.table(List.of("error", "first", "second", "times as long (first by second)"), rows);
+            html.element("h2", "Times at equal error");
+            html.table(List.of("error", "first", "second", "time of the first / time of the second"), rows);
         }
     }
 
-    private static String side(Need n) {
-        return n.contender().name() + ": " + Digits.of(n.wall().median(), 2) + " s"
+    private static String side(CostEstimate n) {
+        return n.configuration().name() + ": " + Digits.of(n.wall().median(), 2) + " s"
                 + n.flip().map(f -> ", FLIP " + Digits.of(f, 2)).orElse("") + " (" + n.evidence() + ")";
     }
 
@@ -203,20 +212,16 @@ public final class TradePage {
     }
 
     private void pictures() throws IOException {
-        if (result.equalTime().isEmpty()) {
+        if (equalTime.pictures().isEmpty()) {
             return;
         }
-        html.element(
-                "h2",
-                EqualTime.areEqual(result.equalTime())
-                        ? "The same time, side by side"
-                        : "Side by side, in different times");
-        double variance = result.reference().variance();
-        EqualTime.sentence(result.equalTime(), variance).ifPresent(s -> html.element("p", s));
+        html.element("h2", equalTime.isEqual() ? "Pictures at equal time" : "Pictures, not at equal time");
+        double variance = result.result().reference().variance();
+        equalTime.sentence().ifPresent(s -> html.element("p", s));
         html.raw("<div class=\"side\">\n");
-        for (EqualTime e : result.equalTime()) {
+        for (EqualTimePicture e : equalTime.pictures()) {
             html.raw("<div>\n");
-            String name = Contender.of(e.run()).name();
+            String name = Configuration.of(e.run()).name();
             String what = name + ", " + Digits.samples(e.run().samples()) + " samples, "
                     + Digits.of(e.run().wallSeconds(), 2) + " s: error "
                     + Digits.of(e.run().error(variance), 3) + ", FLIP "
@@ -229,21 +234,21 @@ public final class TradePage {
             if (e.difference().isPresent()) {
                 html.picture(
                         e.difference().get(),
-                        "where it differs from the reference",
-                        "where it differs from the reference: black not at all; all differences times " + e.gain());
+                        "difference from the reference",
+                        "difference from the reference (black: none), times " + e.gain());
             }
             html.raw("</div>\n");
         }
         html.raw("</div>\n");
-        if (result.reference().picture().isPresent()) {
-            html.picture(result.reference().image(), context.title() + ", reference", "the reference");
+        if (result.result().reference().picture().isPresent()) {
+            html.picture(result.result().reference().image(), context.title() + ", reference", "the reference");
         }
     }
 
     private void sweeps(List<Chart> charts) throws IOException {
         for (SweepResult sweep : result.sweeps()) {
-            html.element("h2", sweep.sweep().name() + ": what one notch costs and buys");
-            html.element("p", "All else as the scene has it, method " + sweep.method() + ".");
+            html.element("h2", sweep.sweep().name() + ": what each value costs and gains");
+            html.element("p", "All other settings are the scene's; method " + sweep.method() + ".");
             for (Chart chart : charts) {
                 if (chart.name().equals("sweep-" + sweep.sweep().name())) {
                     html.drawing(chart.svg(), chart.description());
@@ -266,11 +271,11 @@ public final class TradePage {
                 before = p;
             }
             html.table(
-                    List.of(sweep.sweep().name(), "seconds", "CPU seconds", "error", "time changed", "error changed"),
+                    List.of(sweep.sweep().name(), "seconds", "CPU seconds", "error", "time, change", "error, change"),
                     rows);
             int missing = sweep.sweep().values().size() - sweep.points().size();
             if (missing > 0) {
-                html.element("p class=\"warning\"", "There was no time for the last " + missing + " notches.");
+                html.element("p class=\"warning\"", "There was no time for the last " + missing + " values.");
             }
         }
     }
@@ -285,7 +290,7 @@ public final class TradePage {
         for (Curve curve : result.curves()) {
             for (Curve.Point p : curve.points()) {
                 rows.add(List.of(
-                        curve.contender().name(),
+                        curve.configuration().name(),
                         Digits.samples(p.samples()),
                         Digits.of(p.samplesPerPixel(), 3),
                         Integer.toString(p.wall().count()),
@@ -306,51 +311,50 @@ public final class TradePage {
                         "CPU seconds",
                         "error",
                         "FLIP",
-                        "error it expected"),
+                        "its own estimate"),
                 rows);
         for (Curve curve : result.curves()) {
             if (curve.judged() > 0) {
                 html.element(
                         "p",
-                        curve.contender().name() + ": in " + curve.insideOwnInterval() + " of " + curve.judged()
-                                + " runs the error lay inside the interval that the render gave for it (95 of 100 "
-                                + "would be right).");
+                        curve.configuration().name() + ": in " + curve.insideOwnInterval() + " of " + curve.judged()
+                                + " runs the error lay in the render's own 95 % interval.");
             }
         }
     }
 
     private void howMeasured() {
         html.element("h2", "How this was measured");
-        Reference r = result.reference();
+        Reference r = result.result().reference();
         StringBuilder parts = new StringBuilder();
         for (Reference.Part part : r.parts()) {
             parts.append(parts.isEmpty() ? "" : " and ");
-            parts.append(new Contender(part.method(), part.lightPoints(), false).name())
+            parts.append(new Configuration(part.method(), part.lightSamples(), false).name())
                     .append(", ");
             parts.append(Digits.samples(part.samples())).append(" samples per pixel");
         }
         html.element(
                 "p",
                 (r.parts().isEmpty()
-                                ? "The reference was given. Its own error, seen by two independent renders, is "
+                                ? "The reference was given. Its own error, estimated from two independent renders, is "
                                 : "The reference is the mean of two independent renders: " + parts
                                         + ". Its own error, from the difference of the two, is ")
                         + Digits.of(r.error(), 2)
                         + ". It has been taken off the errors above (as squares). "
-                        + "Runs whose error is smaller than that are left out: what it is cannot be told.");
+                        + "Runs whose error is smaller are left out: it cannot be told from the reference's.");
         html.element(
                 "p",
                 "Java was warmed up first. The methods took turns, render by render, so that a busy machine disturbs "
-                        + "both alike; times are medians, with the smallest and the largest. They count from the scene in "
-                        + "memory to the finished picture, without reading and writing files. Every render of the ladder has "
+                        + "both alike; times are medians, with the smallest and the largest, from the scene in memory to the "
+                        + "finished picture, without reading and writing files. Every render in the table of budgets has "
                         + "random numbers of its own.");
         List<List<String>> rows = new ArrayList<>();
-        result.circumstances().machine().forEach((k, v) -> rows.add(List.of(k, v)));
+        result.result().conditions().machine().forEach((k, v) -> rows.add(List.of(k, v)));
         rows.add(List.of("command", context.tradeCommand()));
         rows.add(List.of(
                 "this took",
-                Digits.of(result.circumstances().seconds(), 3) + " s, "
-                        + result.runs().size() + " runs"));
+                Digits.of(result.result().conditions().seconds(), 3) + " s, "
+                        + result.result().runs().size() + " runs"));
         html.table(List.of("what", "value"), rows);
     }
 }

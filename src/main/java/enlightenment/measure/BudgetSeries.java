@@ -1,0 +1,143 @@
+package enlightenment.measure;
+
+import enlightenment.measure.analysis.Configuration;
+import enlightenment.measure.analysis.Curve;
+import enlightenment.measure.analysis.Digits;
+import enlightenment.measure.trade.Reference;
+import enlightenment.measure.trade.TradeRun;
+import enlightenment.measure.trade.TradeSettings;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * Renders with budgets of 1, 2, 4, ... samples per pixel (and 2.5), several times each. The methods take turns, render by render, so
+ * that a busy machine disturbs all of them alike. A method that takes a fixed number of light samples runs with other numbers as
+ * well, as far as there is time and as long as they may turn out best.
+ */
+final class BudgetSeries {
+    private static final double SHARE = 0.72;
+    private static final double SHARE_WITH_SWEEPS = 0.52;
+
+    /** These many budgets are rendered once whatever they take: fewer give no curve. */
+    private static final int MIN_BUDGETS = 4;
+
+    /** Powers of two, which low-discrepancy samples fill best, and 2.5, where the cluster method begins to survey. */
+    private static final double[] SAMPLES = {1, 2, 2.5, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096};
+
+    /** Below this, and at fractions, other numbers of light samples are not tried: the best one shows only with more samples. */
+    private static final int VARIANTS_FROM = 2;
+
+    /** A budget above this share of the reference's is not rendered: the reference would not be clearly more accurate. */
+    private static final double MAX_OF_REFERENCE = 0.25;
+
+    /** Seeds of neighbouring budgets are this far apart, so that no two renders share their random numbers. */
+    private static final long SEED_STEP = TradeSettings.MAX_SEEDS;
+
+    private final Session session;
+
+    BudgetSeries(Session session) {
+        this.session = session;
+    }
+
+    void run() throws IOException {
+        for (int index = 0; index < budgets(); index++) {
+            double samples = SAMPLES[index];
+            session.say(samples == 1 ? "1 sample per pixel" : Digits.samples(samples) + " samples per pixel");
+            boolean none = true;
+            for (int k = 0; k < session.settings.seeds(); k++) {
+                List<Configuration> takers = configurations(index, k);
+                if (!takers.isEmpty()) {
+                    step(takers, samples, session.settings.base().seed() + 1 + k + index * SEED_STEP, k);
+                    none = false;
+                }
+            }
+            if (none) {
+                return;
+            }
+        }
+    }
+
+    /** Those that render this budget: the methods as the scene has them, then what else fits in, the cheapest first. */
+    private List<Configuration> configurations(int index, int turn) {
+        double samples = SAMPLES[index];
+        List<Configuration> own = session.settings.methods().stream()
+                .map(m -> Configuration.ofScene(session.settings, m))
+                .toList();
+        boolean needed = index < MIN_BUDGETS && turn == 0;
+        List<Configuration> chosen = new ArrayList<>();
+        if (needed || own.stream().noneMatch(c -> isDone(c, index)) && fits(own, samples)) {
+            chosen.addAll(own);
+        }
+        List<Configuration> others = new ArrayList<>(own);
+        if (samples >= VARIANTS_FROM && samples == Math.rint(samples)) {
+            others.addAll(variants(own));
+        }
+        others.sort(Comparator.comparingDouble(c -> session.expected(c, samples)));
+        for (Configuration other : others) {
+            if (!chosen.contains(other) && !isDone(other, index)) {
+                chosen.add(other);
+                if (!fits(chosen, samples)) {
+                    chosen.remove(other);
+                }
+            }
+        }
+        return chosen;
+    }
+
+    /** Whether its error can no longer be told from the reference's: more samples would tell nothing. */
+    private boolean isDone(Configuration configuration, int index) {
+        return index >= MIN_BUDGETS
+                && Curve.of(
+                                configuration,
+                                session.runs(r -> r.samples() == SAMPLES[index - 1]),
+                                session.reference().variance())
+                        .points()
+                        .stream()
+                        .anyMatch(p -> !p.judged());
+    }
+
+    private List<Configuration> variants(List<Configuration> own) {
+        List<TradeRun> ladder = session.runs(r -> r.kind().equals(TradeRun.LADDER));
+        return own.stream()
+                .flatMap(c -> Variants.worthwhile(c, ladder).stream())
+                .toList();
+    }
+
+    private boolean fits(List<Configuration> configurations, double samples) {
+        double share = session.settings.sweeps().isEmpty() ? SHARE : SHARE_WITH_SWEEPS;
+        double seconds = configurations.stream()
+                .mapToDouble(c -> session.expected(c, samples))
+                .sum();
+        return session.fits(seconds, share);
+    }
+
+    private int budgets() {
+        double most = session.reference().parts().stream()
+                .mapToDouble(Reference.Part::samples)
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+        int count = MIN_BUDGETS;
+        while (count < SAMPLES.length && SAMPLES[count] <= MAX_OF_REFERENCE * most) {
+            count++;
+        }
+        return count;
+    }
+
+    private void step(List<Configuration> configurations, double samples, long seed, int turn) throws IOException {
+        List<TimedRenderer.Timed> renders = new ArrayList<>();
+        for (int i = 0; i < configurations.size(); i++) {
+            // The first one changes with the turn: it may find the machine in another state.
+            Configuration configuration = configurations.get((i + turn) % configurations.size());
+            boolean done = session.has(r -> r.kind().equals(TradeRun.LADDER)
+                    && Configuration.of(r).equals(configuration)
+                    && r.samples() == samples
+                    && r.seed() == seed);
+            if (!done) {
+                renders.add(session.timed(configuration, samples, seed));
+            }
+        }
+        session.record(TradeRun.LADDER, renders);
+    }
+}

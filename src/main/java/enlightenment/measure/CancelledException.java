@@ -1,0 +1,10 @@
+package enlightenment.measure;
+
+/** The user cancelled the measurement. */
+final class CancelledException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    CancelledException() {
+        super("cancelled", null, false, false);
+    }
+}

@@ -1,0 +1,75 @@
+package enlightenment.measure;
+
+import enlightenment.image.Flip;
+import enlightenment.image.Image;
+import enlightenment.image.ImageError;
+import enlightenment.measure.trade.TradeRun;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderReport;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+
+/** Renders, measures the time, and compares with the reference. */
+final class TimedRenderer {
+    private static final double NANO = 1e-9;
+
+    private final Scene scene;
+    private final BooleanSupplier cancelled;
+    private final RenderProgress tick;
+
+    /** @param tick called often while time passes, one call at a time */
+    TimedRenderer(Scene scene, BooleanSupplier cancelled, Runnable tick) {
+        this.scene = scene;
+        this.cancelled = cancelled;
+        this.tick = (done, total, soFar) -> tick.run();
+    }
+
+    /** A render and the seconds it took. */
+    record Timed(Image image, RenderSettings settings, double wall, double cpu, RenderReport.Sampling sampling) {}
+
+    /** Renders; throws {@link CancelledException} if the render was cancelled. */
+    Timed render(RenderSettings settings) {
+        if (cancelled.getAsBoolean()) {
+            throw new CancelledException();
+        }
+        long start = System.nanoTime();
+        RenderResult result = Renderer.render(scene, settings, tick, cancelled);
+        double wall = (System.nanoTime() - start) * NANO;
+        if (!result.complete()) {
+            throw new CancelledException();
+        }
+        double cpu = result.report().phases().stream()
+                .mapToDouble(RenderReport.Phase::cpuSeconds)
+                .sum();
+        return new Timed(result.image(), settings, wall, cpu, result.report().sampling());
+    }
+
+    /** Compares renders with the reference, several at once: nothing is being timed meanwhile. */
+    static List<TradeRun> judge(String kind, List<Timed> renders, Image reference) {
+        return renders.parallelStream().map(r -> judge(kind, r, reference)).toList();
+    }
+
+    private static TradeRun judge(String kind, Timed r, Image reference) {
+        RenderSettings s = r.settings;
+        return new TradeRun(
+                kind,
+                s.method().word(),
+                s.antialias(),
+                s.shadowSamples(),
+                s.threads(),
+                s.budget().samples().orElse(0),
+                s.seed(),
+                r.wall,
+                r.cpu,
+                r.sampling.samplesPerPixel(),
+                ImageError.between(r.image, reference).meanSquaredError(),
+                Flip.between(r.image, reference).mean(),
+                r.sampling.estimatedError(),
+                r.sampling.errorLow(),
+                r.sampling.errorHigh());
+    }
+}

@@ -1,0 +1,96 @@
+package enlightenment.measure.analysis;
+
+import enlightenment.measure.trade.TradeRun;
+import enlightenment.measure.trade.TradeSettings;
+import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Everything but the budget that makes renders differ in a comparison.
+ *
+ * @param method the method
+ * @param lightSamples light samples per hit and light
+ * @param grid whether budgets are given as {@code --antialias} instead of {@code --samples}: the positions in the pixel differ
+ */
+public record Configuration(String method, int lightSamples, boolean grid) {
+    /** The ratio of neighbouring variants. Measured: within a factor of two of the best number the cost hardly differs. */
+    private static final int STEP = 4;
+
+    /** A method with the scene's own number of light samples. */
+    public static Configuration ofScene(TradeSettings settings, String method) {
+        return new Configuration(method, settings.base().shadowSamples(), false);
+    }
+
+    /** The configuration of a run. */
+    public static Configuration of(TradeRun run) {
+        return new Configuration(run.method(), run.shadowSamples(), run.samples() == 0);
+    }
+
+    /**
+     * The other numbers of light samples that a method is compared with: the powers of four up to half of the scene's own, and
+     * four times that.
+     */
+    public static List<Configuration> variants(Configuration own) {
+        List<Configuration> variants = new ArrayList<>();
+        if (!own.takesLightSamples()) {
+            return variants;
+        }
+        for (int n = 1; 2 * n <= own.lightSamples; n *= STEP) {
+            variants.add(new Configuration(own.method, n, false));
+        }
+        if (own.lightSamples <= RenderDefaults.MAX_SHADOW_SAMPLES / STEP) {
+            variants.add(new Configuration(own.method, STEP * own.lightSamples, false));
+        }
+        return variants;
+    }
+
+    /** Whether the method takes a fixed number of light samples per hit instead of choosing it. */
+    private boolean takesLightSamples() {
+        return Method.of(method)
+                .filter(m -> m.has(Method.Setting.SHADOW_SAMPLES))
+                .isPresent();
+    }
+
+    /** Whether a run has this configuration. */
+    public boolean made(TradeRun run) {
+        return equals(of(run));
+    }
+
+    /** The settings of a render with this budget of camera rays per pixel. */
+    public RenderSettings settings(RenderSettings base, double samples, long seed) {
+        RenderSettings own = base.withMethod(Method.named(method))
+                .withShadowSamples(lightSamples)
+                .withSeed(seed);
+        return grid
+                ? own.withAntialias(side(samples)).withBudget(Budget.NONE)
+                : own.withBudget(Budget.NONE.withSamples(samples));
+    }
+
+    private static int side(double samples) {
+        return (int) Math.round(Math.sqrt(samples));
+    }
+
+    /** Its name in sentences: the method, and how many light samples it takes. */
+    public String name() {
+        String name = grid ? method + " --antialias" : method;
+        return takesLightSamples()
+                ? name + " with " + lightSamples + (lightSamples == 1 ? " light sample" : " light samples")
+                : name;
+    }
+
+    /**
+     * The options of {@code render} for a budget of camera rays per pixel.
+     *
+     * @param sceneLightSamples the scene's own number of light samples, which needs no option
+     */
+    String options(double samples, int sceneLightSamples) {
+        String budget = grid ? " --antialias " + side(samples) : " --samples " + Digits.samples(samples);
+        return "--method " + method
+                + (lightSamples == sceneLightSamples ? "" : " --shadow-samples " + lightSamples)
+                + budget;
+    }
+}

@@ -1,0 +1,86 @@
+package enlightenment.measure.analysis;
+
+import enlightenment.measure.trade.Spread;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What an error costs with one configuration, and how that is known.
+ *
+ * @param configuration method and number of light samples
+ * @param target the root mean square error to reach, in display units 0..1
+ * @param samples the budget of camera rays per pixel that reaches it
+ * @param error the error that this budget gives
+ * @param wall seconds by the clock
+ * @param cpu seconds of all processors, where they were measured
+ * @param flip the mean FLIP difference that this budget gives, where it was measured
+ * @param source how the cost is known
+ * @param from the measured errors that it comes from: its own, the two it lies between, or the smallest there is
+ */
+public record CostEstimate(
+        Configuration configuration,
+        double target,
+        double samples,
+        double error,
+        Spread wall,
+        Optional<Spread> cpu,
+        Optional<Double> flip,
+        Source source,
+        List<Double> from) {
+    /** An error below this share of the target costs clearly more than the target: its time is an upper bound only. */
+    public static final double CLOSE = 0.85;
+
+    public CostEstimate {
+        from = List.copyOf(from);
+    }
+
+    /** How a cost is known. */
+    public enum Source {
+        /** This very budget was rendered with the scene's own seed: whoever follows the advice gets that image. */
+        TRIED,
+        /** This budget was rendered with other random numbers, and gave the error or a smaller one. */
+        MEASURED,
+        /**
+         * This budget was rendered, and its error is below the reference's own; how far below cannot be told. The error stated is
+         * the reference's.
+         */
+        BELOW,
+        /** It was interpolated between two rendered budgets, of which one gave a larger error and the other a smaller one. */
+        BETWEEN,
+        /** It was extrapolated beyond what was rendered. */
+        BEYOND
+    }
+
+    /** Whether it lies within what was measured. */
+    public boolean isMeasured() {
+        return source != Source.BEYOND;
+    }
+
+    /** Whether the budget's error is clearly below the target, so that a smaller budget might do. */
+    public boolean undercutsTarget() {
+        return source == Source.BELOW || error < CLOSE * target;
+    }
+
+    /** The same cost with the error that the budget gives as the target. */
+    CostEstimate atItsOwnError() {
+        return new CostEstimate(configuration, error, samples, error, wall, cpu, flip, source, from);
+    }
+
+    /** The method. */
+    public String method() {
+        return configuration.method();
+    }
+
+    /** How it is known, in words that can stand in brackets. */
+    public String evidence() {
+        return switch (source) {
+            case TRIED -> undercutsTarget() ? "tried, gives " + Digits.of(error, 2) : "tried";
+            case MEASURED -> undercutsTarget() ? "measured, gives " + Digits.of(error, 2) + " or less" : "measured";
+            case BELOW -> "measured, gives less than the reference's own error of " + Digits.of(error, 2);
+            case BETWEEN ->
+                "interpolated between measured errors of " + Digits.of(from.get(0), 2) + " and "
+                        + Digits.of(from.get(1), 2);
+            case BEYOND -> "extrapolated from " + Digits.of(from.get(0), 2) + ", the smallest error measured";
+        };
+    }
+}

@@ -1,0 +1,43 @@
+package enlightenment.measure.analysis;
+
+import enlightenment.scene.Budget;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
+/** Numbers rounded to few significant digits, to be read and typed. */
+public final class Digits {
+    private Digits() {}
+
+    /** A number of samples rounded up to two significant digits, within the range of a budget. */
+    public static double upTwo(double samples) {
+        double rounded = new BigDecimal(samples)
+                .round(new MathContext(9, RoundingMode.HALF_EVEN))
+                .round(new MathContext(2, RoundingMode.UP))
+                .doubleValue();
+        return Math.min(Math.max(rounded, 1), Budget.MAX_SAMPLES);
+    }
+
+    /** A number of samples rounded to two significant digits, within the range of a budget. */
+    public static double nearTwo(double samples) {
+        double rounded = new BigDecimal(samples)
+                .round(new MathContext(2, RoundingMode.HALF_EVEN))
+                .doubleValue();
+        return Math.min(Math.max(rounded, 1), Budget.MAX_SAMPLES);
+    }
+
+    /** A number with this many significant digits, without an exponent. */
+    public static String of(double value, int digits) {
+        if (value == 0) {
+            return "0";
+        }
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
+        return rounded.setScale(Math.max(digits - rounded.precision() + rounded.scale(), 0), RoundingMode.HALF_EVEN)
+                .toPlainString();
+    }
+
+    /** A budget as it is typed after {@code --samples}. */
+    public static String samples(double samples) {
+        return BigDecimal.valueOf(samples).stripTrailingZeros().toPlainString();
+    }
+}

@@ -1,0 +1,139 @@
+package enlightenment.measure.analysis;
+
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeRun;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * One picture by each method, rendered to take equally long as far as such budgets were found: {@link #isEqual} tells.
+ *
+ * @param pictures in the order of the methods; empty where there was no time for them
+ * @param referenceVariance the reference's own mean squared error
+ */
+public record EqualTimeComparison(List<EqualTimePicture> pictures, double referenceVariance) {
+    /** Times that differ by at most this factor are called equal. */
+    public static final double TOLERANCE = 1.1;
+
+    /** A difference of two errors that is smaller than this share of them decides nothing. */
+    private static final double ALIKE = 1.02;
+
+    /** The error that differences are amplified to, about, and by at most which factor. */
+    private static final double CLEAR = 0.2;
+
+    private static final int MAX_GAIN = 256;
+
+    public EqualTimeComparison {
+        pictures = List.copyOf(pictures);
+    }
+
+    /** The last comparison of a result, with its pictures as far as they are in the folder. */
+    public static EqualTimeComparison read(Path folder, TradeResult result) throws IOException {
+        double variance = result.reference().variance();
+        List<TradeRun> runs = new ArrayList<>();
+        for (String method : result.settings().methods()) {
+            result.runs().stream()
+                    .filter(r ->
+                            r.kind().equals(TradeRun.EQUAL_TIME) && r.method().equals(method))
+                    .reduce((a, b) -> b)
+                    .ifPresent(runs::add);
+        }
+        List<EqualTimePicture> pictures = new ArrayList<>();
+        for (TradeRun run : runs) {
+            pictures.add(new EqualTimePicture(
+                    run,
+                    image(folder.resolve(pictureName(run.method()))),
+                    image(folder.resolve(differenceName(run.method()))),
+                    gain(runs, variance)));
+        }
+        return new EqualTimeComparison(pictures, variance);
+    }
+
+    private static Optional<Image> image(Path file) throws IOException {
+        return Files.exists(file) ? Optional.of(ImageFiles.read(file)) : Optional.empty();
+    }
+
+    /** The name of the file of a method's picture. */
+    public static String pictureName(String method) {
+        return "equal-time-" + method + ".png";
+    }
+
+    /** The name of the file of its difference from the reference. */
+    public static String differenceName(String method) {
+        return "equal-time-" + method + "-error.png";
+    }
+
+    /** The name of the file of its FLIP map. */
+    public static String flipName(String method) {
+        return "equal-time-" + method + "-flip.png";
+    }
+
+    /** The factor for the differences of these runs: a power of two that lifts the largest error to about a fifth of white. */
+    public static int gain(List<TradeRun> runs, double referenceVariance) {
+        double error =
+                runs.stream().mapToDouble(r -> r.error(referenceVariance)).max().orElse(1);
+        int gain = 1;
+        while (2 * gain * error <= CLEAR && gain < MAX_GAIN) {
+            gain *= 2;
+        }
+        return gain;
+    }
+
+    /** Whether the times differ by at most {@link #TOLERANCE}; also true where there are no pictures. */
+    public boolean isEqual() {
+        double longest =
+                pictures.stream().mapToDouble(p -> p.run().wallSeconds()).max().orElse(1);
+        double shortest =
+                pictures.stream().mapToDouble(p -> p.run().wallSeconds()).min().orElse(1);
+        return longest / shortest <= TOLERANCE;
+    }
+
+    /** Which method is closer to the reference, with the times, in one sentence; empty for fewer than two pictures. */
+    public Optional<String> sentence() {
+        if (pictures.size() < 2) {
+            return Optional.empty();
+        }
+        String times = String.join(
+                ", ",
+                pictures.stream()
+                        .map(p -> name(p) + " " + Digits.of(p.run().wallSeconds(), 2) + " s")
+                        .toList());
+        if (!isEqual()) {
+            return Optional.of("These pictures are not at equal time: " + times + ".");
+        }
+        return Optional.of("At equal time (" + times + ") " + verdict() + ".");
+    }
+
+    private String verdict() {
+        Optional<String> rmse = better(p -> p.run().error(referenceVariance));
+        Optional<String> flip = better(p -> p.run().flip());
+        if (rmse.isEmpty() || flip.isEmpty()) {
+            return rmse.map(m -> "by RMSE " + m + " is nearer to the truth, FLIP sees no difference")
+                    .or(() -> flip.map(m -> "by FLIP " + m + " is nearer to the truth, RMSE sees no difference"))
+                    .orElse("neither is nearer to the truth, by RMSE and by FLIP");
+        }
+        return rmse.equals(flip)
+                ? rmse.get() + " is nearer to the truth, by RMSE and by FLIP"
+                : "the two measures disagree: by RMSE " + rmse.get() + " is nearer to the truth, by FLIP " + flip.get();
+    }
+
+    /** The one with the smallest value, if all others are clearly larger. */
+    private Optional<String> better(ToDoubleFunction<EqualTimePicture> value) {
+        List<EqualTimePicture> sorted =
+                pictures.stream().sorted(Comparator.comparingDouble(value)).toList();
+        boolean clear = value.applyAsDouble(sorted.get(1)) > ALIKE * value.applyAsDouble(sorted.get(0));
+        return clear ? Optional.of(name(sorted.get(0))) : Optional.empty();
+    }
+
+    private static String name(EqualTimePicture picture) {
+        return Configuration.of(picture.run()).name();
+    }
+}

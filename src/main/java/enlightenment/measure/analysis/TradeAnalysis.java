@@ -1,0 +1,131 @@
+package enlightenment.measure.analysis;
+
+import enlightenment.measure.trade.Spread;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeRun;
+import enlightenment.measure.trade.TradeSettings;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * The trade-off of speed against accuracy, as the runs of a result tell it.
+ *
+ * @param result what was measured
+ * @param curves error against budget of each configuration: methods in the order asked for, the scene's own number of light
+ *     samples first
+ * @param costs what an error costs with each configuration
+ * @param sweeps what each value of a swept setting costs and gains
+ */
+public record TradeAnalysis(
+        TradeResult result, List<Curve> curves, List<MeasuredCosts> costs, List<SweepResult> sweeps) {
+    /** How many of the longest renders tell how busy the machine was. */
+    private static final int LONGEST = 7;
+
+    public TradeAnalysis {
+        curves = List.copyOf(curves);
+        costs = List.copyOf(costs);
+        sweeps = List.copyOf(sweeps);
+    }
+
+    /** Evaluates a result. */
+    public static TradeAnalysis of(TradeResult result) {
+        TradeSettings settings = result.settings();
+        List<TradeRun> runs = result.runs();
+        double variance = result.reference().variance();
+        return new TradeAnalysis(
+                result,
+                configurations(settings, runs).stream()
+                        .map(c -> Curve.of(c, runs, variance))
+                        .filter(c -> !c.points().isEmpty())
+                        .toList(),
+                costs(settings, runs, variance),
+                settings.sweeps().stream()
+                        .map(s -> SweepResult.of(s, settings.base().method().word(), runs, variance))
+                        .toList());
+    }
+
+    /** The costs of each configuration that ran on the scene's number of threads. */
+    public static List<MeasuredCosts> costs(TradeSettings settings, List<TradeRun> runs, double referenceVariance) {
+        return configurations(settings, runs).stream()
+                .map(c -> MeasuredCosts.of(c, runs, settings.base().threads(), referenceVariance))
+                .toList();
+    }
+
+    private static Set<Configuration> configurations(TradeSettings settings, List<TradeRun> runs) {
+        Set<Configuration> all = new LinkedHashSet<>();
+        for (String method : settings.methods()) {
+            all.add(Configuration.ofScene(settings, method));
+            runs.stream()
+                    .map(Configuration::of)
+                    .filter(c -> c.method().equals(method))
+                    .sorted(Comparator.comparing(Configuration::grid).thenComparing(Configuration::lightSamples))
+                    .forEach(all::add);
+        }
+        return all;
+    }
+
+    /** What was asked for. */
+    public TradeSettings settings() {
+        return result.settings();
+    }
+
+    /** A method with the scene's own number of light samples. */
+    public Configuration own(String method) {
+        return Configuration.ofScene(settings(), method);
+    }
+
+    /** The costs of one configuration. */
+    public Optional<MeasuredCosts> costs(Configuration configuration) {
+        return costs.stream()
+                .filter(r -> r.configuration().equals(configuration))
+                .findFirst();
+    }
+
+    /** The cost of an error by a method with the scene's own number of light samples, if that is known. */
+    public Optional<CostEstimate> own(String method, double target) {
+        return costs(own(method)).flatMap(r -> r.forError(target));
+    }
+
+    /**
+     * The cost of an error by a method with the number of light samples that is fastest there, of those that ran. What was
+     * measured is preferred to what is extrapolated.
+     */
+    public Optional<CostEstimate> best(String method, double target) {
+        return fastest(
+                costs.stream()
+                        .filter(r -> r.configuration().method().equals(method))
+                        .toList(),
+                target);
+    }
+
+    /** The fastest of some configurations for an error; of those that were measured there, if any was. */
+    public static Optional<CostEstimate> fastest(List<MeasuredCosts> costs, double target) {
+        return costs.stream()
+                .flatMap(r -> r.forError(target).stream())
+                .min(Comparator.comparing((CostEstimate n) -> !n.isMeasured())
+                        .thenComparingDouble(n -> n.wall().median()));
+    }
+
+    /** Whether anything can be said about an error: it is not below that of the reference. */
+    public boolean isKnown(double target) {
+        return target >= result.reference().error();
+    }
+
+    /**
+     * The share of the processor time they asked for that the longest renders got, 0..1: well below 1 where the machine had other
+     * work to do. Also 1 where the machine tells no processor times.
+     */
+    public double shareOfProcessors() {
+        int processors = result.conditions().processors();
+        List<Double> shares = result.runs().stream()
+                .filter(r -> r.kind().equals(TradeRun.LADDER) && r.cpuSeconds() > 0)
+                .sorted((a, b) -> Double.compare(b.wallSeconds(), a.wallSeconds()))
+                .limit(LONGEST)
+                .map(r -> r.cpuSeconds() / (r.wallSeconds() * Math.min(r.threads(), processors)))
+                .toList();
+        return shares.isEmpty() ? 1 : Math.min(Spread.of(shares).median(), 1);
+    }
+}

@@ -1,0 +1,103 @@
+package enlightenment.measure.trade;
+
+import enlightenment.check.Check;
+import enlightenment.image.Image;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What to measure. {@link #of} has the usual values, the {@code with} methods change one.
+ *
+ * @param base the settings that all renders share; its method is that of the sweeps, its budget is not used
+ * @param methods the words of the methods to compare, each once, at least one
+ * @param budgetSeconds about how long the measurement may take by the clock; greater than 0. The fewest renders that give a result
+ *     are made in any case
+ * @param seeds how many times each budget is rendered, each time with other random numbers; 1..{@link #MAX_SEEDS}
+ * @param sweeps settings to step through as well
+ * @param reference the image to measure errors against, as large as the renders; made from long renders where empty
+ * @param sceneKey distinguishes the scene from others; kept in the folder, so that no other scene's measurement is resumed in it
+ */
+public record TradeSettings(
+        RenderSettings base,
+        List<String> methods,
+        double budgetSeconds,
+        int seeds,
+        List<Sweep> sweeps,
+        Optional<Image> reference,
+        String sceneKey) {
+    /** The largest number of renders of one budget. */
+    public static final int MAX_SEEDS = 1000;
+
+    /** The usual value of {@link #budgetSeconds}. */
+    public static final double BUDGET_SECONDS = 90;
+
+    /** The usual value of {@link #seeds}. */
+    public static final int SEEDS = 3;
+
+    /**
+     * Checks the values.
+     *
+     * @throws enlightenment.math.InvalidValueException key "methods", "budget", "seeds" or "reference", or that of a setting whose
+     *     sweep leaves its range
+     */
+    public TradeSettings {
+        methods = List.copyOf(methods);
+        sweeps = List.copyOf(sweeps);
+        Check.that(!methods.isEmpty(), "methods", "must name at least one method");
+        Check.that(
+                Method.words().containsAll(methods),
+                "methods",
+                "must be some of " + Method.words() + ", not " + methods);
+        Check.that(new HashSet<>(methods).size() == methods.size(), "methods", "must name each method once");
+        Check.that(
+                budgetSeconds > 0 && budgetSeconds < Double.POSITIVE_INFINITY,
+                "budget",
+                "must be greater than 0, not " + budgetSeconds);
+        Check.that(seeds >= 1 && seeds <= MAX_SEEDS, "seeds", "must lie in 1.." + MAX_SEEDS + ", not " + seeds);
+        for (Sweep sweep : sweeps) {
+            sweep.values().forEach(v -> sweep.at(base, v));
+        }
+        if (reference.isPresent()) {
+            Image r = reference.get();
+            RenderSettings.Crop region = base.region();
+            Check.that(
+                    r.width() == region.width() && r.height() == region.height(),
+                    "reference",
+                    "must have " + region.width() + "x" + region.height() + " pixels, as the renders, not " + r.width()
+                            + "x" + r.height());
+        }
+    }
+
+    /** All methods, {@link #BUDGET_SECONDS}, {@link #SEEDS}, no sweeps, and a reference to be made. */
+    public static TradeSettings of(RenderSettings base, String sceneKey) {
+        return new TradeSettings(base, Method.words(), BUDGET_SECONDS, SEEDS, List.of(), Optional.empty(), sceneKey);
+    }
+
+    /** The same with another list of {@link #methods}. */
+    public TradeSettings withMethods(List<String> methods) {
+        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
+    }
+
+    /** The same with another {@link #budgetSeconds}. */
+    public TradeSettings withBudgetSeconds(double budgetSeconds) {
+        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
+    }
+
+    /** The same with another number of {@link #seeds}. */
+    public TradeSettings withSeeds(int seeds) {
+        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
+    }
+
+    /** The same with other {@link #sweeps}. */
+    public TradeSettings withSweeps(List<Sweep> sweeps) {
+        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
+    }
+
+    /** The same with a given {@link #reference}. */
+    public TradeSettings withReference(Image reference) {
+        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, Optional.of(reference), sceneKey);
+    }
+}

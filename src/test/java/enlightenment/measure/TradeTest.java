@@ -1,0 +1,142 @@
+package enlightenment.measure;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.math.InvalidValueException;
+import enlightenment.measure.trade.Advice;
+import enlightenment.measure.trade.Sweep;
+import enlightenment.measure.trade.TradeListener;
+import enlightenment.measure.trade.TradeResult;
+import enlightenment.measure.trade.TradeRun;
+import enlightenment.measure.trade.TradeSettings;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** With a budget that is over at once the fewest renders are made, whatever they take: nothing here depends on time. */
+class TradeTest {
+    private static final double NO_TIME = 1e-9;
+
+    @TempDir
+    Path folder;
+
+    private final Scene scene = SceneReader.readString(
+            """
+            { "image": { "width": 12, "height": 8 },
+              "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "up": [0, 1, 0], "fieldOfView": 40 },
+              "materials": { "white": { "type": "matte", "color": "#ffffff" } },
+              "lights": [ { "type": "sphere", "center": [2, 3, -2], "radius": 0.5, "color": "#ffffff" } ],
+              "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white" },
+                           { "type": "sphere", "center": [0, -101, 0], "radius": 100, "material": "white" } ] }
+            """,
+            Path.of("."),
+            "the test's scene");
+
+    private final TradeSettings settings = TradeSettings.of(
+                    RenderSettings.of(scene).withThreads(1), "two balls")
+            .withBudgetSeconds(NO_TIME)
+            .withSeeds(2);
+
+    private Optional<TradeResult> run(TradeSettings what, boolean resume) throws IOException {
+        return Trade.run(scene, what, folder, resume, TradeListener.NONE, () -> false);
+    }
+
+    private static Set<Double> budgets(TradeResult result, String method) {
+        return result.runs().stream()
+                .filter(r -> r.kind().equals(TradeRun.LADDER) && r.method().equals(method))
+                .map(TradeRun::samples)
+                .collect(Collectors.toSet());
+    }
+
+    @Test
+    void eachMethodRendersTheFirstBudgetsWhateverTheyTake() throws IOException {
+        TradeResult result = run(settings, false).orElseThrow();
+        assertTrue(result.conditions().complete());
+        assertEquals(settings, result.settings());
+        assertEquals(2, result.reference().parts().size());
+        for (String method : settings.methods()) {
+            assertEquals(Set.of(1.0, 2.0, 2.5, 4.0), budgets(result, method));
+        }
+        assertTrue(result.runs().stream().allMatch(r -> r.wallSeconds() > 0 && r.samplesPerPixel() > 0));
+    }
+
+    @Test
+    void aFolderIsReadAsItWasMeasured() throws IOException {
+        TradeResult result = run(settings, false).orElseThrow();
+        TradeResult read = Trade.read(settings, folder);
+        assertEquals(result.runs(), read.runs());
+        assertEquals(result.reference().variance(), read.reference().variance());
+        assertEquals(result.conditions(), read.conditions());
+        assertEquals(Trade.advice(result, 0.01), Trade.advice(read, 0.01));
+    }
+
+    @Test
+    void aFolderIsResumedOnlyOnRequestAndWithTheSameSettings() throws IOException {
+        List<TradeRun> first = run(settings, false).orElseThrow().runs();
+        assertEquals("output", refusal(settings, false));
+        assertEquals("resume", refusal(settings.withMethods(List.of("cluster")), true));
+        TradeSettings more = settings.withSweeps(List.of(Sweep.parse("shadowSamples=1..4")));
+        List<TradeRun> all = run(more, true).orElseThrow().runs();
+        assertEquals(first, all.subList(0, first.size()));
+        // The first two values of a sweep come in any case, with one seed.
+        assertEquals(
+                List.of(1, 2),
+                all.stream()
+                        .filter(r -> r.kind().equals(TradeRun.SWEEP + "shadowSamples"))
+                        .map(TradeRun::shadowSamples)
+                        .toList());
+    }
+
+    private String refusal(TradeSettings what, boolean resume) {
+        return assertThrows(InvalidValueException.class, () -> run(what, resume))
+                .key();
+    }
+
+    @Test
+    void cancelledAtOnceThereIsNothingAndLaterThereIsWhatWasMeasured() throws IOException {
+        assertTrue(Trade.run(scene, settings, folder, false, TradeListener.NONE, () -> true)
+                .isEmpty());
+        List<String> steps = new ArrayList<>();
+        TradeListener listener = (step, done, total) -> {
+            assertTrue(done <= total);
+            synchronized (steps) {
+                steps.add(step);
+            }
+        };
+        TradeResult cut = Trade.run(scene, settings, folder, true, listener, () -> {
+                    synchronized (steps) {
+                        return steps.contains("4 samples per pixel");
+                    }
+                })
+                .orElseThrow();
+        assertFalse(cut.conditions().complete());
+        assertEquals(Set.of(1.0, 2.0, 2.5), budgets(cut, "raytrace"));
+        assertEquals("warming up", steps.get(0));
+    }
+
+    @Test
+    void adviceIsWhatTheRunsTell() throws IOException {
+        TradeResult result = run(settings, false).orElseThrow();
+        // Every method was measured to reach the largest error of any of its runs.
+        double reached = result.runs().stream()
+                .mapToDouble(r -> r.error(result.reference().variance()))
+                .max()
+                .orElseThrow();
+        Advice advice = Trade.advice(result, reached);
+        assertEquals(Advice.Basis.MEASURED, advice.basis());
+        assertTrue(advice.settings().orElseThrow().budget().samples().orElseThrow() >= 1);
+        assertEquals(Advice.Basis.NOTHING, Trade.advice(result, 1e-12).basis());
+    }
+}

@@ -93,10 +93,10 @@ final class TradeJson {
     }
 
     private static void equalTime(JsonGenerator json, EqualTimeComparison comparison) {
+        double variance = comparison.referenceVariance();
         json.writeBooleanProperty("equal", comparison.isEqual());
         comparison.sentence().ifPresent(s -> json.writeStringProperty("equalTimeSentence", s));
         json.writeArrayPropertyStart("equalTime");
-        double variance = comparison.referenceVariance();
         for (EqualTimePicture e : comparison.pictures()) {
             json.writeStartObject();
             json.writeStringProperty("method", e.run().method());

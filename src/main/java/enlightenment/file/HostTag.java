@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Tells this machine from others that share its folders. */
-final class Machine {
+/** A short mark of this machine in the names of its temporary files: tells it from others that share its folders. */
+final class HostTag {
     /** Up to eight hexadecimal digits made of the machine's name. */
     static final String HASH = Integer.toHexString(name().hashCode());
 
-    private Machine() {}
+    private HostTag() {}
 
     /** Asks no network. */
     private static String name() {

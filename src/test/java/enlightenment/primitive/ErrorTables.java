@@ -92,7 +92,7 @@ final class ErrorTables {
 
                 "Textbook" is the form that books print, in the same double arithmetic: the quadratic formula for
                 sphere, cylinder and cone, Ferrari's formula for the torus, slabs with `Math.min` and `Math.max` for the
-                box, Möller and Trumbore's triangle (`src/test/java/enlightenment/geometry/NaiveForms.java`). "Ours" is
+                box, Möller and Trumbore's triangle (`src/test/java/enlightenment/primitive/NaiveForms.java`). "Ours" is
                 what the renderer does. The truth is decimal arithmetic of 60 digits or more on the same doubles.
 
                 - **decided**: rays whose clearance from the border between hit and miss is more than 4uD, u = 2^-53,

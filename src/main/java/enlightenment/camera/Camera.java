@@ -51,6 +51,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
             ExactPoint lowerRight,
             double pupilRadius)
             implements Camera {
+        /** Validates the components, as {@link Camera} states. */
         public Window {
             checkCorners(lowerLeft, upperLeft, upperRight, lowerRight);
             Check.notNegative("pupilRadius", pupilRadius);
@@ -85,6 +86,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param fieldOfView the vertical angle of view in degrees, greater than 0 and less than 180
      */
     record Perspective(ExactPoint eye, ExactPoint lookAt, Vec3 up, double fieldOfView) implements Camera {
+        /** Validates the components, as {@link Camera} states. */
         public Perspective {
             checkView(eye, lookAt, up);
             Check.that(
@@ -118,6 +120,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param height the height of the picture in scene units, greater than 0
      */
     record Orthographic(ExactPoint eye, ExactPoint lookAt, Vec3 up, double height) implements Camera {
+        /** Validates the components, as {@link Camera} states. */
         public Orthographic {
             checkView(eye, lookAt, up);
             Check.positive("height", height);
@@ -152,6 +155,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param height the height of the picture in scene units, greater than 0
      */
     record Isometric(ExactPoint lookAt, double height) implements Camera {
+        /** Validates the components, as {@link Camera} states. */
         public Isometric {
             Objects.requireNonNull(lookAt, "lookAt");
             Check.positive("height", height);

@@ -33,7 +33,7 @@ final class BarProgress implements RenderProgress, AutoCloseable {
                     .setInitialMax(total)
                     .setStyle(ProgressBarStyle.ASCII)
                     .setUpdateIntervalMillis(PERIOD_MILLIS)
-                    .setEtaFunction(state -> foretold())
+                    .setEtaFunction(state -> estimate())
                     // With a width of our own, the library need not load native code to ask the terminal for it.
                     .setConsumer(new ConsoleProgressBarConsumer(err, columns()))
                     .build();
@@ -42,8 +42,8 @@ final class BarProgress implements RenderProgress, AutoCloseable {
         bar.stepTo(done);
     }
 
-    /** Nothing is drawn as a question mark. */
-    private Optional<Duration> foretold() {
+    /** Without an estimate the bar shows a question mark. */
+    private Optional<Duration> estimate() {
         OptionalDouble left = timeLeft.seconds();
         return left.isPresent()
                 ? Optional.of(Duration.ofSeconds((long) Math.ceil(left.getAsDouble())))

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.WholeFile;
 import enlightenment.measure.Bench;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -16,10 +17,9 @@ import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code enlightenment bench}: tells how fast this machine renders. */
-@Command(name = "bench", description = "Tells how fast this machine renders.", sortOptions = false)
+/** {@code enlightenment bench}: measures how fast this machine renders. */
+@Command(name = "bench", description = "Measures how fast this machine renders.", sortOptions = false)
 final class BenchCommand extends Subcommand {
-    private static final int REPEATS = 5;
     private static final double MILLION = 1e6;
     private static final String PAPER_SCENE = "fire-and-ice.json";
 
@@ -32,8 +32,9 @@ final class BenchCommand extends Subcommand {
     @Option(
             names = "--repeat",
             paramLabel = "N",
+            converter = Repeats.class,
             description = "renders of each scene that count, 1..1000 (default: 5)")
-    private String repeat;
+    private int repeat = 5;
 
     BenchCommand(Terminal terminal) {
         super(terminal);
@@ -41,10 +42,9 @@ final class BenchCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        int repeats = repeat == null ? REPEATS : OptionValues.integer("--repeat", repeat, 1, 1000);
         List<Path> files = files();
         if (json != null) {
-            OutputFiles outputs = new OutputFiles().writes("--json", json);
+            CommandFiles outputs = new CommandFiles().writes("--json", json);
             files.forEach(file -> outputs.reads(file, SceneReader.read(file)));
             outputs.check();
         }
@@ -57,16 +57,19 @@ final class BenchCommand extends Subcommand {
         List<Bench> all = new ArrayList<>();
         Path paper = scenes.resolve(PAPER_SCENE);
         Scene fireAndIce = SceneReader.read(paper);
-        boolean complete = line(all, "paper's benchmark", fireAndIce, Bench.paperSettings(fireAndIce), repeats);
+        boolean complete = line(all, "paper's benchmark", fireAndIce, Bench.paperSettings(fireAndIce));
         for (int i = 0; i < files.size() && complete; i++) {
             Scene scene = SceneReader.read(files.get(i));
-            String name = files.get(i).getFileName().toString().replaceFirst("\\.json$", "");
-            complete = line(all, name, scene, RenderSettings.of(scene), repeats);
+            String name = FileNames.stem(files.get(i));
+            complete = line(all, name, scene, RenderSettings.of(scene));
         }
         if (json != null) {
-            OutputFile.write(json, BenchJson.of(all, machine, repeats));
+            WholeFile.write(json, BenchJson.of(all, machine, repeat));
         }
-        return complete ? CliException.DONE : CliException.FAILED;
+        if (!complete) {
+            throw CliException.failed("stopped");
+        }
+        return ExitCode.DONE;
     }
 
     private List<Path> files() throws IOException {
@@ -75,17 +78,16 @@ final class BenchCommand extends Subcommand {
                     + " in it, not \"" + scenes + "\"");
         }
         try (Stream<Path> all = Files.list(scenes)) {
-            return all.filter(f -> OutputFile.extension(f).equals(".json"))
+            return all.filter(f -> FileNames.extension(f).equals(".json"))
                     .sorted()
                     .toList();
         }
     }
 
     /** Measures and prints; false where it was stopped. */
-    private boolean line(List<Bench> all, String name, Scene scene, RenderSettings settings, int repeats) {
-        Optional<Bench> measured = Bench.run(name, scene, settings, repeats, terminal.stop());
+    private boolean line(List<Bench> all, String name, Scene scene, RenderSettings settings) {
+        Optional<Bench> measured = Bench.run(name, scene, settings, repeat, terminal.stop());
         if (measured.isEmpty()) {
-            terminal.say("stopped");
             return false;
         }
         Bench b = measured.get();
@@ -112,5 +114,13 @@ final class BenchCommand extends Subcommand {
     private static String describe(RenderSettings s) {
         return s.method() + " " + s.width() + "x" + s.height() + " aa " + s.antialias() + " sh " + s.shadowSamples()
                 + " th " + s.threads();
+    }
+
+    static final class Repeats extends WholeNumber {
+        private static final int MAX = 1000;
+
+        Repeats() {
+            super(1, MAX);
+        }
     }
 }

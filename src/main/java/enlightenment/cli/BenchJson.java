@@ -1,54 +1,61 @@
 package enlightenment.cli;
 
+import enlightenment.json.JsonText;
 import enlightenment.measure.Bench;
 import enlightenment.measure.trade.Spread;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
+import tools.jackson.core.JsonGenerator;
 
 /** The figures of {@code bench} as JSON; docs/benchmarks.md lists the keys. */
 final class BenchJson {
     private BenchJson() {}
 
     static String of(List<Bench> all, Map<String, String> machine, int repeats) {
-        JsonText json = new JsonText().beginObject();
-        json.key("enlightenment").value(Version.number());
-        machine(json.key("machine"), machine);
-        json.key("repeats").value(repeats);
-        json.key("scenes").beginArray();
-        for (Bench b : all) {
-            RenderSettings s = b.settings();
-            json.beginObject();
-            json.key("name").value(b.name());
-            json.key("method").value(s.method().word());
-            json.key("width").value(s.width());
-            json.key("height").value(s.height());
-            json.key("antialias").value(s.antialias());
-            json.key("shadowSamples").value(s.shadowSamples());
-            json.key("threads").value(s.threads());
-            spread(json.key("wallSeconds"), b.wall());
-            spread(json.key("cpuSeconds"), b.cpu());
-            json.key("rays").value(b.rays());
-            json.key("lightSamples").value(b.lightSamples());
-            json.key("raysPerSecond").value(b.raysPerSecond());
-            json.key("lightSamplesPerSecond").value(b.lightSamplesPerSecond());
-            json.endObject();
-        }
-        return json.endArray().endObject().finish();
+        return JsonText.of(json -> {
+            json.writeStartObject();
+            json.writeStringProperty("enlightenment", Version.number());
+            machine(json, machine);
+            json.writeNumberProperty("repeats", repeats);
+            json.writeArrayPropertyStart("scenes");
+            all.forEach(b -> bench(json, b));
+            json.writeEndArray();
+            json.writeEndObject();
+        });
     }
 
-    static void machine(JsonText json, Map<String, String> machine) {
-        json.beginObject();
-        machine.forEach((k, v) -> json.key(k).value(v));
-        json.endObject();
+    private static void bench(JsonGenerator json, Bench b) {
+        RenderSettings s = b.settings();
+        json.writeStartObject();
+        json.writeStringProperty("name", b.name());
+        json.writeStringProperty("method", s.method().word());
+        json.writeNumberProperty("width", s.width());
+        json.writeNumberProperty("height", s.height());
+        json.writeNumberProperty("antialias", s.antialias());
+        json.writeNumberProperty("shadowSamples", s.shadowSamples());
+        json.writeNumberProperty("threads", s.threads());
+        spread(json, "wallSeconds", b.wall());
+        spread(json, "cpuSeconds", b.cpu());
+        json.writeNumberProperty("rays", b.rays());
+        json.writeNumberProperty("lightSamples", b.lightSamples());
+        json.writeNumberProperty("raysPerSecond", b.raysPerSecond());
+        json.writeNumberProperty("lightSamplesPerSecond", b.lightSamplesPerSecond());
+        json.writeEndObject();
     }
 
-    static void spread(JsonText json, Spread s) {
-        json.beginObject();
-        json.key("low").value(s.low());
-        json.key("median").value(s.median());
-        json.key("high").value(s.high());
-        json.key("count").value(s.count());
-        json.endObject();
+    static void machine(JsonGenerator json, Map<String, String> machine) {
+        json.writeObjectPropertyStart("machine");
+        machine.forEach(json::writeStringProperty);
+        json.writeEndObject();
+    }
+
+    static void spread(JsonGenerator json, String key, Spread s) {
+        json.writeObjectPropertyStart(key);
+        json.writeNumberProperty("low", s.low());
+        json.writeNumberProperty("median", s.median());
+        json.writeNumberProperty("high", s.high());
+        json.writeNumberProperty("count", s.count());
+        json.writeEndObject();
     }
 }

@@ -42,29 +42,21 @@ final class Commands {
         };
     }
 
-    /** The command for picocli. */
-    static CommandLine line(Subcommand command) {
-        CommandLine line = new CommandLine(command);
-        if (command instanceof TradeCommand) {
-            RenderOptions.hideBudgets(line.getCommandSpec());
-        }
-        return line;
-    }
-
-    /** The same habits for every command. */
+    /** What holds for every command. */
     static CommandLine configure(CommandLine line, Terminal terminal) {
         // A scene's name may begin with @.
         line.setExpandAtFiles(false);
         line.setOut(new PrintWriter(terminal.out(), true));
         line.setErr(new PrintWriter(terminal.err(), true));
-        return line;
+        Failures failures = new Failures(terminal);
+        return line.setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
     }
 
     /** All commands, under the one that stands above them. */
     static CommandLine tree(Terminal terminal) {
         CommandLine tree = new CommandLine(new RootCommand());
         for (String name : NAMES) {
-            tree.addSubcommand(name, line(create(name, terminal)));
+            tree.addSubcommand(name, new CommandLine(create(name, terminal)));
         }
         tree.addSubcommand("completion", new AutoComplete.GenerateCompletion());
         tree.addSubcommand("help", new CommandLine.HelpCommand());
@@ -78,16 +70,7 @@ final class Commands {
         if (args.length > 0 && args[0].equals("help")) {
             checkName(args, 1, tree);
         }
-        CommandLine.ParseResult parsed = tree.parseArgs(args);
-        if (!parsed.hasSubcommand() && !parsed.isUsageHelpRequested() && !parsed.isVersionHelpRequested()) {
-            throw new CommandLine.ParameterException(tree, "no command given");
-        }
-        if (parsed.isVersionHelpRequested()) {
-            terminal.out().println(Version.line());
-            return CliException.DONE;
-        }
-        new CommandLine.RunLast().execute(parsed);
-        return CliException.DONE;
+        return tree.execute(args);
     }
 
     /** Fails if the word at this place is there and should be a command, but is none. */

@@ -4,6 +4,7 @@ import enlightenment.image.Flip;
 import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.image.ImageFiles;
+import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.picture.HeatMap;
@@ -14,8 +15,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code enlightenment compare}: tells by how much one picture differs from another. */
-@Command(name = "compare", description = "Tells by how much one picture differs from another.", sortOptions = false)
+/** {@code enlightenment compare}: measures by how much one picture differs from another. */
+@Command(name = "compare", description = "Measures by how much one picture differs from another.", sortOptions = false)
 final class CompareCommand extends Subcommand {
     @Parameters(index = "0", paramLabel = "A", description = "the picture to judge: .png or .pfm")
     private Path test;
@@ -23,20 +24,25 @@ final class CompareCommand extends Subcommand {
     @Parameters(index = "1", paramLabel = "B", description = "the reference: .png or .pfm, of the same size")
     private Path reference;
 
-    @Option(names = "--heatmap", paramLabel = "OUT.png", description = "show where they differ (FLIP) in this picture")
+    @Option(names = "--heatmap", paramLabel = "OUT.png", description = "write a picture of where they differ (FLIP)")
     private Path heatMap;
 
     @Option(names = "--json", description = "print the figures as JSON")
     private boolean json;
 
-    @Option(names = "--max-rmse", paramLabel = "X", description = "end with 1 if the RMSE is larger than this")
-    private String maxRmse;
+    @Option(
+            names = "--max-rmse",
+            paramLabel = "X",
+            converter = MaxRmse.class,
+            description = "exit with 1 if the RMSE is larger than this")
+    private Double maxRmse;
 
     @Option(
             names = "--pixels-per-degree",
             paramLabel = "N",
-            description = "for FLIP: pixels in one degree of the viewer's sight, 1..1000 (default: 67.02)")
-    private String pixelsPerDegree;
+            converter = PixelsPerDegree.class,
+            description = "for FLIP: pixels per degree of the viewer's visual angle, 1..1000 (default: 67.02)")
+    private double pixelsPerDegree = Flip.DEFAULT_PIXELS_PER_DEGREE;
 
     CompareCommand(Terminal terminal) {
         super(terminal);
@@ -44,11 +50,6 @@ final class CompareCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        Double limit = maxRmse == null ? null : OptionValues.number("--max-rmse", maxRmse, 0, Double.MAX_VALUE);
-        double density = pixelsPerDegree == null
-                ? Flip.DEFAULT_PIXELS_PER_DEGREE
-                : OptionValues.number(
-                        "--pixels-per-degree", pixelsPerDegree, Flip.MIN_PIXELS_PER_DEGREE, Flip.MAX_PIXELS_PER_DEGREE);
         checkHeatMap();
         Image a = read(test);
         Image b = read(reference);
@@ -60,30 +61,30 @@ final class CompareCommand extends Subcommand {
         Flip flip;
         try {
             error = ImageError.between(a, b);
-            flip = Flip.between(a, b, density);
+            flip = Flip.between(a, b, pixelsPerDegree);
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage((e.key().equals("test") ? test : reference) + ": " + e.problem());
         }
         if (heatMap != null) {
-            ImageFiles.writePng(HeatMap.withScale(flip), heatMap, comments(flip, density));
+            ImageFiles.writePng(HeatMap.withScale(flip), heatMap, comments(flip, pixelsPerDegree));
         }
-        Comparison comparison = new Comparison(test, reference, error, flip, density, limit);
-        terminal.out().print(json ? comparison.toJson() : comparison.toTable());
+        Comparison comparison = new Comparison(test, reference, error, flip, pixelsPerDegree, maxRmse);
+        terminal.out().print(json ? ComparisonJson.of(comparison) : comparison.toTable());
         if (!comparison.passed()) {
-            terminal.say("the RMSE is " + error.rmse() + ", larger than --max-rmse " + maxRmse);
-            return CliException.FAILED;
+            throw CliException.failed(
+                    "the RMSE is " + error.rmse() + ", larger than --max-rmse " + DecimalNumber.plain(maxRmse));
         }
-        return CliException.DONE;
+        return ExitCode.DONE;
     }
 
     private void checkHeatMap() throws IOException {
         if (heatMap == null) {
             return;
         }
-        if (!OutputFile.extension(heatMap).equals(".png")) {
+        if (ImageFormat.ofExtension(heatMap).orElse(null) != ImageFormat.PNG) {
             throw CliException.wrongUsage("--heatmap must name a file that ends in .png, not \"" + heatMap + "\"");
         }
-        new OutputFiles()
+        new CommandFiles()
                 .reads("picture A", test)
                 .reads("the reference B", reference)
                 .writes("--heatmap", heatMap)
@@ -95,7 +96,7 @@ final class CompareCommand extends Subcommand {
         try {
             return ImageFiles.read(file);
         } catch (IOException e) {
-            throw CliException.wrongUsage(Failures.describe(e));
+            throw CliException.wrongUsage(FileFailures.describe(e));
         }
     }
 
@@ -116,5 +117,17 @@ final class CompareCommand extends Subcommand {
 
     private static String size(Image image) {
         return image.width() + "x" + image.height();
+    }
+
+    static final class MaxRmse extends DecimalNumber {
+        MaxRmse() {
+            super(0, Double.MAX_VALUE);
+        }
+    }
+
+    static final class PixelsPerDegree extends DecimalNumber {
+        PixelsPerDegree() {
+            super(Flip.MIN_PIXELS_PER_DEGREE, Flip.MAX_PIXELS_PER_DEGREE);
+        }
     }
 }

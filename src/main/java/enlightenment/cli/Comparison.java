@@ -6,18 +6,18 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * What {@code enlightenment compare} tells.
+ * What {@code enlightenment compare} found.
  *
- * @param maxRmse the largest RMSE that will do, or null if any does
+ * @param maxRmse the largest RMSE that passes, or null if any does
  */
 record Comparison(Path test, Path reference, ImageError error, Flip flip, double pixelsPerDegree, Double maxRmse) {
 
-    /** Whether the RMSE is small enough; what is no number is not. */
+    /** Whether the RMSE is small enough; NaN is not. */
     boolean passed() {
         return maxRmse == null || error.rmse() <= maxRmse;
     }
 
-    /** Lines of a label and a value, for people. */
+    /** Lines of a label and a value, for people; {@link ComparisonJson} has all digits, for programs. */
     String toTable() {
         ImageError.Largest largest = error.largest();
         StringBuilder text = new StringBuilder();
@@ -61,36 +61,5 @@ record Comparison(Path test, Path reference, ImageError error, Flip flip, double
     private static String figure(double value) {
         boolean small = value != 0 && value < 1e-3;
         return value == 0 ? "0" : String.format(Locale.ROOT, small ? "%.4e" : "%.6f", value);
-    }
-
-    /** All digits, for programs; docs/cli.md lists the keys. */
-    String toJson() {
-        ImageError.Largest largest = error.largest();
-        JsonText json = new JsonText().beginObject();
-        json.key("enlightenment").value(Version.number());
-        json.key("test").value(test.toString());
-        json.key("reference").value(reference.toString());
-        json.key("width").value(flip.width());
-        json.key("height").value(flip.height());
-        json.key("rmse").value(error.rmse());
-        json.key("relativeMse").value(error.relativeMeanSquaredError());
-        json.key("meanAbsoluteError").value(error.meanAbsoluteError());
-        json.key("psnr").value(error.psnr());
-        json.key("flip").beginObject();
-        json.key("mean").value(flip.mean());
-        json.key("largest").value((double) flip.largest());
-        json.key("pixelsPerDegree").value(pixelsPerDegree);
-        json.endObject();
-        json.key("largestDifference").beginObject();
-        json.key("value").value(largest.difference());
-        json.key("column").value(largest.column());
-        json.key("row").value(largest.row());
-        json.key("channel").value(largest.channelName());
-        json.endObject();
-        if (maxRmse != null) {
-            json.key("maxRmse").value(maxRmse.doubleValue());
-            json.key("passed").value(passed());
-        }
-        return json.endObject().finish();
     }
 }

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** {@code enlightenment convert}: makes a scene file of an NFF file. */
-@Command(name = "convert", description = "Makes a scene file of a file in the Neutral File Format.")
+/** {@code enlightenment convert}: converts an NFF file to a scene file. */
+@Command(name = "convert", description = "Converts a file in the Neutral File Format to a scene file.")
 final class ConvertCommand extends Subcommand {
     @Parameters(index = "0", paramLabel = "IN.nff", description = "the file to read; - for standard input")
     private Path input;
@@ -18,37 +18,38 @@ final class ConvertCommand extends Subcommand {
     @Parameters(index = "1", paramLabel = "OUT.json", description = "the scene file to write; - for standard output")
     private Path output;
 
-    private static final String STANDARD = "standard input";
-
     ConvertCommand(Terminal terminal) {
         super(terminal);
     }
 
     @Override
     int execute() throws IOException {
-        if (!Standard.is(output) && !OutputFile.extension(output).equals(".json")) {
+        if (!StandardStreams.isNamed(output) && !FileNames.extension(output).equals(".json")) {
             throw CliException.wrongUsage("OUT.json must name a file that ends in .json, not \"" + output + "\"");
         }
-        if (!Standard.is(input) && !Files.exists(input)) {
+        if (!StandardStreams.isNamed(input) && !Files.exists(input)) {
             throw CliException.wrongUsage(input + ": there is no such file");
         }
-        new OutputFiles().reads("IN.nff", input).writes("OUT.json", output).check();
+        new CommandFiles().reads("IN.nff", input).writes("OUT.json", output).check();
         NffReader.Result result = read();
         for (String note : result.notes()) {
-            terminal.note((Standard.is(input) ? STANDARD : input) + ": " + note);
+            terminal.note((StandardStreams.isNamed(input) ? StandardStreams.INPUT : input) + ": " + note);
         }
-        if (Standard.is(output)) {
+        if (StandardStreams.isNamed(output)) {
             terminal.out().write(SceneWriter.toJson(result.scene(), Path.of("")).getBytes(StandardCharsets.UTF_8));
         } else {
             SceneWriter.write(result.scene(), output);
         }
-        return CliException.DONE;
+        return ExitCode.DONE;
     }
 
     private NffReader.Result read() throws IOException {
-        return Standard.is(input)
+        return StandardStreams.isNamed(input)
                 // The format is ASCII; comments may hold anything.
-                ? NffReader.parse(new String(terminal.in().readAllBytes(), StandardCharsets.ISO_8859_1), STANDARD, "")
+                ? NffReader.parse(
+                        new String(terminal.in().readAllBytes(), StandardCharsets.ISO_8859_1),
+                        StandardStreams.INPUT,
+                        "")
                 : NffReader.read(input);
     }
 }

@@ -7,24 +7,24 @@ import java.util.List;
 import java.util.TreeSet;
 
 /**
- * Which frames of an animation are looked at: all of them, or, where that would take minutes, those with keys and others spread
- * evenly. Between keys numbers change linearly, so that each is at its least and its greatest in a frame with keys.
+ * Which frames of an animation are checked: all of them, or, where that would take minutes, those with keys and others spread
+ * evenly. Between keys numbers change linearly, so that each has its minimum and its maximum in a frame with keys.
  *
  * @param frames the chosen ones, in order
- * @param all how many there are
+ * @param all the number of frames of the animation
  */
 record FrameChoice(List<Integer> frames, int all) {
-    /** Text that is read in some seconds. */
-    private static final long MOST_BYTES = 100_000_000;
+    /** The total length of text that is read in some seconds. */
+    private static final long MAX_BYTES = 100_000_000;
 
-    private static final int MOST = 2000;
-    private static final int LEAST = 20;
-    private static final int MOST_RANGES = 10;
+    private static final int MAX_FRAMES = 2000;
+    private static final int MIN_FRAMES = 20;
+    private static final int MAX_RANGES = 10;
 
-    /** @param bytes how long the scene's text is */
+    /** @param bytes length of the scene's text */
     static FrameChoice of(Animation animation, long bytes) {
         int all = animation.frames();
-        int most = (int) Math.max(Math.min(MOST_BYTES / Math.max(bytes, 1), MOST), LEAST);
+        int most = (int) Math.max(Math.min(MAX_BYTES / Math.max(bytes, 1), MAX_FRAMES), MIN_FRAMES);
         TreeSet<Integer> chosen = new TreeSet<>();
         if (all > most) {
             addSpread(keys(animation, all), most / 2, chosen);
@@ -53,7 +53,7 @@ record FrameChoice(List<Integer> frames, int all) {
         }
     }
 
-    /** {@code all 401 frames}, or how many of how many. */
+    /** {@code all 401 frames}, or the number checked and the number of all. */
     String inWords() {
         return frames.size() == all
                 ? all == 1 ? "its only frame" : "all " + all + " frames"
@@ -71,7 +71,7 @@ record FrameChoice(List<Integer> frames, int all) {
                 from = i;
             }
         }
-        String shown = String.join(", ", ranges.subList(0, Math.min(ranges.size(), MOST_RANGES)));
-        return ranges.size() > MOST_RANGES ? shown + " and more" : shown;
+        String shown = String.join(", ", ranges.subList(0, Math.min(ranges.size(), MAX_RANGES)));
+        return ranges.size() > MAX_RANGES ? shown + " and more" : shown;
     }
 }

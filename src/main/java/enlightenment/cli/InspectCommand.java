@@ -10,7 +10,6 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import enlightenment.text.Plain;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,19 +17,18 @@ import java.util.Locale;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Parameters;
 
-/** {@code enlightenment inspect}: tells what a scene holds and what a render of it would do. */
+/** {@code enlightenment inspect}: shows what a scene holds and what a render of it would do. */
 @Command(
         name = "inspect",
-        description = "Tells what a scene holds and what a render of it would do.",
+        description = "Shows what a scene holds and what a render of it would do.",
         sortOptions = false)
 final class InspectCommand extends Subcommand {
     private static final int LONGEST_LINE = 10_000;
     private static final double MEBI = 1 << 20;
 
-    @Parameters(paramLabel = "SCENE", description = "the scene file; - for standard input")
-    private Path sceneFile;
+    @Mixin
+    private SceneArgument argument = new SceneArgument();
 
     @Mixin
     private RenderOptions options = new RenderOptions();
@@ -43,23 +41,22 @@ final class InspectCommand extends Subcommand {
 
     @Override
     int execute() {
-        options.check();
-        input = new SceneInput(sceneFile, terminal);
-        Scene scene = input.read(options.frame());
+        input = argument.open(terminal);
+        Scene scene = options.read(input);
         RenderSettings settings = options.settings(scene, input.name());
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);
-        line("settings", options.canonical(settings) + " threads=" + settings.threads());
+        line("settings", options.line(settings) + " threads=" + settings.threads());
         list("modelled", inspection.modelled());
         list("not modelled", inspection.notModelled());
         line("primitives", Integer.toString(inspection.primitives()));
         line("expected memory", String.format(Locale.ROOT, "%.1f MiB", inspection.expectedMemoryBytes() / MEBI));
         List<String> hints = new ArrayList<>(inspection.hints());
-        Stretch.of(scene, settings).ifPresent(hints::add);
+        StretchHint.of(scene, settings).ifPresent(hints::add);
         if (!hints.isEmpty()) {
             list("hints", hints);
         }
-        return CliException.DONE;
+        return ExitCode.DONE;
     }
 
     private Renderer.Inspection inspect(Scene scene, RenderSettings settings) {
@@ -68,7 +65,7 @@ final class InspectCommand extends Subcommand {
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());
         } catch (SceneException e) {
-            throw Failures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input.name(), e);
         }
     }
 

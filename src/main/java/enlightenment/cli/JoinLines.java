@@ -12,17 +12,17 @@ import java.util.List;
 
 /** Tells how workers join, ready to be copied. */
 final class JoinLines {
-    private static final String HARMLESS = "[\\w./:=@%+-]+";
-
     private JoinLines() {}
 
     /**
-     * A server that listens at every address is called by the machine's first.
+     * A command for workers, and under which other addresses this machine is known. A server that listens at every address is
+     * called by the machine's first.
      *
+     * @param launcher how this program is called
      * @param token the server's file, or null for none
      * @param pin empty for none
      */
-    static List<String> of(String host, int port, Path token, String pin) throws IOException {
+    static List<String> of(String launcher, String host, int port, Path token, String pin) throws IOException {
         List<String> names = new ArrayList<>();
         if (InetAddress.getByName(host).isAnyLocalAddress()) {
             names.addAll(addresses());
@@ -31,8 +31,8 @@ final class JoinLines {
             names.add(host);
         }
         List<String> lines = new ArrayList<>();
-        lines.add("workers join with: enlightenment worker " + place(names.get(0), port)
-                + (token == null ? "" : " --token-file " + quoted(token.toString()))
+        lines.add("workers join with: " + launcher + " worker " + place(names.get(0), port)
+                + (token == null ? "" : " --token-file " + Shell.quoted(token.toString()))
                 + (pin.isEmpty() ? "" : " --pin " + pin));
         if (names.size() > 1) {
             lines.add("this machine is also " + String.join(", ", names.subList(1, names.size())));
@@ -44,11 +44,7 @@ final class JoinLines {
         return (host.indexOf(':') < 0 ? host : "[" + host + "]") + ":" + port;
     }
 
-    private static String quoted(String text) {
-        return text.matches(HARMLESS) ? text : "'" + text.replace("'", "'\\''") + "'";
-    }
-
-    /** What others may call this machine, IPv4 first; asks no network. */
+    /** This machine's addresses, IPv4 first; asks no network. */
     private static List<String> addresses() {
         List<String> four = new ArrayList<>();
         List<String> six = new ArrayList<>();

@@ -39,33 +39,28 @@ public final class Main {
         try {
             code = dispatch(args, terminal);
         } catch (Throwable t) {
-            // The last line of defence: whatever happened becomes a message and an exit code.
+            // Errors such as a lack of memory, which picocli lets pass.
             code = new Failures(terminal).report(t);
         }
         if (terminal.out().checkError()) {
             terminal.say("cannot write to standard output");
-            return Math.max(code, CliException.FAILED);
+            return Math.max(code, ExitCode.FAILED);
         }
         return code;
     }
 
     /** Gives picocli no more than the chosen command: reading the annotations of all of them takes longer than some renders. */
-    private static int dispatch(String[] args, Terminal terminal) throws Exception {
+    private static int dispatch(String[] args, Terminal terminal) {
         if (args.length == 1 && (args[0].equals("--version") || args[0].equals("-V"))) {
             terminal.out().println(Version.line());
-            return CliException.DONE;
+            return ExitCode.DONE;
         }
         Subcommand command = args.length == 0 ? null : Commands.create(args[0], terminal);
         if (command == null) {
             return Commands.executeTree(args, terminal);
         }
-        CommandLine line = Commands.configure(Commands.line(command), terminal);
+        CommandLine line = Commands.configure(new CommandLine(command), terminal);
         line.setCommandName("enlightenment " + args[0]);
-        line.parseArgs(Arrays.copyOfRange(args, 1, args.length));
-        if (command.wantsHelp()) {
-            line.usage(terminal.out());
-            return CliException.DONE;
-        }
-        return command.execute();
+        return line.execute(Arrays.copyOfRange(args, 1, args.length));
     }
 }

@@ -8,39 +8,23 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code enlightenment merge}: makes a picture of the parts of a render. */
 @Command(name = "merge", description = "Makes a picture of the parts of a render.", sortOptions = false)
 final class MergeCommand extends Subcommand {
-    /** More than this many missing parts are not worth naming. */
-    private static final int MOST_NAMED = 20;
+    private static final int MAX_NAMED = 20;
 
     @Parameters(arity = "1..*", paramLabel = "PART", description = "files of 'render --part'")
     private List<Path> parts;
 
-    @Option(
-            names = {"-o", "--output"},
-            required = true,
-            paramLabel = "FILE",
-            description = "the picture: .png, or .pfm for exact floats; - for standard output")
-    private Path output;
+    @Mixin
+    private PictureOutput output = new PictureOutput();
 
-    @Option(
-            names = "--format",
-            paramLabel = "FORMAT",
-            description = "with -o -: png (default) or pfm, to standard output")
-    private String format;
-
-    @Option(names = "--depth", paramLabel = "BITS", description = "bits per component of a PNG file: 8 (default) or 16")
-    private String depth;
-
-    @Option(names = "--report", paramLabel = "FILE", description = "write what was done to this JSON file")
-    private Path report;
-
-    @Option(names = "--stats", description = "show what was done")
-    private boolean stats;
+    @Mixin
+    private ReportOutput report = new ReportOutput();
 
     @Option(names = "--partial", description = "write the picture even if parts are missing; they are black")
     private boolean partial;
@@ -51,39 +35,32 @@ final class MergeCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        PictureOptions.check(output, depth, format);
-        OutputFiles files = new OutputFiles();
+        output.check();
+        CommandFiles files = new CommandFiles();
         parts.forEach(part -> files.reads("a part", part));
-        files.writes("-o", output).writes("--report", report).check();
+        files.writes("-o", output.file());
+        report.register(files);
+        files.check();
         RenderParts.Merged merged = RenderParts.merge(parts);
-        RenderResult result = merged.result()
-                .withRounding(Rounding.of(merged.result().image(), PictureOptions.depth(output, format, depth)));
-        if (!merged.missing().isEmpty() && !partial) {
-            say(merged.missing());
-            terminal.say(Standard.output(output) + " was not written; --partial writes what there is");
-            return CliException.FAILED;
-        }
-        int bits = "16".equals(depth) ? 16 : 8;
-        PngOptions png = new PngOptions(bits, merged.text());
-        PictureOptions.write(result.image(), output, format, png, terminal);
-        if (report != null) {
-            OutputFile.write(report, ReportJson.of(result));
-        }
-        if (stats) {
-            PictureOptions.printStatistics(result.report(), output, terminal);
-        }
-        say(merged.missing());
         boolean isWhole = merged.missing().isEmpty();
-        return isWhole && PictureOptions.keepsError(result.report(), terminal)
-                ? CliException.DONE
-                : CliException.FAILED;
+        if (!isWhole && !partial) {
+            terminal.say(inWords(merged.missing()));
+            throw CliException.failed(output.name() + " was not written; --partial writes what there is");
+        }
+        RenderResult result = merged.result();
+        result = result.withRounding(Rounding.of(result.image(), output.writtenDepth()));
+        output.write(result.image(), new PngOptions(output.depth(), merged.text()), terminal);
+        report.write(result, output, terminal);
+        if (!isWhole) {
+            throw CliException.failed(inWords(merged.missing()));
+        }
+        RequestedError.require(result.report());
+        return ExitCode.DONE;
     }
 
-    private void say(List<String> missing) {
-        if (!missing.isEmpty()) {
-            String some = String.join(", ", missing.subList(0, Math.min(missing.size(), MOST_NAMED)));
-            int more = missing.size() - MOST_NAMED;
-            terminal.say("missing: " + some + (more > 0 ? " and " + more + " more" : ""));
-        }
+    private static String inWords(List<String> missing) {
+        String named = String.join(", ", missing.subList(0, Math.min(missing.size(), MAX_NAMED)));
+        int more = missing.size() - MAX_NAMED;
+        return "missing: " + named + (more > 0 ? " and " + more + " more" : "");
     }
 }

@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
-/** Progress as lines of text, for log files: seldom enough not to fill them. */
+/** Progress as lines of text for log files: one every two seconds at most. */
 final class PlainProgress implements RenderProgress {
     private static final long SECOND = 1_000_000_000L;
     private static final long PERIOD = 2 * SECOND;
@@ -28,13 +28,13 @@ final class PlainProgress implements RenderProgress {
     public void progress(long done, long total, Supplier<Image> soFar) {
         long now = clock.getAsLong();
         timeLeft.at(now, done, total);
-        // Before the first tile is finished there is nothing to judge by.
+        // Before the first tile is finished there is nothing to report.
         if (now - last < PERIOD || done == 0 || done == total) {
             return;
         }
         last = now;
         OptionalDouble left = timeLeft.seconds();
-        String foretold = left.isPresent() ? ", " + (long) Math.ceil(left.getAsDouble()) + " s left" : "";
-        err.println((int) (100.0 * done / total) + " % done" + foretold);
+        String estimate = left.isPresent() ? ", " + (long) Math.ceil(left.getAsDouble()) + " s left" : "";
+        err.println((int) (100.0 * done / total) + " % done" + estimate);
     }
 }

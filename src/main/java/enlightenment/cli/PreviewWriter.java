@@ -7,13 +7,13 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
- * Writes the picture so far now and then, on a thread of its own, so that no worker waits for the disk; what it hears it also
- * tells on.
+ * Writes the picture so far now and then, on a thread of its own, so that no rendering thread waits for the disk; passes
+ * everything on to the display.
  */
 final class PreviewWriter implements RenderProgress {
     private static final double NANO = 1e-9;
 
-    /** Writing may take this share of the time, at most: large pictures are written less often. */
+    /** The largest share of the time that writing may take: large pictures are written less often. */
     private static final double SHARE = 0.05;
 
     /** What puts a picture on the disk. */
@@ -33,8 +33,8 @@ final class PreviewWriter implements RenderProgress {
     private Thread writing;
 
     /**
-     * @param display hears all that this hears
-     * @param period seconds between two writes, at least
+     * @param display everything is passed on to it
+     * @param period least number of seconds between two writes
      * @param clock nanoseconds
      */
     PreviewWriter(RenderProgress display, double period, Writer writer, Terminal terminal, LongSupplier clock) {
@@ -79,7 +79,7 @@ final class PreviewWriter implements RenderProgress {
             writer.write(image);
         } catch (IOException e) {
             failed = true;
-            terminal.say("no more previews: " + Failures.describe(e));
+            terminal.say("no more previews: " + FileFailures.describe(e));
         }
         took = clock.getAsLong() - start;
     }

@@ -1,110 +1,106 @@
 package enlightenment.cli;
 
+import enlightenment.json.JsonText;
 import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
+import tools.jackson.core.JsonGenerator;
 
-/** A render's report as JSON. */
+/** A render's report as JSON; docs/cli.md lists the keys. */
 final class ReportJson {
     private ReportJson() {}
 
-    /** The whole text; docs/cli.md lists its keys. */
     static String of(RenderResult result) {
-        RenderReport report = result.report();
-        JsonText json = new JsonText().beginObject();
-        json.key("enlightenment").value(Version.number());
-        json.key("java").value(Runtime.version().toString());
-        json.key("scene").value(report.sceneName());
-        json.key("complete").value(result.complete());
-        settings(json.key("settings"), report.settings());
-        json.key("features").beginArray();
-        for (String feature : report.features()) {
-            json.value(feature);
-        }
-        json.endArray();
-        counts(json.key("rays"), report.raysByKind());
-        json.key("lightSamples").value(report.lightSamples());
-        json.key("lightSamplesWithoutRay").value(report.lightSamplesWithoutRay());
-        sampling(json.key("sampling"), report);
-        counts(json.key("tests"), report.testsByPrimitive());
-        counts(json.key("hits"), report.hitsByPrimitive());
-        json.key("textureLookups").value(report.textureLookups());
-        json.key("phases").beginArray();
-        for (RenderReport.Phase phase : report.phases()) {
-            json.beginObject();
-            json.key("name").value(phase.name());
-            json.key("wallSeconds").value(phase.wallSeconds());
-            json.key("cpuSeconds").value(phase.cpuSeconds());
-            json.endObject();
-        }
-        json.endArray();
-        json.key("raysPerSecond").value(report.raysPerSecond());
-        json.key("pixels").value(report.pixels());
-        json.key("peakMemoryBytes").value(report.peakMemoryBytes());
-        return json.endObject().finish();
+        return JsonText.of(json -> report(json, result.report(), result.complete()));
     }
 
-    private static void settings(JsonText json, RenderSettings s) {
-        json.beginObject();
-        json.key("method").value(s.method().word());
-        json.key("width").value(s.width());
-        json.key("height").value(s.height());
+    private static void report(JsonGenerator json, RenderReport report, boolean complete) {
+        json.writeStartObject();
+        json.writeStringProperty("enlightenment", Version.number());
+        json.writeStringProperty("java", Runtime.version().toString());
+        json.writeStringProperty("scene", report.sceneName());
+        json.writeBooleanProperty("complete", complete);
+        settings(json, report.settings());
+        json.writeArrayPropertyStart("features");
+        report.features().forEach(json::writeString);
+        json.writeEndArray();
+        counts(json, "rays", report.raysByKind());
+        json.writeNumberProperty("lightSamples", report.lightSamples());
+        json.writeNumberProperty("lightSamplesWithoutRay", report.lightSamplesWithoutRay());
+        sampling(json, report);
+        counts(json, "tests", report.testsByPrimitive());
+        counts(json, "hits", report.hitsByPrimitive());
+        json.writeNumberProperty("textureLookups", report.textureLookups());
+        phases(json, report);
+        json.writeNumberProperty("raysPerSecond", report.raysPerSecond());
+        json.writeNumberProperty("pixels", report.pixels());
+        json.writeNumberProperty("peakMemoryBytes", report.peakMemoryBytes());
+        json.writeEndObject();
+    }
+
+    private static void settings(JsonGenerator json, RenderSettings s) {
+        json.writeObjectPropertyStart("settings");
+        json.writeStringProperty("method", s.method().word());
+        json.writeNumberProperty("width", s.width());
+        json.writeNumberProperty("height", s.height());
         if (s.crop().isPresent()) {
             RenderSettings.Crop c = s.crop().get();
-            json.key("crop").beginArray();
-            json.value(c.x()).value(c.y()).value(c.width()).value(c.height());
-            json.endArray();
+            json.writeName("crop");
+            json.writeArray(new int[] {c.x(), c.y(), c.width(), c.height()}, 0, 4);
         }
-        json.key("antialias").value(s.antialias());
-        json.key("shadowSamples").value(s.shadowSamples());
-        json.key("seed").value(s.seed());
-        if (s.budget().samples().isPresent()) {
-            json.key("samples").value(s.budget().samples().getAsDouble());
-        }
-        if (s.budget().error().isPresent()) {
-            json.key("error").value(s.budget().error().getAsDouble());
-        }
-        if (s.budget().seconds().isPresent()) {
-            json.key("time").value(s.budget().seconds().getAsDouble());
-        }
+        json.writeNumberProperty("antialias", s.antialias());
+        json.writeNumberProperty("shadowSamples", s.shadowSamples());
+        json.writeNumberProperty("seed", s.seed());
+        s.budget().samples().ifPresent(n -> json.writeNumberProperty("samples", n));
+        s.budget().error().ifPresent(e -> json.writeNumberProperty("error", e));
+        s.budget().seconds().ifPresent(t -> json.writeNumberProperty("time", t));
         if (s.method().has(Method.Setting.PROPOSAL)) {
-            json.key("proposal").value(s.proposal());
+            json.writeStringProperty("proposal", s.proposal());
         }
-        json.key("threads").value(s.threads());
-        json.endObject();
+        json.writeNumberProperty("threads", s.threads());
+        json.writeEndObject();
     }
 
-    private static void sampling(JsonText json, RenderReport report) {
+    private static void sampling(JsonGenerator json, RenderReport report) {
         RenderReport.Sampling s = report.sampling();
-        json.beginObject();
-        json.key("method").value(s.method().word());
-        json.key("decidedBy").value(s.decidedBy());
-        json.key("plannedSamples").value(s.plannedSamples());
-        json.key("samplesPerPixel").value(s.samplesPerPixel());
-        json.key("estimatedError").value(s.estimatedError());
-        json.key("errorInterval")
-                .beginArray()
-                .value(s.errorLow())
-                .value(s.errorHigh())
-                .endArray();
+        json.writeObjectPropertyStart("sampling");
+        json.writeStringProperty("method", s.method().word());
+        json.writeStringProperty("decidedBy", s.decidedBy());
+        json.writeNumberProperty("plannedSamples", s.plannedSamples());
+        json.writeNumberProperty("samplesPerPixel", s.samplesPerPixel());
+        json.writeNumberProperty("estimatedError", s.estimatedError());
+        json.writeArrayPropertyStart("errorInterval");
+        json.writeNumber(s.errorLow());
+        json.writeNumber(s.errorHigh());
+        json.writeEndArray();
         if (report.settings().budget().error().isPresent()) {
-            json.key("rounding").value(s.rounding());
-            json.key("rounds").value(s.rounds());
-            json.key("errorMet").value(report.isErrorMet());
+            json.writeNumberProperty("rounding", s.rounding());
+            json.writeNumberProperty("rounds", s.rounds());
+            json.writeBooleanProperty("errorMet", report.isErrorMet());
         }
-        json.key("clusters").value(s.clusters());
-        json.key("proposals").value(s.proposals());
-        json.key("accepted").value(s.accepted());
-        json.endObject();
+        json.writeNumberProperty("clusters", s.clusters());
+        json.writeNumberProperty("proposals", s.proposals());
+        json.writeNumberProperty("accepted", s.accepted());
+        json.writeEndObject();
     }
 
-    private static void counts(JsonText json, Map<String, Long> counts) {
-        json.beginObject();
-        for (Map.Entry<String, Long> e : counts.entrySet()) {
-            json.key(e.getKey()).value(e.getValue());
+    private static void phases(JsonGenerator json, RenderReport report) {
+        json.writeArrayPropertyStart("phases");
+        for (RenderReport.Phase phase : report.phases()) {
+            json.writeStartObject();
+            json.writeStringProperty("name", phase.name());
+            json.writeNumberProperty("wallSeconds", phase.wallSeconds());
+            json.writeNumberProperty("cpuSeconds", phase.cpuSeconds());
+            json.writeEndObject();
         }
-        json.endObject();
+        json.writeEndArray();
+    }
+
+    private static void counts(JsonGenerator json, String key, Map<String, Long> counts) {
+        json.writeObjectPropertyStart(key);
+        counts.forEach(json::writeNumberProperty);
+        json.writeEndObject();
     }
 }

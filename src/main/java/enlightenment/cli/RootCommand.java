@@ -1,17 +1,21 @@
 package enlightenment.cli;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** What stands above all commands; it does nothing itself. */
 @Command(
         name = "enlightenment",
         description = "Makes pictures of scenes.",
+        versionProvider = Version.class,
         synopsisSubcommandLabel = "COMMAND",
         footer = {
             "",
             "Exit codes: 0 done, 1 failed, 2 wrong usage, or a scene or picture that cannot be used.",
-            "'enlightenment help COMMAND' tells more about a command."
+            "'enlightenment help COMMAND' shows the options of a command."
         })
 final class RootCommand implements Runnable {
     // Both are read by picocli only.
@@ -27,9 +31,14 @@ final class RootCommand implements Runnable {
             description = "show the version of Enlightenment and of Java")
     private boolean version;
 
+    @Spec
+    private CommandSpec spec;
+
     RootCommand() {}
 
-    /** Never called without a command: {@link Commands#executeTree} refuses that before. */
+    /** Called where no command is given. */
     @Override
-    public void run() {}
+    public void run() {
+        throw new ParameterException(spec.commandLine(), "no command given");
+    }
 }

@@ -4,14 +4,13 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalInt;
 
 /** Where a scene comes from: a file, or standard input, whose textures are relative to the working folder. */
 final class SceneInput {
-    private static final String STANDARD = "standard input";
-
     private final Path file;
     private final Terminal terminal;
 
@@ -25,7 +24,7 @@ final class SceneInput {
 
     /** What messages call it. */
     String name() {
-        return Standard.is(file) ? STANDARD : file.toString();
+        return StandardStreams.isNamed(file) ? StandardStreams.INPUT : file.toString();
     }
 
     /**
@@ -34,16 +33,16 @@ final class SceneInput {
      * @throws SceneException if it cannot be used
      */
     Scene read(Optional<Integer> frame) {
-        if (Standard.is(file)) {
+        if (StandardStreams.isNamed(file)) {
             OptionalInt at = frame.map(OptionalInt::of).orElse(OptionalInt.empty());
-            return SceneReader.readBytes(bytes(), Path.of(""), STANDARD, at);
+            return SceneReader.readBytes(bytes(), Path.of(""), StandardStreams.INPUT, at);
         }
         return frame.isPresent() ? SceneReader.read(file, frame.get()) : SceneReader.read(file);
     }
 
     /** The size of the scene's text in bytes. */
     long size() throws IOException {
-        return Standard.is(file) ? bytes().length : java.nio.file.Files.size(file);
+        return StandardStreams.isNamed(file) ? bytes().length : Files.size(file);
     }
 
     private byte[] bytes() {
@@ -51,7 +50,7 @@ final class SceneInput {
             try {
                 bytes = terminal.in().readAllBytes();
             } catch (IOException e) {
-                throw CliException.failed("cannot read " + STANDARD + ": " + Failures.describe(e));
+                throw CliException.failed("cannot read " + StandardStreams.INPUT + ": " + FileFailures.describe(e));
             }
         }
         return bytes;

@@ -16,6 +16,6 @@ final class SchemaCommand extends Subcommand {
     int execute() {
         String text = SceneSchema.text();
         terminal.out().print(text.endsWith("\n") ? text : text + "\n");
-        return CliException.DONE;
+        return ExitCode.DONE;
     }
 }

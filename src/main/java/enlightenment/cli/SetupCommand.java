@@ -48,9 +48,11 @@ final class SetupCommand extends Subcommand {
                 }
             });
         }
+        // Some versions of Java crash on an archive that was cut short; the launcher compares.
+        WholeFile.write(Path.of(place + ".size"), Files.size(archive) + "\n");
         terminal.show(String.format(
                 Locale.ROOT, "%s: %.1f MiB; commands start from it from now on", archive, Files.size(archive) / MEBI));
-        return CliException.DONE;
+        return ExitCode.DONE;
     }
 
     /** Runs typical commands in a Java of their own, which writes what it has loaded when it ends. */

@@ -5,15 +5,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 
 /**
- * The wish to end early. As a shutdown hook it hears SIGINT and SIGTERM, and holds the process until the work that goes on
- * has been brought to a good end, but not for ever.
+ * The request to end early. As a shutdown hook it hears SIGINT and SIGTERM, and holds the process until the work under way
+ * has been brought to a good end, for a limited time.
  */
 final class ShutdownSignal extends Thread implements BooleanSupplier {
-    /** Long enough to write a picture to a slow disk, short enough for whoever waits at the keyboard. */
-    private static final long PATIENCE_SECONDS = 30;
+    /** Long enough to write a picture to a slow disk, short enough for the user who waits. */
+    private static final long GRACE_SECONDS = 30;
 
     private final Runnable giveUp;
-    private final long patienceSeconds;
+    private final long graceSeconds;
     private final CountDownLatch finished = new CountDownLatch(1);
     private volatile boolean requested;
 
@@ -21,15 +21,15 @@ final class ShutdownSignal extends Thread implements BooleanSupplier {
         this(() -> {});
     }
 
-    /** @param giveUp called where the work has not come to an end when the process ends all the same */
+    /** @param giveUp called if the time is over and the process ends in the middle of the work */
     ShutdownSignal(Runnable giveUp) {
-        this(giveUp, PATIENCE_SECONDS);
+        this(giveUp, GRACE_SECONDS);
     }
 
-    ShutdownSignal(Runnable giveUp, long patienceSeconds) {
+    ShutdownSignal(Runnable giveUp, long graceSeconds) {
         super("stop");
         this.giveUp = giveUp;
-        this.patienceSeconds = patienceSeconds;
+        this.graceSeconds = graceSeconds;
     }
 
     /** Listens to the signals of the process from now on. */
@@ -46,7 +46,7 @@ final class ShutdownSignal extends Thread implements BooleanSupplier {
         requested = true;
     }
 
-    /** Tells that there is nothing to wait for any more. */
+    /** The work has come to its end: there is nothing left to wait for. */
     void finished() {
         finished.countDown();
     }
@@ -60,7 +60,7 @@ final class ShutdownSignal extends Thread implements BooleanSupplier {
     public void run() {
         requested = true;
         try {
-            if (!finished.await(patienceSeconds, TimeUnit.SECONDS)) {
+            if (!finished.await(graceSeconds, TimeUnit.SECONDS)) {
                 giveUp.run();
             }
         } catch (InterruptedException e) {

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 
-/** A render's report for people. */
+/** A render's report as a table to read. */
 final class StatsTable {
     private static final double MEBI = 1 << 20;
 

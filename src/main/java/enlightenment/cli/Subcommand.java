@@ -1,10 +1,11 @@
 package enlightenment.cli;
 
 import java.io.IOException;
+import java.util.concurrent.Callable;
 import picocli.CommandLine.Option;
 
 /** What all commands have in common. */
-abstract class Subcommand {
+abstract class Subcommand implements Callable<Integer> {
     final Terminal terminal;
 
     // Read by picocli only: it prints the help.
@@ -18,15 +19,15 @@ abstract class Subcommand {
         this.terminal = terminal;
     }
 
+    @Override
+    public final Integer call() throws IOException {
+        return execute();
+    }
+
     /**
-     * Does it.
+     * Does what the command is for; {@link Failures} tells what is thrown.
      *
-     * @return the exit code
+     * @return one of {@link ExitCode}
      */
     abstract int execute() throws IOException;
-
-    /** Whether only help is wanted. */
-    final boolean wantsHelp() {
-        return help;
-    }
 }

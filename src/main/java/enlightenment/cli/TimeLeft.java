@@ -3,19 +3,20 @@ package enlightenment.cli;
 import java.util.OptionalDouble;
 
 /**
- * How long a render will still take, as soon as that can be told: compiling and planning are no measure of the tiles, the first
- * tiles are slow until the just-in-time compiler is done with them, and a few tiles say little of the others.
+ * An estimate of the time that a render will still take, as soon as one makes sense: the time for compiling and planning says
+ * nothing about the tiles, the first tiles are slow until the just-in-time compiler is done, and a few tiles say little about the
+ * others.
  */
 final class TimeLeft {
     private static final double NANO = 1e-9;
 
-    /** Until so many seconds after the first tile nothing is foretold. */
-    private static final double WARM = 2;
+    /** There is no estimate until this many seconds after the first tile. */
+    private static final double MIN_SECONDS = 2;
 
-    /** Nor before this share is done, unless it takes long. */
-    private static final double ENOUGH = 0.02;
+    /** Nor before this share of the tiles is done, except in a render that has gone on for a long time. */
+    private static final double MIN_SHARE = 0.02;
 
-    private static final double LONG = 20;
+    private static final double LONG_SECONDS = 20;
 
     private boolean started;
     private long start;
@@ -23,7 +24,7 @@ final class TimeLeft {
     private long doneBefore;
     private double seconds = Double.NaN;
 
-    /** Some more is done. */
+    /** Takes note of the progress at a time in nanoseconds. */
     synchronized void at(long nanos, long done, long total) {
         if (done < doneBefore) {
             // The picture is rendered once more.
@@ -32,18 +33,18 @@ final class TimeLeft {
         }
         doneBefore = done;
         if (!started) {
-            // The first tile is the mark, not part of what is measured.
+            // The time is measured from the end of the first tile.
             started = done > 0;
             start = nanos;
             doneAtStart = done;
             return;
         }
         double elapsed = (nanos - start) * NANO;
-        boolean known = elapsed >= WARM && (done >= ENOUGH * total || elapsed >= LONG);
+        boolean known = elapsed >= MIN_SECONDS && (done >= MIN_SHARE * total || elapsed >= LONG_SECONDS);
         seconds = known && done > doneAtStart ? elapsed * (total - done) / (done - doneAtStart) : Double.NaN;
     }
 
-    /** Seconds from the last {@link #at}, or nothing if they cannot be told yet. */
+    /** Seconds from the last {@link #at}, or nothing if there is no estimate yet. */
     synchronized OptionalDouble seconds() {
         return Double.isNaN(seconds) ? OptionalDouble.empty() : OptionalDouble.of(seconds);
     }

@@ -11,22 +11,13 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneReader;
-import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HashSet;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -34,12 +25,11 @@ import picocli.CommandLine.Parameters;
 /** {@code enlightenment trade}: measures what accuracy costs. */
 @Command(
         name = "trade",
-        description = "Measures what accuracy costs in time, for each method, and tells what to use.",
+        description = "Measures the trade-off between time and accuracy of each method, and tells what to use.",
         sortOptions = false)
 final class TradeCommand extends Subcommand {
-    private static final String DEFAULT_BUDGET = "90";
-    private static final double LEAST_BUDGET = 0.1;
-    private static final double MOST_BUDGET = 1e7;
+    /** The reference is made rather than read. */
+    private static final Path AUTO = Path.of("auto");
 
     @Parameters(paramLabel = "SCENE", description = "the scene file")
     private Path sceneFile;
@@ -51,41 +41,67 @@ final class TradeCommand extends Subcommand {
             description = "a folder for tables, charts, pictures and the page index.html")
     private Path folder;
 
-    @Option(names = "--methods", paramLabel = "LIST", description = "what to compare (default: ${DEFAULT-VALUE})")
-    private String methods = String.join(",", Method.words());
+    @Option(
+            names = "--methods",
+            paramLabel = "LIST",
+            converter = MethodList.Converter.class,
+            completionCandidates = RenderOptions.Methods.class,
+            description = "methods to compare, with commas (default: ${DEFAULT-VALUE})")
+    private MethodList methods = MethodList.ALL;
 
-    @Option(names = "--budget", paramLabel = "SECONDS", description = "take about this long (default: 90)")
-    private String budget = DEFAULT_BUDGET;
+    @Option(
+            names = "--budget",
+            paramLabel = "SECONDS",
+            converter = Seconds.class,
+            description = "take about this long (default: 90)")
+    private double budget = 90;
 
-    @Option(names = "--seeds", paramLabel = "N", description = "renders of each budget, 1..1000 (default: 3)")
-    private String seeds = "3";
+    @Option(
+            names = "--seeds",
+            paramLabel = "N",
+            converter = Seeds.class,
+            description = "renders of each number of samples, 1..1000 (default: 3)")
+    private int seeds = 3;
 
     @Option(
             names = "--reference",
             paramLabel = "FILE",
-            description = "what to take for the truth: a .pfm or .png file, or auto (default)")
-    private String reference = "auto";
+            description = "the picture to compare with: a .pfm or .png file, or auto (default) to make one")
+    private Path reference = AUTO;
 
     @Option(
             names = "--sweep",
             paramLabel = "NAME=A..B",
-            description =
-                    "turn a switch as well: antialias=1..8, shadowSamples=1..256 or threads=1..N; may be repeated")
-    private List<String> sweeps = new ArrayList<>();
+            converter = SweepConverter.class,
+            description = "also vary a setting: antialias=1..8, shadowSamples=1..256 or threads=1..N; may be repeated")
+    private List<Sweep> sweeps = new ArrayList<>();
 
-    @Option(names = "--resume", description = "go on with what the folder holds")
+    @Option(names = "--resume", description = "go on with the measurements in the folder")
     private boolean resume;
 
     @Option(
             names = "--evaluate",
-            description = "measure nothing: advice, page and tables again from what the folder holds")
+            description = "measure nothing: make advice, page and tables again from the measurements in the folder")
     private boolean evaluate;
 
     @Mixin
-    private RenderOptions options = new RenderOptions();
+    private SettingsOptions options = new SettingsOptions();
 
-    @Option(names = "--progress", paramLabel = "KIND", description = "auto (default), bar, plain or none")
-    private String progress = "auto";
+    @Mixin
+    private ProgressOption progress = new ProgressOption();
+
+    // Known only to say what to use instead.
+    @Option(names = "--method", hidden = true, converter = ChosenByTheTrade.class)
+    private String method;
+
+    @Option(names = "--samples", hidden = true, converter = ChosenByTheTrade.class)
+    private String samples;
+
+    @Option(names = "--error", hidden = true, converter = ChosenByTheTrade.class)
+    private String error;
+
+    @Option(names = "--time", hidden = true, converter = ChosenByTheTrade.class)
+    private String time;
 
     TradeCommand(Terminal terminal) {
         super(terminal);
@@ -93,151 +109,134 @@ final class TradeCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        options.refuseBudgets("the trade tries methods and budgets itself; see --methods and --budget");
-        options.check();
-        OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
-        if (Standard.is(sceneFile)) {
+        checkOptions();
+        Scene scene = options.read(new SceneInput(sceneFile, terminal));
+        TradeSettings settings = settings(scene);
+        new CommandFiles()
+                .reads(sceneFile, scene)
+                .reads("the file of --reference", reference.equals(AUTO) ? null : reference)
+                .writes("-o", folder, TradeOutput.names(settings))
+                .check();
+        TradeOutput output = new TradeOutput(terminal, folder, sceneFile, options.given(), scene.name());
+        if (evaluate) {
+            evaluate(settings, output);
+        } else {
+            measure(scene, settings, output);
+        }
+        return ExitCode.DONE;
+    }
+
+    private void checkOptions() {
+        if (StandardStreams.isNamed(sceneFile)) {
             throw CliException.wrongUsage("a trade needs a scene file, not standard input: it can be resumed");
         }
         if (evaluate && resume) {
             throw CliException.wrongUsage("--evaluate measures nothing: it does not go with --resume");
         }
-        List<String> chosen = methods();
-        double seconds = OptionValues.number("--budget", budget, LEAST_BUDGET, MOST_BUDGET);
-        int count = OptionValues.integer("--seeds", seeds, 1, TradeSettings.MAX_SEEDS);
-        List<Sweep> switches = sweeps();
-        Scene scene = options.frame().isPresent()
-                ? SceneReader.read(sceneFile, options.frame().get())
-                : SceneReader.read(sceneFile);
-        RenderSettings base = options.settings(scene, sceneFile.toString());
-        options.tellOfStretch(scene, base, terminal);
-        if (!chosen.contains(base.method().word())) {
-            base = base.withMethod(Method.named(chosen.get(0)));
+        for (int i = 0; i < sweeps.size(); i++) {
+            String name = sweeps.get(i).name();
+            if (sweeps.subList(0, i).stream().anyMatch(s -> s.name().equals(name))) {
+                throw CliException.wrongUsage("--sweep must name each setting once, not " + name + " twice");
+            }
         }
-        Optional<Image> truth = reference.equals("auto") ? Optional.empty() : Optional.of(read(Path.of(reference)));
-        TradeSettings settings;
+    }
+
+    private TradeSettings settings(Scene scene) throws IOException {
+        RenderSettings base = options.settings(scene, sceneFile.toString());
+        options.warnOfStretch(scene, base, terminal);
+        if (!methods.methods().contains(base.method())) {
+            base = base.withMethod(methods.methods().get(0));
+        }
+        List<String> words = methods.methods().stream().map(Method::word).toList();
+        Optional<Image> given = reference.equals(AUTO) ? Optional.empty() : Optional.of(readReference());
+        String frame = options.frame() == null ? "" : ", frame " + options.frame();
+        String sceneKey = sceneFile.getFileName() + ", SHA-256 " + SceneFingerprint.of(scene) + frame;
         try {
-            settings = new TradeSettings(base, chosen, seconds, count, switches, truth, sceneKey(scene));
+            return new TradeSettings(base, words, budget, seeds, sweeps, given, sceneKey);
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--" + optionOf(e.key()) + " " + e.problem());
         }
-        new OutputFiles()
-                .reads(sceneFile, scene)
-                .reads("the file of --reference", reference.equals("auto") ? null : Path.of(reference))
-                .writes("-o", folder, TradeOutput.names(settings))
-                .check();
-        TradeOutput output = new TradeOutput(terminal, folder, sceneFile, options.given(), scene.name());
-        return evaluate ? evaluate(settings, output) : measure(scene, settings, output);
     }
 
-    private int evaluate(TradeSettings settings, TradeOutput output) throws IOException {
+    private Image readReference() {
+        try {
+            return ImageFiles.read(reference);
+        } catch (IOException e) {
+            throw CliException.wrongUsage("--reference: " + FileFailures.describe(e));
+        }
+    }
+
+    /** A setting that cannot be varied that far is the fault of its sweep. */
+    private static String optionOf(String key) {
+        return List.of("methods", "budget", "seeds", "reference").contains(key) ? key : "sweep " + key;
+    }
+
+    private void evaluate(TradeSettings settings, TradeOutput output) throws IOException {
         try {
             output.write(Trade.read(settings, folder));
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--evaluate: " + e.problem());
         }
-        return CliException.DONE;
     }
 
-    private int measure(Scene scene, TradeSettings settings, TradeOutput output) throws IOException {
+    private void measure(Scene scene, TradeSettings settings, TradeOutput output) throws IOException {
         Optional<TradeResult> result;
-        try (TradeProgress display = TradeProgress.of(progress, terminal.err())) {
+        try (TradeProgress display = TradeProgress.of(progress.kind(), terminal.err())) {
             result = Trade.run(scene, settings, folder, resume, display, terminal.stop());
         } catch (InvalidValueException e) {
-            if (e.key().equals("output")) {
-                throw CliException.wrongUsage("-o: " + e.problem());
-            }
-            if (e.key().equals("resume")) {
-                throw CliException.wrongUsage("--resume: " + e.problem());
-            }
-            throw options.blame(e, sceneFile.toString());
+            throw blame(e);
         } catch (SceneException e) {
-            throw Failures.inFile(sceneFile.toString(), e);
+            throw SceneFailures.inFile(sceneFile.toString(), e);
         }
         if (result.isEmpty()) {
-            terminal.say("stopped before there was anything to compare with; --resume goes on");
-            return CliException.FAILED;
+            throw CliException.failed("stopped before there was anything to compare with; --resume goes on");
         }
         output.write(result.get());
         if (!result.get().conditions().complete()) {
-            terminal.say("stopped: " + folder + " holds what was measured; --resume goes on");
-            return CliException.FAILED;
+            throw CliException.failed("stopped: " + folder + " holds what was measured; --resume goes on");
         }
-        return CliException.DONE;
     }
 
-    private List<String> methods() {
-        List<String> chosen = List.of(methods.split(",", -1));
-        for (String method : chosen) {
-            if (!Method.words().contains(method)) {
-                throw CliException.wrongUsage(
-                        "--methods must be some of " + String.join(",", Method.words()) + ", not \"" + methods + "\"");
-            }
-        }
-        Set<String> once = new HashSet<>(chosen);
-        if (once.size() < chosen.size()) {
-            throw CliException.wrongUsage("--methods must name each method once, not \"" + methods + "\"");
-        }
-        return chosen;
+    private RuntimeException blame(InvalidValueException e) {
+        return switch (e.key()) {
+            case "output" -> CliException.wrongUsage("-o: " + e.problem());
+            case "resume" -> CliException.wrongUsage("--resume: " + e.problem());
+            default -> options.blame(e, sceneFile.toString());
+        };
     }
 
-    private List<Sweep> sweeps() {
-        List<Sweep> all = new ArrayList<>();
-        for (String text : sweeps) {
-            Sweep sweep;
+    static final class Seconds extends DecimalNumber {
+        private static final double MIN = 0.1;
+        private static final double MAX = 1e7;
+
+        Seconds() {
+            super(MIN, MAX);
+        }
+    }
+
+    static final class Seeds extends WholeNumber {
+        Seeds() {
+            super(1, TradeSettings.MAX_SEEDS);
+        }
+    }
+
+    static final class SweepConverter implements ITypeConverter<Sweep> {
+        @Override
+        public Sweep convert(String text) {
             try {
-                sweep = Sweep.parse(text);
+                return Sweep.parse(text);
             } catch (IllegalArgumentException e) {
-                throw CliException.wrongUsage("--sweep " + e.getMessage());
+                throw new BadValue(e.getMessage());
             }
-            if (all.stream().anyMatch(s -> s.name().equals(sweep.name()))) {
-                throw CliException.wrongUsage("--sweep must name each switch once, not " + sweep.name() + " twice");
-            }
-            all.add(sweep);
-        }
-        return all;
-    }
-
-    /** A switch that cannot be turned so far is the fault of its sweep. */
-    private String optionOf(String key) {
-        return key.equals("methods") || key.equals("budget") || key.equals("seeds") || key.equals("reference")
-                ? key
-                : "sweep " + key;
-    }
-
-    private static Image read(Path file) {
-        try {
-            return ImageFiles.read(file);
-        } catch (IOException e) {
-            throw CliException.wrongUsage("--reference: " + Failures.describe(e));
         }
     }
 
-    /** Tells this scene from all others, with what its image files hold, and this frame of it. */
-    private String sceneKey(Scene scene) throws IOException {
-        String json;
-        try {
-            json = SceneWriter.toJson(scene.withoutAnimation(), TradeCommand::hashOf);
-        } catch (UncheckedIOException e) {
-            throw e.getCause();
-        }
-        String frame = options.frame().map(f -> ", frame " + f).orElse("");
-        return sceneFile.getFileName() + ", SHA-256 " + hash(json.getBytes(StandardCharsets.UTF_8)) + frame;
-    }
-
-    private static String hashOf(Path image) {
-        try {
-            return hash(Files.readAllBytes(image));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static String hash(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
+    /** Refuses an option for what the trade chooses itself. */
+    static final class ChosenByTheTrade implements ITypeConverter<String> {
+        @Override
+        public String convert(String text) {
+            throw new BadValue(
+                    "must not be given here: the trade tries methods and budgets itself; see --methods and --budget");
         }
     }
 }

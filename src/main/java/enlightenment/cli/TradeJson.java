@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.json.JsonText;
 import enlightenment.measure.analysis.Configuration;
 import enlightenment.measure.analysis.CostEstimate;
 import enlightenment.measure.analysis.Curve;
@@ -15,199 +16,214 @@ import enlightenment.measure.trade.TradeResult;
 import enlightenment.scene.RenderSettings;
 import java.util.Locale;
 import java.util.Optional;
+import tools.jackson.core.JsonGenerator;
 
 /** A trade as JSON; docs/trade.md lists the keys. The single runs are in {@code trade.csv}. */
 final class TradeJson {
     private TradeJson() {}
 
     static String of(TradeAnalysis result, EqualTimeComparison equalTime) {
+        return JsonText.of(json -> trade(json, result, equalTime));
+    }
+
+    private static void trade(JsonGenerator json, TradeAnalysis result, EqualTimeComparison equalTime) {
         TradeResult.Conditions c = result.result().conditions();
-        JsonText json = new JsonText().beginObject();
-        json.key("enlightenment").value(Version.number());
-        BenchJson.machine(json.key("machine"), c.machine());
-        json.key("complete").value(c.complete());
-        json.key("seconds").value(c.seconds());
-        json.key("coldStartSeconds").value(c.coldSeconds());
-        json.key("shareOfProcessors").value(result.shareOfProcessors());
-        settings(json.key("settings"), result);
-        reference(json.key("reference"), result.result().reference());
-        json.key("verdicts").beginArray();
+        json.writeStartObject();
+        json.writeStringProperty("enlightenment", Version.number());
+        BenchJson.machine(json, c.machine());
+        json.writeBooleanProperty("complete", c.complete());
+        json.writeNumberProperty("seconds", c.seconds());
+        json.writeNumberProperty("coldStartSeconds", c.coldSeconds());
+        json.writeNumberProperty("shareOfProcessors", result.shareOfProcessors());
+        settings(json, result);
+        reference(json, result.result().reference());
+        json.writeArrayPropertyStart("verdicts");
         Verdict.all(result).forEach(v -> verdict(json, v, result));
-        json.endArray();
-        json.key("meetings").beginArray();
+        json.writeEndArray();
+        json.writeArrayPropertyStart("meetings");
         EqualErrorComparison.all(result).forEach(m -> meeting(json, m));
-        json.endArray();
-        json.key("needs").beginArray();
+        json.writeEndArray();
+        json.writeArrayPropertyStart("needs");
         for (double target : TradeResult.TARGETS) {
             if (result.isKnown(target)) {
                 result.costs().forEach(r -> r.forError(target).ifPresent(n -> cost(json, n)));
             }
         }
-        json.endArray();
-        json.key("curves").beginArray();
+        json.writeEndArray();
+        json.writeArrayPropertyStart("curves");
         result.curves().forEach(x -> curve(json, x));
-        json.endArray();
+        json.writeEndArray();
         equalTime(json, equalTime);
-        json.key("sweeps").beginArray();
+        json.writeArrayPropertyStart("sweeps");
         result.sweeps().forEach(s -> sweep(json, s));
-        return json.endArray().endObject().finish();
+        json.writeEndArray();
+        json.writeEndObject();
     }
 
-    private static void verdict(JsonText json, Verdict v, TradeAnalysis result) {
-        json.beginObject();
-        json.key("error").value(v.target());
-        json.key("known").value(word(v.known()));
-        json.key("sentence").value(v.sentence());
+    private static void verdict(JsonGenerator json, Verdict v, TradeAnalysis result) {
+        json.writeStartObject();
+        json.writeNumberProperty("error", v.target());
+        json.writeStringProperty("known", word(v.known()));
+        json.writeStringProperty("sentence", v.sentence());
         v.best().ifPresent(b -> {
-            json.key("arguments").value(Verdict.arguments(b, result.settings()));
-            cost(json.key("need"), b);
+            json.writeStringProperty("arguments", Verdict.arguments(b, result.settings()));
+            cost(json, "need", b);
         });
-        json.key("comparisons").beginArray();
+        json.writeArrayPropertyStart("comparisons");
         for (Verdict.Comparison c : v.comparisons()) {
-            json.beginObject();
-            json.key("timesAsLong").value(c.ratio());
-            json.key("alike").value(c.alike());
-            cost(json.key("need"), c.cost());
-            json.endObject();
+            json.writeStartObject();
+            json.writeNumberProperty("timesAsLong", c.ratio());
+            json.writeBooleanProperty("alike", c.alike());
+            cost(json, "need", c.cost());
+            json.writeEndObject();
         }
-        json.endArray().endObject();
+        json.writeEndArray();
+        json.writeEndObject();
     }
 
-    private static void meeting(JsonText json, EqualErrorComparison m) {
-        json.beginObject();
-        json.key("error").value(m.error());
-        json.key("smallest").value(m.smallest());
-        json.key("lightPoints").value(m.best() ? "best" : "scene");
-        json.key("timesAsLong").value(m.ratio());
-        cost(json.key("first"), m.first());
-        cost(json.key("second"), m.second());
-        json.endObject();
+    private static void meeting(JsonGenerator json, EqualErrorComparison m) {
+        json.writeStartObject();
+        json.writeNumberProperty("error", m.error());
+        json.writeBooleanProperty("smallest", m.smallest());
+        json.writeStringProperty("lightPoints", m.best() ? "best" : "scene");
+        json.writeNumberProperty("timesAsLong", m.ratio());
+        cost(json, "first", m.first());
+        cost(json, "second", m.second());
+        json.writeEndObject();
     }
 
-    private static void equalTime(JsonText json, EqualTimeComparison comparison) {
-        json.key("equal").value(comparison.isEqual());
-        comparison.sentence().ifPresent(s -> json.key("equalTimeSentence").value(s));
-        json.key("equalTime").beginArray();
+    private static void equalTime(JsonGenerator json, EqualTimeComparison comparison) {
+        json.writeBooleanProperty("equal", comparison.isEqual());
+        comparison.sentence().ifPresent(s -> json.writeStringProperty("equalTimeSentence", s));
         double variance = comparison.referenceVariance();
+        json.writeArrayPropertyStart("equalTime");
         for (EqualTimePicture e : comparison.pictures()) {
-            json.beginObject();
-            json.key("method").value(e.run().method());
-            json.key("lightPoints").value(e.run().shadowSamples());
-            json.key("samples").value(e.run().samples());
-            json.key("wallSeconds").value(e.run().wallSeconds());
-            json.key("error").value(e.run().error(variance));
-            json.key("flip").value(e.run().flip());
-            json.endObject();
+            json.writeStartObject();
+            json.writeStringProperty("method", e.run().method());
+            json.writeNumberProperty("lightPoints", e.run().shadowSamples());
+            json.writeNumberProperty("samples", e.run().samples());
+            json.writeNumberProperty("wallSeconds", e.run().wallSeconds());
+            json.writeNumberProperty("error", e.run().error(variance));
+            json.writeNumberProperty("flip", e.run().flip());
+            json.writeEndObject();
         }
-        json.endArray();
+        json.writeEndArray();
     }
 
     private static String word(Enum<?> value) {
         return value.name().toLowerCase(Locale.ROOT);
     }
 
-    private static void settings(JsonText json, TradeAnalysis result) {
+    private static void settings(JsonGenerator json, TradeAnalysis result) {
         RenderSettings s = result.settings().base();
-        json.beginObject();
-        json.key("methods").beginArray();
-        result.settings().methods().forEach(json::value);
-        json.endArray();
-        json.key("budgetSeconds").value(result.settings().budgetSeconds());
-        json.key("seeds").value(result.settings().seeds());
-        json.key("width").value(s.region().width());
-        json.key("height").value(s.region().height());
-        json.key("antialias").value(s.antialias());
-        json.key("shadowSamples").value(s.shadowSamples());
-        json.key("seed").value(s.seed());
-        json.key("threads").value(s.threads());
-        json.endObject();
+        json.writeObjectPropertyStart("settings");
+        json.writeArrayPropertyStart("methods");
+        result.settings().methods().forEach(json::writeString);
+        json.writeEndArray();
+        json.writeNumberProperty("budgetSeconds", result.settings().budgetSeconds());
+        json.writeNumberProperty("seeds", result.settings().seeds());
+        json.writeNumberProperty("width", s.region().width());
+        json.writeNumberProperty("height", s.region().height());
+        json.writeNumberProperty("antialias", s.antialias());
+        json.writeNumberProperty("shadowSamples", s.shadowSamples());
+        json.writeNumberProperty("seed", s.seed());
+        json.writeNumberProperty("threads", s.threads());
+        json.writeEndObject();
     }
 
-    private static void reference(JsonText json, Reference reference) {
-        json.beginObject();
-        json.key("error").value(reference.error());
-        json.key("parts").beginArray();
+    private static void reference(JsonGenerator json, Reference reference) {
+        json.writeObjectPropertyStart("reference");
+        json.writeNumberProperty("error", reference.error());
+        json.writeArrayPropertyStart("parts");
         for (Reference.Part part : reference.parts()) {
-            json.beginObject();
-            json.key("method").value(part.method());
-            json.key("lightPoints").value(part.lightSamples());
-            json.key("samples").value(part.samples());
-            json.key("seed").value(part.seed());
-            json.endObject();
+            json.writeStartObject();
+            json.writeStringProperty("method", part.method());
+            json.writeNumberProperty("lightPoints", part.lightSamples());
+            json.writeNumberProperty("samples", part.samples());
+            json.writeNumberProperty("seed", part.seed());
+            json.writeEndObject();
         }
-        json.endArray().endObject();
+        json.writeEndArray();
+        json.writeEndObject();
     }
 
-    private static void cost(JsonText json, CostEstimate n) {
-        json.beginObject();
-        json.key("error").value(n.target());
+    private static void cost(JsonGenerator json, String key, CostEstimate n) {
+        json.writeName(key);
+        cost(json, n);
+    }
+
+    private static void cost(JsonGenerator json, CostEstimate n) {
+        json.writeStartObject();
+        json.writeNumberProperty("error", n.target());
         configuration(json, n.configuration());
-        json.key("samples").value(n.samples());
-        json.key("errorItGives").value(n.error());
-        n.flip().ifPresent(f -> json.key("flip").value(f));
-        BenchJson.spread(json.key("wallSeconds"), n.wall());
-        n.cpu().ifPresent(c -> BenchJson.spread(json.key("cpuSeconds"), c));
-        json.key("source").value(word(n.source()));
-        json.key("from").beginArray();
-        n.from().forEach(json::value);
-        json.endArray();
-        json.endObject();
+        json.writeNumberProperty("samples", n.samples());
+        json.writeNumberProperty("errorItGives", n.error());
+        n.flip().ifPresent(f -> json.writeNumberProperty("flip", f));
+        BenchJson.spread(json, "wallSeconds", n.wall());
+        n.cpu().ifPresent(c -> BenchJson.spread(json, "cpuSeconds", c));
+        json.writeStringProperty("source", word(n.source()));
+        json.writeArrayPropertyStart("from");
+        n.from().forEach(json::writeNumber);
+        json.writeEndArray();
+        json.writeEndObject();
     }
 
-    private static void configuration(JsonText json, Configuration c) {
-        json.key("method").value(c.method());
-        json.key("lightPoints").value(c.lightSamples());
-        json.key("grid").value(c.grid());
+    private static void configuration(JsonGenerator json, Configuration c) {
+        json.writeStringProperty("method", c.method());
+        json.writeNumberProperty("lightPoints", c.lightSamples());
+        json.writeBooleanProperty("grid", c.grid());
     }
 
-    private static void curve(JsonText json, Curve curve) {
-        json.beginObject();
+    private static void curve(JsonGenerator json, Curve curve) {
+        json.writeStartObject();
         configuration(json, curve.configuration());
         fit(json, "overSamples", curve.overSamples());
         fit(json, "overTime", curve.overTime());
-        json.key("insideOwnInterval").value(curve.insideOwnInterval());
-        json.key("judgedRuns").value(curve.judged());
-        json.key("points").beginArray();
+        json.writeNumberProperty("insideOwnInterval", curve.insideOwnInterval());
+        json.writeNumberProperty("judgedRuns", curve.judged());
+        json.writeArrayPropertyStart("points");
         for (Curve.Point p : curve.points()) {
-            json.beginObject();
-            json.key("samples").value(p.samples());
-            json.key("samplesPerPixel").value(p.samplesPerPixel());
-            json.key("judged").value(p.judged());
-            BenchJson.spread(json.key("wallSeconds"), p.wall());
-            BenchJson.spread(json.key("cpuSeconds"), p.cpu());
-            BenchJson.spread(json.key("error"), p.error());
-            BenchJson.spread(json.key("flip"), p.flip());
-            BenchJson.spread(json.key("estimatedError"), p.estimated());
-            json.endObject();
+            json.writeStartObject();
+            json.writeNumberProperty("samples", p.samples());
+            json.writeNumberProperty("samplesPerPixel", p.samplesPerPixel());
+            json.writeBooleanProperty("judged", p.judged());
+            BenchJson.spread(json, "wallSeconds", p.wall());
+            BenchJson.spread(json, "cpuSeconds", p.cpu());
+            BenchJson.spread(json, "error", p.error());
+            BenchJson.spread(json, "flip", p.flip());
+            BenchJson.spread(json, "estimatedError", p.estimated());
+            json.writeEndObject();
         }
-        json.endArray().endObject();
+        json.writeEndArray();
+        json.writeEndObject();
     }
 
-    private static void fit(JsonText json, String key, Optional<PowerLaw> fit) {
+    private static void fit(JsonGenerator json, String key, Optional<PowerLaw> fit) {
         fit.ifPresent(f -> {
-            json.key(key).beginObject();
-            json.key("slope").value(f.slope());
-            json.key("slopeLow").value(f.slopeLow());
-            json.key("slopeHigh").value(f.slopeHigh());
-            json.key("factor").value(f.factor());
-            json.endObject();
+            json.writeObjectPropertyStart(key);
+            json.writeNumberProperty("slope", f.slope());
+            json.writeNumberProperty("slopeLow", f.slopeLow());
+            json.writeNumberProperty("slopeHigh", f.slopeHigh());
+            json.writeNumberProperty("factor", f.factor());
+            json.writeEndObject();
         });
     }
 
-    private static void sweep(JsonText json, SweepResult sweep) {
-        json.beginObject();
-        json.key("name").value(sweep.sweep().name());
-        json.key("method").value(sweep.method());
-        json.key("points").beginArray();
+    private static void sweep(JsonGenerator json, SweepResult sweep) {
+        json.writeStartObject();
+        json.writeStringProperty("name", sweep.sweep().name());
+        json.writeStringProperty("method", sweep.method());
+        json.writeArrayPropertyStart("points");
         for (SweepResult.Point p : sweep.points()) {
-            json.beginObject();
-            json.key("value").value(p.value());
-            json.key("judged").value(p.judged());
-            BenchJson.spread(json.key("wallSeconds"), p.wall());
-            BenchJson.spread(json.key("cpuSeconds"), p.cpu());
-            BenchJson.spread(json.key("error"), p.error());
-            json.endObject();
+            json.writeStartObject();
+            json.writeNumberProperty("value", p.value());
+            json.writeBooleanProperty("judged", p.judged());
+            BenchJson.spread(json, "wallSeconds", p.wall());
+            BenchJson.spread(json, "cpuSeconds", p.cpu());
+            BenchJson.spread(json, "error", p.error());
+            json.writeEndObject();
         }
-        json.endArray().endObject();
+        json.writeEndArray();
+        json.writeEndObject();
     }
 }

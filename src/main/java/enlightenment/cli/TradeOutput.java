@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.WholeFile;
 import enlightenment.image.ImageFiles;
 import enlightenment.measure.Trade;
 import enlightenment.measure.analysis.CostEstimate;
@@ -23,7 +24,6 @@ final class TradeOutput {
     private static final String FIGURES = "trade.json";
     private static final String PAGE = "index.html";
     private static final String SUMMARY = "summary.csv";
-    private static final String PROGRAM = "java -jar target/enlightenment.jar";
 
     private final Terminal terminal;
     private final Path folder;
@@ -37,7 +37,7 @@ final class TradeOutput {
         this.folder = folder;
         this.sceneFile = sceneFile;
         this.given = given;
-        this.title = title.isEmpty() ? stem() : title;
+        this.title = title.isEmpty() ? FileNames.stem(sceneFile) : title;
     }
 
     /** The names of all files that the trade and this may write into the folder. */
@@ -51,10 +51,10 @@ final class TradeOutput {
     void write(TradeResult measured) throws IOException {
         TradeAnalysis result = TradeAnalysis.of(measured);
         EqualTimeComparison equalTime = EqualTimeComparison.read(folder, measured);
-        OutputFile.write(folder.resolve(FIGURES), TradeJson.of(result, equalTime));
-        OutputFile.write(folder.resolve(SUMMARY), TradeSummary.of(result));
+        WholeFile.write(folder.resolve(FIGURES), TradeJson.of(result, equalTime));
+        WholeFile.write(folder.resolve(SUMMARY), TradeSummary.of(result));
         List<Chart> charts = charts(result);
-        OutputFile.write(folder.resolve(PAGE), TradePage.of(result, equalTime, context(), charts));
+        WholeFile.write(folder.resolve(PAGE), TradePage.of(result, equalTime, context(), charts));
         Verdict headline = Verdict.headline(result);
         terminal.show(headline.sentence());
         headline.best()
@@ -79,13 +79,9 @@ final class TradeOutput {
         List<Chart> charts = TradeCharts.of(result);
         for (Chart chart : charts) {
             ImageFiles.writePng(chart.image(), folder.resolve(chart.name() + ".png"));
-            OutputFile.write(folder.resolve(chart.name() + ".svg"), chart.svg());
+            WholeFile.write(folder.resolve(chart.name() + ".svg"), chart.svg());
         }
         return charts;
-    }
-
-    private String stem() {
-        return sceneFile.getFileName().toString().replaceFirst("\\.[^.]*$", "");
     }
 
     private PageContext context() {
@@ -93,26 +89,23 @@ final class TradeOutput {
     }
 
     private String renderCommand() {
-        return PROGRAM + " render " + word(sceneFile.toString()) + " -o " + word(stem() + ".png") + options();
+        return Launcher.command() + " render " + Shell.quoted(sceneFile.toString()) + " -o "
+                + Shell.quoted(FileNames.stem(sceneFile) + ".png") + options();
     }
 
     private String compareCommand() {
-        return PROGRAM + " compare " + word(stem() + ".png") + " "
-                + word(folder.resolve("reference.pfm").toString());
+        return Launcher.command() + " compare " + Shell.quoted(FileNames.stem(sceneFile) + ".png") + " "
+                + Shell.quoted(folder.resolve("reference.pfm").toString());
     }
 
     private String tradeCommand() {
-        return PROGRAM + " trade " + word(sceneFile.toString()) + " -o " + word(folder.toString()) + options();
+        return Launcher.command() + " trade " + Shell.quoted(sceneFile.toString()) + " -o "
+                + Shell.quoted(folder.toString()) + options();
     }
 
     private String options() {
         StringBuilder text = new StringBuilder();
-        given.forEach(g -> text.append(' ').append(word(g)));
+        given.forEach(g -> text.append(' ').append(Shell.quoted(g)));
         return text.toString();
-    }
-
-    /** A word as a shell takes it for one. */
-    private static String word(String s) {
-        return s.matches("[A-Za-z0-9_@%+=:,./-]+") ? s : "'" + s.replace("'", "'\\''") + "'";
     }
 }

@@ -3,7 +3,7 @@ package enlightenment.cli;
 import enlightenment.measure.trade.TradeListener;
 import java.io.PrintStream;
 
-/** Progress of a trade: by its time, which is what its budget is. */
+/** Progress of a trade, measured in time, as its budget is. */
 final class TradeProgress implements TradeListener, AutoCloseable {
     private static final long PERIOD_NANOS = 2_000_000_000L;
     private static final double MILLI = 1000;
@@ -20,10 +20,9 @@ final class TradeProgress implements TradeListener, AutoCloseable {
         this.bar = bar;
     }
 
-    /** The display of one of {@link ProgressDisplay#KINDS}. */
-    static TradeProgress of(String kind, PrintStream err) {
-        String chosen = ProgressDisplay.chosen(kind);
-        return new TradeProgress(err, chosen.equals("plain"), chosen.equals("bar") ? new TradeBar(err) : null);
+    /** @param kind any but {@link ProgressKind#AUTO} */
+    static TradeProgress of(ProgressKind kind, PrintStream err) {
+        return new TradeProgress(err, kind == ProgressKind.PLAIN, kind == ProgressKind.BAR ? new TradeBar(err) : null);
     }
 
     @Override

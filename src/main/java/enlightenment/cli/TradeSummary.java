@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Where two methods were both measured, and what either took there, as comma-separated values: what may be said of a scene in a
- * sentence. docs/trade.md lists the columns.
+ * The errors at which two methods were both measured, and the time that each took, as comma-separated values. docs/trade.md lists
+ * the columns.
  */
 final class TradeSummary {
     private static final String HEADER =

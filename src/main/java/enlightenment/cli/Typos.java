@@ -7,11 +7,11 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** What was meant by options and commands that there are not. picocli's own guesses for options look at two letters only. */
+/** Suggestions for options and commands that do not exist; picocli's own for options look at two letters only. */
 final class Typos {
     private Typos() {}
 
-    /** What to say of options that there are not: nothing if something else is wrong, or what follows them. */
+    /** A message for each option that does not exist, but none for their values; empty if something else is wrong. */
     static List<String> unknownOptions(CommandLine.ParameterException e) {
         if (!(e instanceof CommandLine.UnmatchedArgumentException unmatched)) {
             return List.of();
@@ -23,7 +23,7 @@ final class Typos {
                 .toList();
     }
 
-    /** {@code ; did you mean ...?} for a command, or nothing where nothing is near. */
+    /** {@code ; did you mean ...?} for a command, or nothing if no name is near. */
     static String command(String written, CommandLine root) {
         return meant(written, new ArrayList<>(root.getSubcommands().keySet()));
     }

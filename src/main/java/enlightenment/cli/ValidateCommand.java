@@ -28,35 +28,35 @@ final class ValidateCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        int code = CliException.DONE;
+        int code = ExitCode.DONE;
         for (Path file : sceneFiles) {
             SceneInput input = new SceneInput(file, terminal);
             try {
                 Scene scene = read(input);
                 Optional<Animation> animation = scene.animation();
                 boolean valid = animation.isEmpty() || validateFrames(input, scene, animation.get());
-                code = valid ? code : CliException.WRONG_INPUT;
+                code = valid ? code : ExitCode.WRONG_INPUT;
                 if (animation.isEmpty()) {
                     terminal.show(input.name() + ": valid");
                 }
             } catch (SceneException e) {
-                new Failures(terminal).problems(e);
-                code = CliException.WRONG_INPUT;
+                SceneFailures.tell(e, terminal);
+                code = ExitCode.WRONG_INPUT;
             }
         }
         return code;
     }
 
-    /** Reads the scene and puts it together, which also looks at its textures. */
+    /** Reads and compiles the scene, which also checks its textures. */
     private static Scene read(SceneInput input) {
         Scene scene = input.read(Optional.empty());
         try {
             Renderer.inspect(scene, RenderSettings.of(scene));
             return scene;
         } catch (InvalidValueException e) {
-            throw Failures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input.name(), e);
         } catch (SceneException e) {
-            throw Failures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input.name(), e);
         }
     }
 
@@ -74,7 +74,7 @@ final class ValidateCommand extends Subcommand {
                         .filter(p -> places.add(p.pointer()))
                         .toList();
                 if (!fresh.isEmpty()) {
-                    new Failures(terminal).problems(new SceneException(fresh));
+                    SceneFailures.tell(new SceneException(fresh), terminal);
                 }
             }
         }
@@ -93,7 +93,7 @@ final class ValidateCommand extends Subcommand {
         try {
             Renderer.checkShapes(scene);
         } catch (InvalidValueException e) {
-            throw Failures.inFile(input.name(), new InvalidValueException(e.key(), e.problem() + inFrame));
+            throw SceneFailures.inFile(input.name(), new InvalidValueException(e.key(), e.problem() + inFrame));
         } catch (SceneException e) {
             throw new SceneException(e.problems().stream()
                     .map(p -> new SceneException.Problem(input.name(), 0, 0, p.pointer(), p.message() + inFrame))

@@ -1,10 +1,11 @@
 package enlightenment.cli;
 
 import java.lang.module.ModuleDescriptor;
+import picocli.CommandLine.IVersionProvider;
 
 /** Which Enlightenment this is. */
-final class Version {
-    private Version() {}
+final class Version implements IVersionProvider {
+    Version() {}
 
     /** The version from the jar's manifest or the module, or "development" where classes run without a jar. */
     static String number() {
@@ -19,5 +20,10 @@ final class Version {
     /** One line for the user, with what it runs on. */
     static String line() {
         return "enlightenment " + number() + " (Java " + Runtime.version() + ")";
+    }
+
+    @Override
+    public String[] getVersion() {
+        return new String[] {line()};
     }
 }

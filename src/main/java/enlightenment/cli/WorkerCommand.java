@@ -14,32 +14,42 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code enlightenment worker}: helps a server. */
-@Command(name = "worker", description = "Renders for a server.", sortOptions = false)
+@Command(name = "worker", description = "Renders tiles for a server.", sortOptions = false)
 final class WorkerCommand extends Subcommand {
-    private static final int MAX_PORT = 65_535;
-    private static final int MAX_THREADS = 4096;
-    private static final double MAX_RECONNECT = 1e9;
+    @Parameters(
+            paramLabel = "HOST:PORT",
+            converter = HostPort.Converter.class,
+            description = "where the server listens")
+    private HostPort server;
 
-    @Parameters(paramLabel = "HOST:PORT", description = "the server")
-    private String server;
-
-    @Option(names = "--threads", paramLabel = "N", description = "how many tiles are rendered at once")
-    private String threads;
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            converter = WholeNumber.Threads.class,
+            description = "number of tiles rendered at once, 1..4096")
+    private Integer threads;
 
     @Option(names = "--token-file", paramLabel = "FILE", description = "the server's secret; - for standard input")
     private Path token;
 
-    @Option(names = "--tls-ca", paramLabel = "FILE", description = "TLS; these certificates (PEM) vouch for the server")
+    @Option(
+            names = "--tls-ca",
+            paramLabel = "FILE",
+            description = "use TLS; trust the authorities with these certificates (PEM)")
     private Path authorities;
 
-    @Option(names = "--pin", paramLabel = "HASH", description = "TLS; the SHA-256 of the server's certificate")
+    @Option(
+            names = "--pin",
+            paramLabel = "HASH",
+            description = "use TLS; trust the server whose certificate has this SHA-256")
     private String pin;
 
     @Option(
             names = "--reconnect",
             paramLabel = "SECONDS",
-            description = "how long to try again when the server is away; 60 by default")
-    private String reconnect;
+            converter = Reconnect.class,
+            description = "keep trying for this long when the server is away (default: 60)")
+    private Double reconnect;
 
     WorkerCommand(Terminal terminal) {
         super(terminal);
@@ -47,19 +57,17 @@ final class WorkerCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        int colon = server.lastIndexOf(':');
-        if (colon < 1) {
-            throw CliException.wrongUsage("the server must be HOST:PORT such as 10.0.0.5:6002, not \"" + server + "\"");
-        }
-        int port = OptionValues.integer("the server's port", server.substring(colon + 1), 1, MAX_PORT);
-        String host = server.substring(0, colon).replaceAll("^\\[(.*)]$", "$1");
-        WorkerOptions o = options();
-        if (pin == null && authorities == null && !isLoopback(host)) {
+        WorkerOptions options = options();
+        if (pin == null && authorities == null && !isLoopback(server.host())) {
             terminal.say("without --pin or --tls-ca whoever is on the network can see scene and picture");
         }
-        RenderWorker.Outcome outcome = RenderWorker.run(host, port, o, terminal.stop());
-        terminal.say(outcome.reason() + "; " + outcome.tiles() + " tiles made here");
-        return outcome.isDone() ? CliException.DONE : CliException.FAILED;
+        RenderWorker.Outcome outcome = RenderWorker.run(server.host(), server.port(), options, terminal.stop());
+        String said = outcome.reason() + "; " + outcome.tiles() + " tiles made here";
+        if (!outcome.isDone()) {
+            throw CliException.failed(said);
+        }
+        terminal.say(said);
+        return ExitCode.DONE;
     }
 
     private static boolean isLoopback(String host) {
@@ -71,14 +79,14 @@ final class WorkerCommand extends Subcommand {
     }
 
     private WorkerOptions options() throws IOException {
-        WorkerOptions.Builder o = WorkerOptions.builder().log(terminal::say);
         if (pin != null && authorities != null) {
             throw CliException.wrongUsage("--pin and --tls-ca must not be given together");
         }
+        WorkerOptions.Builder o = WorkerOptions.builder().log(terminal::say);
         if (threads != null) {
-            o.threads(OptionValues.integer("--threads", threads, 1, MAX_THREADS));
+            o.threads(threads);
         }
-        if (token != null && token.toString().equals("-")) {
+        if (token != null && StandardStreams.isNamed(token)) {
             typedToken(o);
         } else if (token != null) {
             o.tokenFile(token);
@@ -87,7 +95,7 @@ final class WorkerCommand extends Subcommand {
             o.authorities(authorities);
         }
         if (reconnect != null) {
-            o.reconnectSeconds(OptionValues.number("--reconnect", reconnect, 0, MAX_RECONNECT));
+            o.reconnectSeconds(reconnect);
         }
         try {
             return pin == null ? o.build() : o.pin(pin).build();
@@ -96,13 +104,21 @@ final class WorkerCommand extends Subcommand {
         }
     }
 
-    /** With the first line of standard input, which {@code ssh} carries to where no file has the token. */
+    /** The first line of standard input, which {@code ssh} carries to where no file holds the token. */
     private static void typedToken(WorkerOptions.Builder o) throws IOException {
         String line = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.ISO_8859_1)).readLine();
         try {
             o.token(line == null ? "" : line);
         } catch (IllegalArgumentException e) {
             throw CliException.failed("the token on standard input: " + e.getMessage());
+        }
+    }
+
+    static final class Reconnect extends DecimalNumber {
+        private static final double MAX = 1e9;
+
+        Reconnect() {
+            super(0, MAX);
         }
     }
 }

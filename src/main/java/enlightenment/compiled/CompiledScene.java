@@ -12,7 +12,7 @@ import java.util.List;
 /**
  * A scene made ready for rendering: only what it requires, in flat arrays. Immutable, shared by all threads.
  *
- * <p>Primitives stand in a canonical order that does not depend on the order in the scene file, so that neither does the
+ * <p>Primitives are in a canonical order that does not depend on the order in the scene file, so that neither does the
  * picture.
  */
 public final class CompiledScene {
@@ -98,16 +98,9 @@ public final class CompiledScene {
         object = compiled.object();
         objects = compiled.objects();
         this.bvh = bvh;
-        CompiledLight[] visible = new CompiledLight[lights.length];
-        int seen = 0;
-        for (CompiledLight light : lights) {
-            if (light.surface != null) {
-                visible[seen++] = light;
-            }
-        }
-        visibleLights = Arrays.copyOf(visible, seen);
-        lightBounds = new Bounds[seen];
-        for (int i = 0; i < seen; i++) {
+        visibleLights = visible(lights);
+        lightBounds = new Bounds[visibleLights.length];
+        for (int i = 0; i < lightBounds.length; i++) {
             lightBounds[i] = visibleLights[i].bounds();
         }
         bounds = new Bounds[bvh == null ? primitives.length : 0];
@@ -125,18 +118,32 @@ public final class CompiledScene {
         for (int id : glassSolids) {
             glassBounds[id] = widened(primitives[id].bounds());
         }
-        Bounds start = camera.startBounds();
-        int[] solids = new int[glassSolids.length];
-        int n = 0;
-        for (int id : glassSolids) {
-            if (glassBounds[id].overlaps(start)) {
-                solids[n++] = id;
-            }
-        }
-        cameraSolids = Arrays.copyOf(solids, n);
+        cameraSolids = solidsThatOverlap(camera.startBounds());
         occluders = new OccluderSet(primitives, lights, bvh);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
+    }
+
+    private static CompiledLight[] visible(CompiledLight[] lights) {
+        CompiledLight[] visible = new CompiledLight[lights.length];
+        int n = 0;
+        for (CompiledLight light : lights) {
+            if (light.surface != null) {
+                visible[n++] = light;
+            }
+        }
+        return Arrays.copyOf(visible, n);
+    }
+
+    private int[] solidsThatOverlap(Bounds box) {
+        int[] solids = new int[glassSolids.length];
+        int n = 0;
+        for (int id : glassSolids) {
+            if (glassBounds[id].overlaps(box)) {
+                solids[n++] = id;
+            }
+        }
+        return Arrays.copyOf(solids, n);
     }
 
     private static Bounds widened(Bounds box) {

@@ -94,7 +94,7 @@ public final class TemporaryFile implements Closeable {
     }
 
     private static String newName() {
-        return ".enlightenment-" + Machine.HASH + "-" + ProcessHandle.current().pid() + "-"
+        return ".enlightenment-" + HostTag.HASH + "-" + ProcessHandle.current().pid() + "-"
                 + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".tmp";
     }
 
@@ -229,7 +229,7 @@ public final class TemporaryFile implements Closeable {
     }
 
     private static boolean mayBeDead(Path file, Matcher name) throws IOException {
-        if (!name.group(1).equals(Machine.HASH)) {
+        if (!name.group(1).equals(HostTag.HASH)) {
             Instant changed =
                     Files.getLastModifiedTime(file, LinkOption.NOFOLLOW_LINKS).toInstant();
             return changed.plus(LONG_AGO).isBefore(Instant.now());

@@ -12,6 +12,7 @@ import java.util.Objects;
  * @param max upper corner, greater than {@code min} in every coordinate
  */
 public record Box(ExactPoint min, ExactPoint max) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Box {
         Objects.requireNonNull(min, "min");
         Objects.requireNonNull(max, "max");

@@ -16,6 +16,7 @@ import java.util.Objects;
  * @param capped whether disks close the ends, so that it is a solid; if not, it is the lateral surface alone
  */
 public record Cone(ExactPoint base, ExactPoint apex, double radius, double topRadius, boolean capped) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Cone {
         Objects.requireNonNull(base, "base");
         Objects.requireNonNull(apex, "apex");

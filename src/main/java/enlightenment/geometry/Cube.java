@@ -14,6 +14,7 @@ import java.util.Objects;
  * @param rotation degrees about the x axis, then the y axis, then the z axis, finite; (0, 0, 0) is parallel to the axes
  */
 public record Cube(ExactPoint center, double radius, Vec3 rotation) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Cube {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(rotation, "rotation");

@@ -14,6 +14,7 @@ import java.util.Objects;
  * @param capped whether disks close the ends, so that it is a solid; if not, it is the lateral surface alone
  */
 public record Cylinder(ExactPoint base, ExactPoint top, double radius, boolean capped) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Cylinder {
         Objects.requireNonNull(base, "base");
         Objects.requireNonNull(top, "top");

@@ -14,6 +14,7 @@ import java.util.Objects;
  * @param radius greater than 0
  */
 public record Disk(ExactPoint center, Vec3 normal, double radius) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Disk {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(normal, "normal");

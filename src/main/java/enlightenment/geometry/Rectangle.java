@@ -14,6 +14,7 @@ import java.util.List;
  */
 public record Rectangle(ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight)
         implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Rectangle {
         Parallelograms.check("corners", lowerLeft, upperLeft, upperRight, lowerRight);
     }

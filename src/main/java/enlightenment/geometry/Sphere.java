@@ -13,6 +13,7 @@ import java.util.Objects;
  * @param rotation turns the texture about +y by this angle in degrees, finite; at 0 the texture's left edge faces -z
  */
 public record Sphere(ExactPoint center, double radius, double rotation) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Sphere {
         Objects.requireNonNull(center, "center");
         Check.positive("radius", radius);

@@ -15,6 +15,7 @@ import java.util.Objects;
  * @param minorRadius radius of the tube, greater than 0 and at most the major radius
  */
 public record Torus(ExactPoint center, Vec3 axis, double majorRadius, double minorRadius) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Torus {
         Objects.requireNonNull(center, "center");
         Objects.requireNonNull(axis, "axis");

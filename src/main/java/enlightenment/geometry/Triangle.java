@@ -12,6 +12,7 @@ import java.util.List;
  * @param c the vertex that shows the texture's lower right; not collinear with the others
  */
 public record Triangle(ExactPoint a, ExactPoint b, ExactPoint c) implements Shape {
+    /** Validates the components, as {@link Shape} states. */
     public Triangle {
         Check.that(!ExactPoint.areCollinear(a, b, c), "vertices", "must not lie in one line");
     }

@@ -36,6 +36,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      * @param color its colour
      */
     record Sphere(ExactPoint center, double radius, DisplayRgb color) implements Light {
+        /** Validates the components, as {@link Light} states. */
         public Sphere {
             Objects.requireNonNull(center, "center");
             Check.positive("radius", radius);
@@ -71,6 +72,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
     record Rectangle(
             ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight, DisplayRgb color)
             implements Light {
+        /** Validates the components, as {@link Light} states. */
         public Rectangle {
             Parallelograms.check("corners", lowerLeft, upperLeft, upperRight, lowerRight);
             Objects.requireNonNull(color, "color");
@@ -99,6 +101,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      * @param color its colour
      */
     record Point(ExactPoint position, DisplayRgb color) implements Light {
+        /** Validates the components, as {@link Light} states. */
         public Point {
             Objects.requireNonNull(position, "position");
             Objects.requireNonNull(color, "color");

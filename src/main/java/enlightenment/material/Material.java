@@ -27,6 +27,7 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
      * @param receivesShadows whether shadows show on it
      */
     record Matte(Texture color, boolean receivesShadows) implements Material {
+        /** Validates the components, as {@link Material} states. */
         public Matte {
             Objects.requireNonNull(color, "color");
         }
@@ -49,6 +50,7 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
      * @param receivesShadows has no effect: a mirror shows no shadows of its own
      */
     record Mirror(Texture color, boolean receivesShadows) implements Material {
+        /** Validates the components, as {@link Material} states. */
         public Mirror {
             Objects.requireNonNull(color, "color");
         }
@@ -76,6 +78,7 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
      */
     record Glass(Texture color, double indexOfRefraction, double transparency, int priority, boolean receivesShadows)
             implements Material {
+        /** Validates the components, as {@link Material} states. */
         public Glass {
             Objects.requireNonNull(color, "color");
             Check.positive("indexOfRefraction", indexOfRefraction);

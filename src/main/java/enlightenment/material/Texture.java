@@ -25,6 +25,7 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
      * @param color the colour
      */
     record Solid(DisplayRgb color) implements Texture {
+        /** Validates the components, as {@link Texture} states. */
         public Solid {
             Objects.requireNonNull(color, "color");
         }
@@ -37,6 +38,7 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
      * @param scale the number of squares along each texture coordinate, greater than 0
      */
     record Checker(List<DisplayRgb> colors, double scale) implements Texture {
+        /** Validates the components, as {@link Texture} states. */
         public Checker {
             Check.that(colors.size() == 2, "colors", "must be two colours, not " + colors.size());
             Check.positive("scale", scale);
@@ -52,6 +54,7 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
      * @param encoding how the file's numbers encode light
      */
     record File(Path file, Filter filter, Encoding encoding) implements Texture {
+        /** Validates the components, as {@link Texture} states. */
         public File {
             file = file.normalize();
             Objects.requireNonNull(filter, "filter");

@@ -1,6 +1,5 @@
 package enlightenment.cli;
 
-import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.EngineJob;
@@ -9,7 +8,6 @@ import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneReader;
 import enlightenment.spark.SparkRender;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -19,7 +17,6 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
 /** The driver for {@code spark-submit}: makes a picture of a scene on a Spark cluster. */
 @Command(
@@ -27,15 +24,11 @@ import picocli.CommandLine.Parameters;
         description = "Makes a picture of a scene on a Spark cluster.",
         sortOptions = false)
 public final class SparkCommand extends Subcommand {
-    @Parameters(paramLabel = "SCENE", description = "the scene file")
-    private Path sceneFile;
+    @Mixin
+    private SceneArgument argument = new SceneArgument();
 
-    @Option(
-            names = {"-o", "--output"},
-            required = true,
-            paramLabel = "FILE",
-            description = "the picture: .png, or .pfm for exact floats")
-    private Path output;
+    @Mixin
+    private PictureOutput output = new PictureOutput();
 
     @Option(names = "--checkpoint", paramLabel = "FILE", description = "keep what is done here, and go on from it")
     private Path checkpoint;
@@ -43,14 +36,13 @@ public final class SparkCommand extends Subcommand {
     @Mixin
     private RenderOptions options = new RenderOptions();
 
-    @Option(names = "--depth", paramLabel = "BITS", description = "bits per component of a PNG file: 8 (default) or 16")
-    private String depth;
+    @Mixin
+    private ReportOutput report = new ReportOutput();
 
-    @Option(names = "--report", paramLabel = "FILE", description = "write what was done to this JSON file")
-    private Path report;
+    @Mixin
+    private ProgressOption progress = new ProgressOption();
 
-    @Option(names = "--progress", paramLabel = "KIND", description = "auto (default), bar, plain or none")
-    private String progress;
+    private SceneInput input;
 
     SparkCommand(Terminal terminal) {
         super(terminal);
@@ -71,15 +63,10 @@ public final class SparkCommand extends Subcommand {
 
     private static int run(String[] args, Terminal terminal) {
         try {
-            SparkCommand command = new SparkCommand(terminal);
-            CommandLine line = Commands.configure(new CommandLine(command), terminal);
-            line.parseArgs(args);
-            if (command.wantsHelp()) {
-                line.usage(terminal.out());
-                return CliException.DONE;
-            }
-            return command.execute();
+            return Commands.configure(new CommandLine(new SparkCommand(terminal)), terminal)
+                    .execute(args);
         } catch (Throwable t) {
+            // Errors such as a lack of memory, which picocli lets pass.
             return new Failures(terminal).report(t);
         }
     }
@@ -87,34 +74,28 @@ public final class SparkCommand extends Subcommand {
     @Override
     int execute() throws IOException {
         check();
-        Scene scene = options.frame().isPresent()
-                ? SceneReader.read(sceneFile, options.frame().get())
-                : SceneReader.read(sceneFile);
+        input = argument.open(terminal);
+        Scene scene = options.read(input);
         RenderSettings settings =
-                PictureOptions.forFile(options.settings(scene, sceneFile.toString()), output, null, depth);
-        new OutputFiles()
-                .reads(sceneFile, scene)
-                .writes("--checkpoint", checkpoint)
-                .writes("-o", output)
-                .writes("--report", report)
-                .check();
+                PictureOutput.withRounding(options.settings(scene, input.name()), output.writtenDepth());
+        CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("--checkpoint", checkpoint);
+        files.writes("-o", output.file());
+        report.register(files);
+        files.check();
         RenderResult result;
         try (EngineJob job = EngineJob.start(scene, settings, checkpoint, terminal::say, terminal.stop())) {
             result = render(job);
         } catch (InvalidValueException e) {
-            throw options.blame(e, sceneFile.toString());
+            throw options.blame(e, input.name());
         } catch (SceneException e) {
-            throw Failures.inFile(sceneFile.toString(), e);
+            throw SceneFailures.inFile(input.name(), e);
         }
-        return finish(result, scene, settings);
+        finish(result, scene, settings);
+        return ExitCode.DONE;
     }
 
     private void check() {
-        PictureOptions.check(output, depth, null);
-        if (progress != null) {
-            OptionValues.word("--progress", progress, ProgressDisplay.KINDS);
-        }
-        options.check();
+        output.check();
         if (checkpoint != null && options.hasTime()) {
             throw CliException.wrongUsage(
                     "--checkpoint must not be given with --time, which is planned anew each time: give --samples");
@@ -122,31 +103,27 @@ public final class SparkCommand extends Subcommand {
     }
 
     private RenderResult render(EngineJob job) throws IOException {
-        RenderProgress display = ProgressDisplay.of(progress == null ? "auto" : progress, terminal.err());
+        RenderProgress display = progress.display(terminal.err());
         JavaSparkContext spark = new JavaSparkContext(SparkRender.configure(new SparkConf()));
         try {
             return SparkRender.render(spark, job, display, terminal.stop(), terminal::say);
         } finally {
-            ProgressDisplay.end(display);
+            ProgressOption.end(display);
             spark.stop();
         }
     }
 
-    private int finish(RenderResult result, Scene scene, RenderSettings settings) throws IOException {
+    private void finish(RenderResult result, Scene scene, RenderSettings settings) throws IOException {
         if (result.report().pixels() == 0) {
-            terminal.say("stopped before anything was rendered; " + output + " was not written");
-            return CliException.FAILED;
+            throw CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
         }
-        String text = options.replayable(settings, result.report().sampling().plannedSamples());
-        PngOptions png = new PngOptions("16".equals(depth) ? 16 : 8, PictureOptions.text(scene, text));
-        ImageFiles.write(result.image(), output, png);
-        if (report != null) {
-            OutputFile.write(report, ReportJson.of(result));
-        }
+        String line =
+                options.replayableLine(settings, result.report().sampling().plannedSamples());
+        output.write(result.image(), new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
+        report.write(result, output, terminal);
         if (!result.complete()) {
-            terminal.say("stopped: " + output + " is not complete");
-            return CliException.FAILED;
+            throw StoppedRender.after(result, output, "");
         }
-        return PictureOptions.keepsError(result.report(), terminal) ? CliException.DONE : CliException.FAILED;
+        RequestedError.require(result.report());
     }
 }

@@ -10,23 +10,24 @@ import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** What building and searching cost, in nodes, tests and bytes; the times are printed. */
+/** What building and searching cost, in nodes, tests and bytes. */
 class BvhBuildTest {
     private static final long MEBIBYTE = 1 << 20;
 
     private final ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     @Test
-    void aHundredTimesTheSpheresTakeFewTimesTheTests() {
+    void fiftyTimesTheSpheresTakeFewTimesTheTests() {
         double few = build(1_000);
-        double many = build(100_000);
-        // Without a hierarchy it would be a hundred times.
+        double many = build(50_000);
+        assertTrue(few > 0);
+        // Without a hierarchy it would be fifty times; the depth of the tree grows by log 50 000 / log 1 000 = 1.6.
         assertTrue(many < 5 * few, few + " and " + many + " tests per ray");
     }
 
     @Test
     @Tag("full")
-    void aMillionSpheresTakeHalfAGibibyte() {
+    void aMillionSpheresTakeNoMoreBytesEach() {
         build(1_000_000);
     }
 
@@ -35,28 +36,16 @@ class BvhBuildTest {
         RandomPrimitives random = new RandomPrimitives(1);
         Primitive[] all = random.spheres(n);
         long bytes = thread.getCurrentThreadAllocatedBytes();
-        long start = thread.getCurrentThreadCpuTime();
         Bvh bvh = Bvh.build(all);
-        long time = thread.getCurrentThreadCpuTime() - start;
         long used = thread.getCurrentThreadAllocatedBytes() - bytes;
         int hits = 0;
         long[] tests = new long[1];
         Closest closest = new Closest(new int[n], tests);
-        start = thread.getCurrentThreadCpuTime();
-        int rays = 200_000;
+        int rays = 50_000;
         for (int i = 0; i < rays; i++) {
             hits += bvh.closest(random.ray(1), closest) >= 0 ? 1 : 0;
         }
-        long search = thread.getCurrentThreadCpuTime() - start;
-        System.out.printf(
-                "%d spheres: %d nodes, %.2f s, %d MiB; %.2f million rays/s, %.1f tests per ray, %d %% hit%n",
-                n,
-                bvh.nodeCount(),
-                time / 1e9,
-                used / MEBIBYTE,
-                rays * 1e3 / search,
-                (double) tests[0] / rays,
-                100L * hits / rays);
+        assertTrue(hits > rays / 20 && hits < rays, hits + " hits");
         assertTrue(bvh.nodeCount() < 2 * n, bvh.nodeCount() + " nodes");
         // Everything ever allocated, garbage included: about 6 doubles per box, twice, and the growing node arrays.
         assertTrue(used < 800L * n + MEBIBYTE, used + " bytes");

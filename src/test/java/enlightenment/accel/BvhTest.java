@@ -22,9 +22,9 @@ class BvhTest {
     private static final double REACH = 60;
 
     /** No test has more primitives. */
-    private static final int MOST = 1_000_000;
+    private static final int MAX = 1_000_000;
 
-    private final BvhQuery query = new BvhQuery(new int[MOST], new long[1]);
+    private final BvhQuery query = new BvhQuery(new int[MAX], new long[1]);
 
     @Test
     void everySearchFindsWhatTheLoopFinds() {
@@ -70,7 +70,7 @@ class BvhTest {
     }
 
     private static Closest search() {
-        return new Closest(new int[MOST], new long[1]);
+        return new Closest(new int[MAX], new long[1]);
     }
 
     private static void loop(Primitive[] all, Ray ray, double limit, Closest closest) {
@@ -82,7 +82,7 @@ class BvhTest {
 
     @Test
     void raysAlongSharedEdgesFindWhatTheLoopFinds() {
-        // Tiles of two planes that meet; rays aim at their edges and corners, exactly or all but exactly.
+        // Tiles of two planes that meet; rays aim at their edges and corners, exactly or almost exactly.
         Primitive[] all = new Primitive[128];
         for (int i = 0; i < all.length; i++) {
             double x = i % 8 - 4;
@@ -169,7 +169,7 @@ class BvhTest {
 
     @Test
     void shrinkingSpheresMakeNoDeepTree() {
-        // A geometric series defeats equal bins: without a bound each cut would peel off only the largest few.
+        // A geometric series defeats equal bins: without a bound each split would take off only the largest few.
         Primitive[] all = new Primitive[900];
         for (int i = 0; i < all.length; i++) {
             double x = place(i);

@@ -18,7 +18,7 @@ import enlightenment.primitive.Primitives;
 import enlightenment.primitive.Ray;
 import java.util.SplittableRandom;
 
-/** Random things to build hierarchies of. */
+/** Random primitives to build hierarchies of. */
 final class RandomPrimitives {
     private final SplittableRandom random;
 

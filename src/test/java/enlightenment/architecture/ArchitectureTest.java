@@ -35,6 +35,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.machine")
             .layer("text")
             .definedBy("enlightenment.text")
+            .layer("json output")
+            .definedBy("enlightenment.json")
             .layer("numeric")
             .definedBy("enlightenment.numeric")
             .layer("math")
@@ -87,6 +89,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.cli")
             .whereLayer("cli")
             .mayNotBeAccessedByAnyLayer()
+            .whereLayer("json output")
+            .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("file")
             .mayOnlyBeAccessedByLayers("codec", "image", "json", "net", "measure", "cli")
             .whereLayer("machine")
@@ -149,10 +153,13 @@ class ArchitectureTest {
             .dependOnClassesThat()
             .belongToAnyOf(FileOutputStream.class, FileWriter.class, RandomAccessFile.class);
 
+    /** In the command line only the classes that write one kind of report each. */
     @ArchTest
-    static final ArchRule onlyTheSceneReaderSeesJackson = noClasses()
+    static final ArchRule onlyReadersAndWritersOfJsonSeeJackson = noClasses()
             .that()
-            .resideOutsideOfPackages("enlightenment.scene.json", "enlightenment.net")
+            .resideOutsideOfPackages("enlightenment.scene.json", "enlightenment.json", "enlightenment.net")
+            .and()
+            .haveSimpleNameNotEndingWith("Json")
             .should()
             .dependOnClassesThat()
             .resideInAPackage("tools.jackson..");

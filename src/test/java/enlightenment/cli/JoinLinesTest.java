@@ -12,24 +12,25 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class JoinLinesTest {
-    private static final String JOIN = "workers join with: enlightenment worker ";
+    private static final String LAUNCHER = "java -jar app.jar";
+    private static final String JOIN = "workers join with: java -jar app.jar worker ";
 
     @Test
     void theAddressThatWasGivenIsNamed() throws IOException {
-        assertEquals(List.of(JOIN + "127.0.0.1:6002"), JoinLines.of("127.0.0.1", 6002, null, ""));
-        assertEquals(List.of(JOIN + "[::1]:70"), JoinLines.of("::1", 70, null, ""));
+        assertEquals(List.of(JOIN + "127.0.0.1:6002"), JoinLines.of(LAUNCHER, "127.0.0.1", 6002, null, ""));
+        assertEquals(List.of(JOIN + "[::1]:70"), JoinLines.of(LAUNCHER, "::1", 70, null, ""));
     }
 
     @Test
     void tokenAndPinComeAlongAndShellsReadThemAsOneWord() throws IOException {
         assertEquals(
                 List.of(JOIN + "127.0.0.1:1 --token-file '/it'\\''s here/token' --pin 00ff"),
-                JoinLines.of("127.0.0.1", 1, Path.of("/it's here/token"), "00ff"));
+                JoinLines.of(LAUNCHER, "127.0.0.1", 1, Path.of("/it's here/token"), "00ff"));
     }
 
     @Test
     void insteadOfEveryAddressOneOfTheMachinesOwnIsNamed() throws IOException {
-        List<String> lines = JoinLines.of("0.0.0.0", 6002, null, "");
+        List<String> lines = JoinLines.of(LAUNCHER, "0.0.0.0", 6002, null, "");
         String place = lines.get(0).substring(JOIN.length());
         String host = place.substring(0, place.lastIndexOf(':')).replaceAll("[\\[\\]]", "");
         boolean hasNetwork = NetworkInterface.networkInterfaces()

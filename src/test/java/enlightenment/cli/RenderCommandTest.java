@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.file.WholeFile;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -265,8 +266,8 @@ class RenderCommandTest {
         // write.
         Path target = Files.createDirectory(folder.resolve("r.json"));
         Files.writeString(target.resolve("inside"), "");
-        IOException e = org.junit.jupiter.api.Assertions.assertThrows(
-                IOException.class, () -> OutputFile.write(target, "text"));
+        IOException e =
+                org.junit.jupiter.api.Assertions.assertThrows(IOException.class, () -> WholeFile.write(target, "text"));
         assertTrue(e.getMessage().startsWith("cannot write " + target + ": "), e.getMessage());
         assertEquals(2, files(), "the part is gone");
     }

@@ -29,6 +29,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
@@ -155,7 +156,7 @@ class RenderExtrasTest {
             }
             return minutes.get() * 60_000_000_000L;
         });
-        Commands.line(command)
+        new CommandLine(command)
                 .parseArgs(
                         scene.toString(),
                         "-o",

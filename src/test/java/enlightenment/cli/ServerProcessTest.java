@@ -16,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,6 +25,16 @@ import org.junit.jupiter.api.io.TempDir;
 /** Server and workers as processes of their own, which are killed as {@code kill -9} does. */
 @Timeout(180)
 class ServerProcessTest {
+    private static final String SIZE = "\"width\": 160, \"height\": 120";
+
+    /** About three seconds of one processor: long enough to be interrupted after the first line of progress. */
+    private static final List<Object> WORK = List.of("--antialias", 16, "--shadow-samples", 20);
+
+    @TempDir
+    static Path common;
+
+    private static byte[] alone;
+
     @TempDir
     Path folder;
 
@@ -32,9 +43,20 @@ class ServerProcessTest {
     private Path picture;
     private int port;
 
+    /** What one process makes of the scene. */
+    @BeforeAll
+    static void renderAlone() throws IOException {
+        Path file = common.resolve("alone.png");
+        List<Object> args = new ArrayList<>(List.of("render", CliRun.scene(common, SIZE), "-o", file));
+        args.addAll(WORK);
+        CliRun run = CliRun.of(args.toArray());
+        assertEquals(0, run.code(), run.err());
+        alone = Files.readAllBytes(file);
+    }
+
     @BeforeEach
     void scene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 160, \"height\": 120");
+        scene = CliRun.scene(folder, SIZE);
         picture = folder.resolve("picture.png");
         try (ServerSocket free = new ServerSocket(0)) {
             port = free.getLocalPort();
@@ -68,7 +90,8 @@ class ServerProcessTest {
 
     private Process server(String log, Object... more) throws IOException {
         List<Object> args = new ArrayList<>(List.of("server", scene, "-o", picture, "--port", port));
-        args.addAll(List.of("--antialias", 16, "--shadow-samples", 40, "--local-threads", 0, "--wait", 60));
+        args.addAll(WORK);
+        args.addAll(List.of("--local-threads", 0, "--wait", 60));
         args.addAll(List.of(more));
         return start(log, args.toArray());
     }
@@ -112,14 +135,6 @@ class ServerProcessTest {
         assertEquals(code, process.exitValue(), () -> log(log));
     }
 
-    private byte[] alone() throws IOException {
-        Path file = folder.resolve("alone.png");
-        CliRun run =
-                CliRun.of("render", scene, "-o", file, "--antialias", 16, "--shadow-samples", 40, "--progress", "none");
-        assertEquals(0, run.code(), run.err());
-        return Files.readAllBytes(file);
-    }
-
     @Test
     void killedWorkersCostNothingButTime() throws Exception {
         Process server = server("server");
@@ -131,7 +146,7 @@ class ServerProcessTest {
         assertEnds(server, 0, "server");
         assertEnds(second, 0, "second");
         assertTrue(log("second").contains("the picture is done"), log("second"));
-        assertArrayEquals(alone(), Files.readAllBytes(picture));
+        assertArrayEquals(alone, Files.readAllBytes(picture));
     }
 
     @Test
@@ -151,7 +166,7 @@ class ServerProcessTest {
         assertEnds(worker, 0, "worker");
         assertTrue(log("again").contains("tiles are done already"), log("again"));
         assertTrue(log("worker").contains("trying again"), log("worker"));
-        assertArrayEquals(alone(), Files.readAllBytes(picture));
+        assertArrayEquals(alone, Files.readAllBytes(picture));
     }
 
     @Test

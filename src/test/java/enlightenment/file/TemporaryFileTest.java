@@ -69,7 +69,7 @@ class TemporaryFileTest {
 
     @Test
     void whatAnotherMachineWritesGoesWhenItIsOldAndNobodyHasItLocked() throws Exception {
-        String other = Machine.HASH.equals("1") ? "2" : "1";
+        String other = HostTag.HASH.equals("1") ? "2" : "1";
         Path young = Files.writeString(folder.resolve(".enlightenment-" + other + "-12-ab.tmp"), "x");
         Path old = Files.writeString(folder.resolve(".enlightenment-" + other + "-12-cd.tmp"), "x");
         Path locked = Files.writeString(folder.resolve(".enlightenment-" + other + "-12-ef.tmp"), "x");
@@ -96,9 +96,9 @@ class TemporaryFileTest {
         }
         Path precious = Files.writeString(folder.resolve("precious"), "x");
         long pid = ProcessHandle.current().pid();
-        Path link = folder.resolve(".enlightenment-" + Machine.HASH + "-" + pid + "-1.tmp");
+        Path link = folder.resolve(".enlightenment-" + HostTag.HASH + "-" + pid + "-1.tmp");
         Files.createSymbolicLink(link, precious);
-        Files.createDirectory(folder.resolve(".enlightenment-" + Machine.HASH + "-" + pid + "-2.tmp"));
+        Files.createDirectory(folder.resolve(".enlightenment-" + HostTag.HASH + "-" + pid + "-2.tmp"));
         List<String> before = names();
         TemporaryFile.clean(folder);
         assertEquals(before, names());
@@ -108,7 +108,7 @@ class TemporaryFileTest {
     @Test
     void whatAnotherUserOwnsStays() throws IOException {
         long pid = ProcessHandle.current().pid();
-        Path theirs = folder.resolve(".enlightenment-" + Machine.HASH + "-" + pid + "-1.tmp");
+        Path theirs = folder.resolve(".enlightenment-" + HostTag.HASH + "-" + pid + "-1.tmp");
         Files.writeString(theirs, "x");
         try {
             Files.setOwner(
@@ -124,7 +124,7 @@ class TemporaryFileTest {
     @Test
     void theFirstFileThatIsWrittenToAFolderCleansIt() throws IOException {
         long pid = ProcessHandle.current().pid();
-        Files.writeString(folder.resolve(".enlightenment-" + Machine.HASH + "-" + pid + "-1.tmp"), "half");
+        Files.writeString(folder.resolve(".enlightenment-" + HostTag.HASH + "-" + pid + "-1.tmp"), "half");
         WholeFile.write(folder.resolve("a"), "whole");
         assertEquals(List.of("a"), names());
     }

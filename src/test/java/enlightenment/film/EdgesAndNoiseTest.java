@@ -1,5 +1,6 @@
 package enlightenment.film;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.sampling.Hash;
@@ -73,20 +74,50 @@ class EdgesAndNoiseTest {
         return p;
     }
 
-    /** The share of a pixel beyond the edge. */
+    /**
+     * The share of a pixel beyond the edge: that of a sum of two uniform numbers beyond a limit, whose distribution function
+     * has a square for each corner that the edge has passed.
+     */
     private static double covered(double nx, double ny, double offset, double left, double top) {
         double distance = nx * (left + 0.5) + ny * (top + 0.5) - offset;
-        if (Math.abs(distance) > Math.sqrt(0.5)) {
+        double x = Math.abs(nx) / 2;
+        double y = Math.abs(ny) / 2;
+        if (Math.abs(distance) >= x + y) {
             return distance > 0 ? 1 : 0;
         }
-        int grid = 50;
-        int inside = 0;
-        for (int k = 0; k < grid * grid; k++) {
-            double x = left + (k % grid + 0.5) / grid;
-            double y = top + (k / grid + 0.5) / grid;
-            inside += nx * x + ny * y > offset ? 1 : 0;
+        double squares = square(distance + x + y)
+                - square(distance + x - y)
+                - square(distance - x + y)
+                + square(distance - x - y);
+        return squares / (8 * x * y);
+    }
+
+    private static double square(double v) {
+        return v > 0 ? v * v : 0;
+    }
+
+    @Test
+    void theTruthOfAPixelIsItsShareOfAFineGrid() {
+        Random random = new Random(2);
+        int grid = 200;
+        int cut = 0;
+        for (int i = 0; i < 200; i++) {
+            double angle = 2 * Math.PI * random.nextDouble();
+            double nx = StrictMath.cos(angle);
+            double ny = StrictMath.sin(angle);
+            double offset = 2 * random.nextDouble() - 1;
+            int inside = 0;
+            for (int k = 0; k < grid * grid; k++) {
+                double x = (k % grid + 0.5) / grid - 0.5;
+                double y = (k / grid + 0.5) / grid - 0.5;
+                inside += nx * x + ny * y > offset ? 1 : 0;
+            }
+            double share = (double) inside / (grid * grid);
+            cut += share > 0 && share < 1 ? 1 : 0;
+            // In each row of the grid, or in each column, the edge falls into one cell.
+            assertEquals(share, covered(nx, ny, offset, -0.5, -0.5), 1.0 / grid);
         }
-        return (double) inside / (grid * grid);
+        assertTrue(cut > 100, cut + " pixels cut");
     }
 
     @ParameterizedTest

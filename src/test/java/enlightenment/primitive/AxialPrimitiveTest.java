@@ -61,15 +61,18 @@ class AxialPrimitiveTest {
 
     @Test
     void normalsAreFiniteUpToTheApex() {
+        int hits = 0;
         for (double off : new double[] {0, Double.MIN_VALUE, 1e-300, 1e-18, 1e-9, 1e-3}) {
             for (Vec3 d : List.of(DOWN, new Vec3(0.1, -1, 0.2), new Vec3(-1, -0.5, 0), new Vec3(3, -1e-9, 1))) {
                 Vec3 o = new Vec3(off, 1, 0).minus(d.times(2));
                 Hit hit = new Hit();
                 if (cone.intersect(Ray.of(o, d), hit)) {
+                    hits++;
                     assertEquals(1, hit.normal().length(), 0x1p-50, () -> "aimed " + off + " beside the apex");
                 }
             }
         }
+        assertTrue(hits >= 12, hits + " of 24 rays meet the cone");
         // The slope's normal: across the generator (1, -2, 0) in the plane of the axis.
         Hit near = hit(cone, Ray.of(new Vec3(1, 1 - 1e-9, 0), new Vec3(-1, 0, 0)));
         assertEquals(2 / Math.sqrt(5), near.nx, 1e-15);
@@ -158,6 +161,7 @@ class AxialPrimitiveTest {
     @ValueSource(doubles = {1e-100, 1e-50, 1e-20, 1e-12, 1e-6, 1e6, 1e12, 1e20, 1e50, 1e100})
     void wafersAndNeedlesAreHitOnTheirSurface(double height) {
         RoundSamples s = new RoundSamples(33);
+        int hits = 0;
         for (int i = 0; i < 300; i++) {
             Vec3 axis = s.axis().times(height);
             Primitive p = ofHeight(i % 4, axis);
@@ -169,11 +173,13 @@ class AxialPrimitiveTest {
             boolean met = p.intersect(Ray.of(o, target.minus(o)), hit);
             assertTrue(met || !aimedAtCenter || height > 1, "a wafer cannot be missed in the middle");
             if (met) {
+                hits++;
                 double off = ExactSolid.of(p).distance(hit.point());
                 assertTrue(off <= 8 * IntersectionVectorsTest.pointUlp(p, hit.point()), () -> off + " off " + p);
                 assertEquals(1, hit.normal().length(), 0x1p-50);
             }
         }
+        assertTrue(hits > 20, hits + " hits");
     }
 
     private static void leaveThroughTheRim(int rays) {
@@ -225,6 +231,7 @@ class AxialPrimitiveTest {
     void boundsHoldEveryHitAndContainsAgreesWithTheCrossings(String kind) {
         RoundSamples s = new RoundSamples(32);
         int inside = 0;
+        int decided = 0;
         for (int i = 0; i < 4000; i++) {
             Primitive p = s.primitive(kind, s.magnitude(1e-6, 1e6), s.magnitude(1e-6, 1e6));
             double size = RoundSamples.size(p);
@@ -236,9 +243,11 @@ class AxialPrimitiveTest {
             boolean contained = p.contains(o.x(), o.y(), o.z());
             if (ExactSolid.of(p).distance(o) > 1e-9 * (size + o.maxAbs())) {
                 assertEquals(contained, met && hit.side == Ray.INSIDE);
+                decided++;
             }
             inside += contained ? 1 : 0;
         }
+        assertTrue(decided > 3000, decided + " decided");
         assertTrue(inside > 500 && inside < 3500, inside + " inside");
     }
 

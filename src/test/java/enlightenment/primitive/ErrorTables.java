@@ -246,7 +246,7 @@ final class ErrorTables {
         out.print("\n");
     }
 
-    /** Rays of which so many coordinates stay on a face. */
+    /** Rays that stay in a face in this many coordinates. */
     static int[] faces(int fixed, int rays) {
         RandomRays random = new RandomRays(14);
         int[] missed = new int[2];

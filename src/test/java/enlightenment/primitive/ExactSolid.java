@@ -19,6 +19,9 @@ final class ExactSolid {
     private final BigDecimal[] axis;
     private final BigDecimal length;
 
+    /** How long the lateral surface is from end to end; with the inflation it says how far the radius grows. */
+    private final BigDecimal slant;
+
     /** The radius at the fraction s of the axis is radius0 + s·gain. */
     private final BigDecimal radius0;
 
@@ -27,18 +30,36 @@ final class ExactSolid {
     /** The surface is moved outwards by this along its normal. */
     private final BigDecimal inflation;
 
-    private ExactSolid(
-            BigDecimal[] reference, BigDecimal[] axis, BigDecimal r0, BigDecimal gain, BigDecimal inflation) {
+    /** What the inflation adds to the radius of the lateral surface, measured across the axis. */
+    private final BigDecimal widening;
+
+    private ExactSolid(BigDecimal[] reference, BigDecimal[] axis, BigDecimal r0, BigDecimal gain) {
         this.reference = reference;
         this.axis = axis;
         this.length = axis == null ? null : dot(axis, axis).sqrt(MC);
+        this.slant = axis == null
+                ? null
+                : length.multiply(length).add(gain.multiply(gain)).sqrt(MC);
         this.radius0 = r0;
         this.gain = gain;
+        this.inflation = ZERO;
+        this.widening = ZERO;
+    }
+
+    /** Square roots of 110 digits take most of the time: an inflated solid has those of the one that it comes from. */
+    private ExactSolid(ExactSolid solid, BigDecimal inflation) {
+        this.reference = solid.reference;
+        this.axis = solid.axis;
+        this.length = solid.length;
+        this.slant = solid.slant;
+        this.radius0 = solid.radius0;
+        this.gain = solid.gain;
         this.inflation = inflation;
+        this.widening = axis == null ? inflation : inflation.multiply(slant).divide(length, MC);
     }
 
     static ExactSolid sphere(Vec3 center, double radius) {
-        return new ExactSolid(vector(center), null, big(radius), ZERO, ZERO);
+        return new ExactSolid(vector(center), null, big(radius), ZERO);
     }
 
     static ExactSolid frustum(Vec3 base, Vec3 top, double baseRadius, double topRadius) {
@@ -47,8 +68,7 @@ final class ExactSolid {
                 vector(base),
                 minus(vector(top), vector(base)),
                 r0,
-                big(topRadius).subtract(r0),
-                ZERO);
+                big(topRadius).subtract(r0));
     }
 
     static ExactSolid of(Primitive p) {
@@ -61,7 +81,7 @@ final class ExactSolid {
 
     /** This solid with its surface moved outwards by d, or inwards if d is less than 0. */
     ExactSolid inflated(double d) {
-        return new ExactSolid(reference, axis, radius0, gain, big(d));
+        return new ExactSolid(this, big(d));
     }
 
     /** The stretch of the line o + t·d that is within the solid, or null if none is. */
@@ -70,7 +90,7 @@ final class ExactSolid {
         BigDecimal[] d = vector(direction);
         List<BigDecimal> crossings = new ArrayList<>();
         if (axis == null) {
-            BigDecimal r = radius0.add(inflation);
+            BigDecimal r = radius0.add(widening);
             if (r.signum() > 0) {
                 crossings.addAll(roots(dot(d, d), dot(f, d), dot(f, f).subtract(r.multiply(r))));
             }
@@ -84,11 +104,9 @@ final class ExactSolid {
         return new BigDecimal[] {Collections.min(crossings), Collections.max(crossings)};
     }
 
-    /** The radius of the lateral surface at s times the length² of the axis, with the inflation. */
+    /** The radius of the lateral surface at this fraction of the axis, with the inflation. */
     private BigDecimal radiusAt(BigDecimal fraction) {
-        BigDecimal slant = length.multiply(length).add(gain.multiply(gain)).sqrt(MC);
-        BigDecimal moved = inflation.multiply(slant).divide(length, MC);
-        return radius0.add(gain.multiply(fraction)).add(moved);
+        return radius0.add(gain.multiply(fraction)).add(widening);
     }
 
     private BigDecimal fraction(BigDecimal[] p) {

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 
 /** Rectangles and triangles against exact arithmetic on the same doubles. */
 class FlatTruthTest {
-    private static final int RAYS = 6000;
+    private static final int RAYS = 2000;
     private static final double U = Scale.UNIT_ROUNDOFF;
 
     /** A flat primitive and its corners, in order around it. */

@@ -59,12 +59,14 @@ class IntersectionVectorsTest {
     void everyHitPointLiesWithinEightUlpsOfTheSurface(String kind) {
         List<String> wrong = new ArrayList<>();
         double worst = 0;
+        int hits = 0;
         for (Vectors.Case c : Vectors.of(kind)) {
             Primitive p = primitive(c);
             Hit hit = new Hit();
             if (!p.intersect(c.ray(), hit)) {
                 continue;
             }
+            hits++;
             double distance = ExactSolid.of(p).distance(hit.point()) / pointUlp(p, hit.point());
             worst = Math.max(worst, distance);
             if (distance > 8) {
@@ -78,6 +80,7 @@ class IntersectionVectorsTest {
             }
         }
         assertEquals(List.of(), wrong);
+        assertTrue(hits > 20, hits + " hits");
         assertTrue(worst < 8, "the worst is " + worst + " ulp");
     }
 

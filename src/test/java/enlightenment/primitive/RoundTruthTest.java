@@ -122,7 +122,7 @@ class RoundTruthTest {
     @ParameterizedTest
     @ValueSource(strings = {"sphere", "cylinder", "cone", "frustum"})
     void crossingsAreThoseOfDecimalArithmetic(String kind) {
-        check(kind, 1000, 1);
+        check(kind, 600, 1);
     }
 
     @Tag("full")
@@ -136,7 +136,7 @@ class RoundTruthTest {
     void aDiskIsHitWhereDecimalArithmeticSaysSo() {
         RoundSamples s = new RoundSamples(3);
         int decided = 0;
-        for (int i = 0; i < 3000; i++) {
+        for (int i = 0; i < 1500; i++) {
             DiskPrimitive p = (DiskPrimitive) s.primitive("disk", s.magnitude(0.1, 10), s.magnitude(0.01, 100));
             Vec3 n = p.normal();
             double off = s.oneIn(2) ? 1 + s.uniform(-1, 1) * s.magnitude(1e-15, 1) : s.uniform(0, 1.5);
@@ -145,7 +145,7 @@ class RoundTruthTest {
             Vec3 d = target.minus(o);
             decided += checkDisk(p, o, d) ? 1 : 0;
         }
-        assertTrue(decided > 2000, decided + " decided");
+        assertTrue(decided > 1000, decided + " decided");
     }
 
     private static boolean checkDisk(DiskPrimitive p, Vec3 o, Vec3 d) {
@@ -179,7 +179,7 @@ class RoundTruthTest {
         int outside = 0;
         int inside = 0;
         int missed = 0;
-        for (int i = 0; i < 4000; i++) {
+        for (int i = 0; i < 1600; i++) {
             AxialPrimitive solid = (AxialPrimitive) (s.oneIn(2) ? s.primitive("cylinder", 1, 2) : frustum(s));
             Primitive p = solid.baseRadius() == solid.topRadius()
                     ? new CylinderPrimitive(solid.base(), solid.top(), solid.baseRadius(), false)
@@ -210,6 +210,6 @@ class RoundTruthTest {
                 missed++;
             }
         }
-        assertTrue(outside > 500 && inside > 500 && missed > 100, outside + " " + inside + " " + missed);
+        assertTrue(outside > 200 && inside > 200 && missed > 40, outside + " " + inside + " " + missed);
     }
 }

@@ -4,7 +4,7 @@ import enlightenment.math.Vec3;
 import java.util.List;
 
 /**
- * One thing to intersect: as the renderer does it, as textbooks do it, and exactly.
+ * A primitive to intersect: as the renderer does it, as textbooks do it, and exactly.
  *
  * @param kind the scene format's word for it
  * @param ours the renderer's primitive

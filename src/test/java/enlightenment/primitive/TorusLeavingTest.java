@@ -141,7 +141,7 @@ class TorusLeavingTest {
         }
     }
 
-    /** A point found by a hit, and a direction from it: any, or all but tangential. */
+    /** A point found by a hit, and a direction from it: any, or an almost tangential one. */
     private static final class Start {
         final Vec3 axis;
         final double major;

@@ -74,9 +74,11 @@ class TorusTruthTest {
     void crossingsPairEvenWhereTheLineGrazes() {
         Random random = new Random(3);
         int tooShort = 0;
+        int crossings = 0;
         for (int i = 0; i < 50_000; i++) {
             Scenario s = Scenario.generate(random);
             List<Double> found = crossings(s.torus(), s.origin, s.direction, s.sides);
+            crossings += found.size();
             if (found.size() % 2 == 0) {
                 for (int k = 0; k < found.size(); k++) {
                     assertEquals(k % 2 == 0 ? Ray.OUTSIDE : Ray.INSIDE, s.sides.get(k), s::toString);
@@ -88,9 +90,10 @@ class TorusTruthTest {
             }
         }
         assertTrue(tooShort < 500, tooShort + " chords collapsed");
+        assertTrue(crossings > 25_000, crossings + " crossings");
     }
 
-    /** The least parameter difference of neighbouring crossings; 0 if the line all but touches the surface. */
+    /** The smallest parameter difference of neighbouring crossings; 0 if the line almost touches the surface. */
     private static double shortestChord(Scenario s) {
         TorusTruth truth = s.truth();
         if (truth.clearance() < 16 * U * s.distance()) {
@@ -108,7 +111,7 @@ class TorusTruthTest {
     void aGrazingLadderIsDecidedByTheSignOfTheClearance() {
         Random random = new Random(4);
         int decided = 0;
-        for (int i = 0; i < 30; i++) {
+        for (int i = 0; i < 12; i++) {
             Scenario s = new Scenario(random, random.nextDouble(), 10);
             TorusPrimitive torus = s.torus();
             for (int k = 1; k <= 14; k++) {
@@ -123,7 +126,7 @@ class TorusTruthTest {
                 }
             }
         }
-        assertTrue(decided > 500, "only " + decided + " decided");
+        assertTrue(decided > 200, "only " + decided + " decided");
     }
 
     @Test

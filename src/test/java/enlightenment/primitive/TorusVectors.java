@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
@@ -66,7 +67,8 @@ final class TorusVectors {
 
     static List<Vector> read() throws IOException {
         List<Vector> tori = new ArrayList<>();
-        try (InputStream in = TorusVectors.class.getResourceAsStream("intersection-vectors.jsonl");
+        try (InputStream in =
+                        Objects.requireNonNull(TorusVectors.class.getResourceAsStream("intersection-vectors.jsonl"));
                 JsonParser json = new JsonFactory().createParser(ObjectReadContext.empty(), in)) {
             while (json.nextToken() == JsonToken.START_OBJECT) {
                 Vector v = new Vector();

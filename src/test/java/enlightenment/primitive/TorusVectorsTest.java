@@ -19,12 +19,15 @@ class TorusVectorsTest {
     void everyDecidableVectorIsHitOrMissedAsExactArithmeticSays() throws IOException {
         List<Vector> vectors = TorusVectors.read();
         assertEquals(144, vectors.size());
+        int decided = 0;
         for (Vector v : vectors) {
             if (v.margin >= DECIDABLE) {
+                decided++;
                 boolean hit = v.torus().intersect(Ray.of(v.origin, v.direction), new Hit());
                 assertEquals(v.hit, hit, v.scenario + " from " + v.origin);
             }
         }
+        assertTrue(decided > vectors.size() / 2, decided + " decided");
     }
 
     @Test

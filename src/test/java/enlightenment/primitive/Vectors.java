@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
@@ -71,7 +72,7 @@ final class Vectors {
 
     static List<Case> all() {
         List<Case> cases = new ArrayList<>();
-        try (InputStream in = Vectors.class.getResourceAsStream("intersection-vectors.jsonl");
+        try (InputStream in = Objects.requireNonNull(Vectors.class.getResourceAsStream("intersection-vectors.jsonl"));
                 JsonParser parser = new JsonFactory().createParser(ObjectReadContext.empty(), in)) {
             while (parser.nextToken() == JsonToken.START_OBJECT) {
                 cases.add(readCase(parser));

@@ -156,7 +156,7 @@ class WatertightTest {
         }
     }
 
-    /** A fraction that is often all but 0. */
+    /** A fraction that is often very close to 0. */
     private static double nearFace(RandomRays random) {
         return random.index(2) == 0 ? 0.02 + 0.96 * random.uniform() : Math.abs(random.decade(-14, -3));
     }

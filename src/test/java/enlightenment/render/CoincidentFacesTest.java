@@ -20,6 +20,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -60,8 +61,11 @@ class CoincidentFacesTest {
             Collections.rotate(list, 1);
             assertArrayEquals(first.toArray(), picture(list, lit).toArray());
         }
-        Collections.reverse(list);
-        assertArrayEquals(first.toArray(), picture(list, lit).toArray());
+        if (objects.length > 2) {
+            // The rotations of two are all their orders.
+            Collections.reverse(list);
+            assertArrayEquals(first.toArray(), picture(list, lit).toArray());
+        }
         return first;
     }
 
@@ -135,16 +139,14 @@ class CoincidentFacesTest {
         Material[] materials = {RED, BLUE, TestScenes.mirror(0.9), glass(0.9, 1, 0.9), glass(1, 0.8, 0.9)};
         for (Shape shape : Solids.all().values()) {
             for (boolean lit : new boolean[] {false, true}) {
+                List<DoublePicture> alone = Arrays.stream(materials)
+                        .map(m -> picture(List.of(object(shape, m)), lit))
+                        .toList();
                 for (int i = 0; i < materials.length; i++) {
                     for (int j = 0; j < i; j++) {
                         DoublePicture both = inAnyOrder(lit, object(shape, materials[i]), object(shape, materials[j]));
-                        DoublePicture a = inAnyOrder(lit, object(shape, materials[i]));
-                        DoublePicture b = inAnyOrder(lit, object(shape, materials[j]));
-                        assertEquals(
-                                0,
-                                Math.min(both.difference(a), both.difference(b)),
-                                0,
-                                shape.type() + " " + i + " " + j);
+                        double difference = Math.min(both.difference(alone.get(i)), both.difference(alone.get(j)));
+                        assertEquals(0, difference, shape.type() + " " + i + " " + j);
                     }
                 }
             }

@@ -94,8 +94,9 @@ class HardIntervalTest {
     @Test
     @Tag("full")
     void theIntervalHoldsTheErrorOfAllHardScenesAtEveryLevel() {
+        // What is taken for the truth has a sixth of the error of 32 samples: differences from it are 1.5 % larger.
         for (String name : HardScenes.NAMES) {
-            judge(name, new double[] {1, 1.5, 2, 2.6, 3, 4, 6, 8, 16, 64}, 16, 13, 3000);
+            judge(name, new double[] {1, 1.5, 2, 2.6, 3, 4, 6, 8, 16, 32}, 16, 13, 1024);
         }
         check();
     }

@@ -109,7 +109,7 @@ class HiddenObjectsTest {
     void aSpeckThatNobodySeesChangesNoBit(String name) {
         Scene scene = SceneReader.read(folder().resolve(name));
         RenderSettings settings = RenderSettings.of(scene)
-                .withSize(48, 32)
+                .withSize(36, 24)
                 .withThreads(1)
                 .withAntialias(2)
                 .withShadowSamples(3)

@@ -3,7 +3,7 @@ package enlightenment.sampling;
 import java.util.function.DoubleUnaryOperator;
 
 /** Gauss and Legendre's quadrature with twelve points: exact for polynomials up to degree 23. */
-final class Quadrature {
+public final class Quadrature {
     private static final int POINTS = 12;
     private static final double[] NODES = new double[POINTS];
     private static final double[] WEIGHTS = new double[POINTS];
@@ -32,7 +32,7 @@ final class Quadrature {
     private Quadrature() {}
 
     /** The integral of f from a to b, f being smooth in between. */
-    static double panel(DoubleUnaryOperator f, double a, double b) {
+    public static double panel(DoubleUnaryOperator f, double a, double b) {
         double half = 0.5 * (b - a);
         double sum = 0;
         for (int i = 0; i < POINTS; i++) {
@@ -44,7 +44,7 @@ final class Quadrature {
     }
 
     /** The integral of f from a to b in equal panels. */
-    static double integral(DoubleUnaryOperator f, double a, double b, int panels) {
+    public static double integral(DoubleUnaryOperator f, double a, double b, int panels) {
         double sum = 0;
         for (int i = 0; i < panels; i++) {
             sum += panel(f, a + (b - a) * i / panels, a + (b - a) * (i + 1) / panels);

@@ -17,7 +17,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
-/** However long a path is, and however many light points are wanted, nobody waits for its end who does not want it. */
+/** Cancellation ends a path early, however long it is and however many light points it takes. */
 class CancelledPathTest {
     private static final String SCENE =
             """
@@ -59,22 +59,22 @@ class CancelledPathTest {
     }
 
     @Test
-    void aMillionMirrorsAreNotSeenToTheirEnd() {
+    void aMillionBouncesAreNotFollowedToTheEnd() {
         ClassicShader shader = shader("mirror", 1);
         shader.stopWhen(() -> true);
         assertThrows(CancellationException.class, () -> shade(shader, 0));
         assertTrue(counters.mirrorRays <= ClassicShader.POLL_INTERVAL, counters.mirrorRays + " bounces");
         // Later, in the same number of steps.
-        AtomicInteger asked = new AtomicInteger();
-        shader.stopWhen(() -> asked.incrementAndGet() >= 5);
+        AtomicInteger polled = new AtomicInteger();
+        shader.stopWhen(() -> polled.incrementAndGet() >= 5);
         long before = counters.mirrorRays;
         assertThrows(CancellationException.class, () -> shade(shader, 0));
         assertTrue(counters.mirrorRays - before <= 5 * ClassicShader.POLL_INTERVAL, counters.mirrorRays + " bounces");
-        assertEquals(5, asked.get());
+        assertEquals(5, polled.get());
     }
 
     @Test
-    void aMillionLightPointsAreNotTakenToTheirEnd() {
+    void aMillionLightPointsAreNotAllSampled() {
         ClassicShader shader = shader("matte", 1_000_000);
         shader.stopWhen(() -> true);
         assertThrows(CancellationException.class, () -> shade(shader, 0));
@@ -82,7 +82,7 @@ class CancelledPathTest {
     }
 
     @Test
-    void manyShortPathsAreAskedAboutTogether() {
+    void shortPathsShareOnePollingInterval() {
         ClassicShader shader = shader("matte", 1);
         shader.stopWhen(() -> true);
         int shaded = 0;
@@ -95,19 +95,19 @@ class CancelledPathTest {
             assertTrue(shaded < ClassicShader.POLL_INTERVAL, shaded + " paths");
             return;
         }
-        throw new AssertionError("nobody was asked");
+        throw new AssertionError("the condition was never polled");
     }
 
     @Test
-    void whoIsAskedAndWantsMoreGetsTheSame() {
+    void pollingChangesNoColour() {
         ClassicShader plain = shader("matte", 5_000);
         shade(plain, 3);
         double[] expected = color.clone();
-        ClassicShader asking = shader("matte", 5_000);
-        AtomicInteger asked = new AtomicInteger();
-        asking.stopWhen(() -> asked.incrementAndGet() < 0);
-        shade(asking, 3);
+        ClassicShader polling = shader("matte", 5_000);
+        AtomicInteger polled = new AtomicInteger();
+        polling.stopWhen(() -> polled.incrementAndGet() < 0);
+        shade(polling, 3);
         assertArrayEquals(expected, color);
-        assertTrue(asked.get() > 0);
+        assertTrue(polled.get() > 0);
     }
 }

@@ -89,12 +89,20 @@ class CosineSamplingTest {
         Vec3 w = new Vec3(s.cone.wx, s.cone.wy, s.cone.wz);
         Vec3 across = w.cross(Vec3.Z).normalized();
         Vec3 n = across.times(s.cone.cosine).plus(w.times(s.cone.sine * (1 + 1e-15)));
+        assertTrue(s.meanCosine(n.x(), n.y(), n.z()) > 0, "the light is above the horizon");
         s.prepareByCosine(n.x(), n.y(), n.z());
+        double lowest = 1;
+        double highest = 0;
         for (int i = 0; i < COUNT; i++) {
             s.sampleByCosine(Sobol.x(i, 7), Sobol.y(i, 7));
             Vec3 d = new Vec3(s.dx, s.dy, s.dz);
             assertEquals(1, d.length(), 1e-15);
             assertTrue(d.dot(n) > -1e-7 && d.dot(w) >= s.cone.cosine - 1e-7);
+            lowest = Math.min(lowest, d.dot(n));
+            highest = Math.max(highest, d.dot(n));
         }
+        // The cone reaches from the horizon up to twice its half angle.
+        double top = 2 * s.cone.sine * s.cone.cosine;
+        assertTrue(lowest < 0.05 * top && highest > 0.98 * top, lowest + " to " + highest + " of " + top);
     }
 }

@@ -20,7 +20,7 @@ import enlightenment.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Whoever chooses light points, and whichever kind of them is sought, the mean colour is the same. */
+/** Importance sampling of light points by a guide leaves the mean colour unchanged. */
 class GuidedShareTest {
     /** A floor below a ball light of which a screen leaves about a tenth. */
     private static Scene scene(double tilt) {
@@ -103,7 +103,7 @@ class GuidedShareTest {
 
     @ParameterizedTest
     @CsvSource({"true, 1, 0", "false, 1, 0", "true, 4, 0.3", "false, 4, 0.3", "false, 1, -0.5", "true, 1, -0.5"})
-    void theMeanColourDoesNotDependOnWhoChooses(boolean blocked, int points, double tilt) {
+    void aGuideDoesNotChangeTheMeanColour(boolean blocked, int points, double tilt) {
         Scene scene = scene(tilt);
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
         Skewed guide = new Skewed(blocked);

@@ -94,6 +94,8 @@ class OpticsLadderTest {
     @Test
     void intoAnEnormousIndexEverythingGoesAlongTheNormalAndOutOfItAlmostNothing() {
         Random r = new Random(2);
+        int through = 0;
+        int total = 0;
         for (int i = 0; i < 10_000; i++) {
             double cos = i == 0 ? 1 : Math.max(r.nextDouble(), 1e-12);
             double sin = Math.sqrt((1 - cos) * (1 + cos));
@@ -101,20 +103,25 @@ class OpticsLadderTest {
             assertTrue(Optics.refract(into, hit(), 1 / 1e6));
             assertTrue(-into.dz > 1 - 1e-12);
             assertEquals(sin * 1e-6, into.dx, 1e-6 * 8 * U);
-            double sine = 1e-6 * (i % 2 == 0 ? 1 - 1e-7 * r.nextDouble() - 1e-9 : 1 + r.nextDouble() + 1e-9);
+            double sine = 1e-6 * (i % 2 == 0 ? 1 - r.nextDouble() : 1 + r.nextDouble());
             Ray out = towards(sine, 0, -Math.sqrt((1 - sine) * (1 + sine)));
             boolean exact =
                     exactCosineSquared(out, BigDecimal.valueOf(1_000_000)).signum() > 0;
             // The cosine of so small an angle is rounded at 1e-16: its sine is known to 1e-4 of 1e-6 only.
             if (Math.abs(sine - 1e-6) > 2.5e-4 * 1e-6) {
                 assertEquals(exact, Optics.refract(out, hit(), 1e6), "sine " + sine);
+                through += exact ? 1 : 0;
+                total += exact ? 0 : 1;
             }
         }
+        assertTrue(through > 4_900 && total > 4_900, through + " through, " + total + " totally reflected");
     }
 
     @Test
     void extremeRatiosGiveAUnitDirectionOrTotalReflection() {
         Random r = new Random(3);
+        int refracted = 0;
+        int reflected = 0;
         double[] ratios = {
             1 + 1e-15,
             1 - 1e-15,
@@ -141,12 +148,15 @@ class OpticsLadderTest {
                     assertEquals(1, ray.dd, 8 * U, "eta " + eta);
                     assertTrue(ray.dx * n.x() + ray.dy * n.y() + ray.dz * n.z() <= 4 * U, "eta " + eta);
                     assertEquals(Ray.INSIDE, ray.startSide);
+                    refracted++;
                 } else {
+                    reflected++;
                     assertTrue(eta > 1, "eta " + eta);
                     assertFalse(ray.dx != d.x() || ray.dy != d.y() || ray.dz != d.z());
                 }
             }
         }
+        assertTrue(refracted > 10_000 && reflected > 5_000, refracted + " refracted, " + reflected + " reflected");
     }
 
     @Test

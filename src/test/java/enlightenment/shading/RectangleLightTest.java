@@ -11,6 +11,7 @@ import enlightenment.frame.LightVectors;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.sampling.Quadrature;
 import enlightenment.sampling.RunningStatistics;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -26,8 +27,6 @@ import org.junit.jupiter.api.Test;
  * area · cosine at the light / distance² over them (numerics, N31: "or the area-sampling estimator is used").
  */
 class RectangleLightTest {
-    private static final int GAUSS_POINTS = 12;
-
     /** The rectangle of a line of the vectors: parallel to the x-y plane, seen from the origin. */
     private static CompiledLight light(Map<String, String> line) {
         BigDecimal x0 = new BigDecimal(line.get("x0"));
@@ -121,43 +120,14 @@ class RectangleLightTest {
     }
 
     private static double integral(Estimator estimator, double[] us, double[] vs) {
-        double[][] rule = gauss();
         double sum = 0;
         for (int i = 1; i < us.length; i++) {
             for (int j = 1; j < vs.length; j++) {
-                double cell = 0;
-                for (double[] p : rule) {
-                    for (double[] q : rule) {
-                        double u = us[i - 1] + (us[i] - us[i - 1]) * p[0];
-                        double v = vs[j - 1] + (vs[j] - vs[j - 1]) * q[0];
-                        cell += p[1] * q[1] * estimator.at(u, v);
-                    }
-                }
-                sum += cell * (us[i] - us[i - 1]) * (vs[j] - vs[j - 1]);
+                double v0 = vs[j - 1];
+                double v1 = vs[j];
+                sum += Quadrature.panel(u -> Quadrature.panel(v -> estimator.at(u, v), v0, v1), us[i - 1], us[i]);
             }
         }
         return sum;
-    }
-
-    /** Nodes and weights of the Gauss–Legendre rule on 0..1, by Newton's method on Legendre's polynomial. */
-    private static double[][] gauss() {
-        double[][] rule = new double[GAUSS_POINTS][];
-        for (int i = 0; i < GAUSS_POINTS; i++) {
-            double x = StrictMath.cos(Math.PI * (i + 0.75) / (GAUSS_POINTS + 0.5));
-            double slope = 0;
-            for (int k = 0; k < 20; k++) {
-                double previous = 1;
-                double value = x;
-                for (int n = 2; n <= GAUSS_POINTS; n++) {
-                    double next = ((2 * n - 1) * x * value - (n - 1) * previous) / n;
-                    previous = value;
-                    value = next;
-                }
-                slope = GAUSS_POINTS * (x * value - previous) / (x * x - 1);
-                x -= value / slope;
-            }
-            rule[i] = new double[] {(x + 1) / 2, 1 / ((1 - x * x) * slope * slope)};
-        }
-        return rule;
     }
 }

@@ -4,28 +4,48 @@ import enlightenment.camera.Camera;
 import enlightenment.math.Vec3;
 import java.util.List;
 
-/** Reads the camera. */
+/** The camera. */
 final class Cameras {
-    private static final Fields.Family FAMILY = new Fields.Family("a camera", Vocabulary.CAMERAS, List.of(), List.of());
+    static final Family<Camera> FAMILY = new Family<Camera>("camera", "a camera", null, List.of(), List.of())
+            .with(
+                    "window",
+                    Camera.Window.class,
+                    "eye lowerLeft upperLeft upperRight lowerRight | pupilRadius",
+                    Cameras::window,
+                    (w, p) -> p.point("eye", w.eye())
+                            .point("lowerLeft", w.lowerLeft())
+                            .point("upperLeft", w.upperLeft())
+                            .point("upperRight", w.upperRight())
+                            .point("lowerRight", w.lowerRight())
+                            .numberUnless(0, "pupilRadius", w.pupilRadius()))
+            .with(
+                    "perspective",
+                    Camera.Perspective.class,
+                    "eye lookAt fieldOfView | up",
+                    Cameras::perspective,
+                    (c, p) -> p.point("eye", c.eye())
+                            .point("lookAt", c.lookAt())
+                            .vector("up", c.up())
+                            .number("fieldOfView", c.fieldOfView()))
+            .with(
+                    "orthographic",
+                    Camera.Orthographic.class,
+                    "eye lookAt height | up",
+                    Cameras::orthographic,
+                    (c, p) -> p.point("eye", c.eye())
+                            .point("lookAt", c.lookAt())
+                            .vector("up", c.up())
+                            .number("height", c.height()))
+            .with("isometric", Camera.Isometric.class, "lookAt height |", Cameras::isometric, (c, p) -> p.point(
+                            "lookAt", c.lookAt())
+                    .number("height", c.height()));
 
     private Cameras() {}
 
     /** The camera, or null after a problem. */
     static Camera read(JsonValue v, JsonPointer place, Values values) {
-        Fields f = Fields.of(v, place, FAMILY, null, values);
-        if (f == null) {
-            return null;
-        }
-        switch (f.type(null)) {
-            case "window":
-                return window(f);
-            case "perspective":
-                return perspective(f);
-            case "orthographic":
-                return orthographic(f);
-            default:
-                return isometric(f);
-        }
+        Fields f = Fields.of(v, place, FAMILY, values);
+        return f == null ? null : FAMILY.read(f);
     }
 
     private static Camera window(Fields f) {

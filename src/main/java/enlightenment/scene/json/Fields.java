@@ -4,12 +4,12 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
-import enlightenment.scene.json.Vocabulary.Keys;
 import enlightenment.text.Suggestion;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
-import java.util.Map;
+import java.util.Locale;
 import java.util.function.Supplier;
 
 /**
@@ -31,49 +31,36 @@ final class Fields {
 
     /** A part with these keys; null after a problem where the value is no object. */
     static Fields of(JsonValue v, JsonPointer place, Keys keys, Values values) {
-        return of(v, place, keys, List.of(), values);
-    }
-
-    /** A part with these keys; {@code planned} are keys that the format will have. */
-    static Fields of(JsonValue v, JsonPointer place, Keys keys, Collection<String> planned, Values values) {
         int before = values.problems().count();
         JsonValue.Obj o = values.object(v, place, keys.noun());
         if (o == null) {
             return null;
         }
         Fields fields = new Fields(o, place, values, before);
-        fields.checkKeys(keys, planned);
+        fields.checkKeys(keys, List.of());
         return fields;
     }
 
-    /** What a family of types needs to know about itself for its messages. */
-    record Family(
-            String noun, Map<String, Keys> types, Collection<String> plannedTypes, Collection<String> plannedKeys) {}
-
     /** A part whose {@code "type"} says which keys it has; null after a problem where it has none. */
-    static Fields of(JsonValue v, JsonPointer place, Family family, String typeUnlessGiven, Values values) {
+    static Fields of(JsonValue v, JsonPointer place, Family<?> family, Values values) {
         int before = values.problems().count();
         JsonValue.Obj o = values.object(v, place, family.noun());
         if (o == null) {
             return null;
         }
         JsonValue type = o.get("type");
-        String name = typeUnlessGiven;
+        String name = family.typeUnlessGiven();
         if (type != null) {
-            name = values.word(type, place.child("type"), family.types().keySet(), family.plannedTypes());
+            name = values.word(type, place.child("type"), family.types(), family.plannedTypes());
         } else if (name == null) {
-            values.problems()
-                    .add(
-                            o,
-                            place.child("type"),
-                            "missing; expected one of "
-                                    + Suggestion.list(family.types().keySet()));
+            String message = "missing; expected one of " + Suggestion.list(family.types());
+            values.problems().add(o, place.child("type"), message);
         }
         if (name == null) {
             return null;
         }
         Fields fields = new Fields(o, place, values, before);
-        fields.checkKeys(family.types().get(name), family.plannedKeys());
+        fields.checkKeys(family.keys(name), family.plannedKeys());
         return fields;
     }
 
@@ -93,6 +80,10 @@ final class Fields {
                     : "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
             values.problems().add(object.value(i), place.child(key), message);
         }
+    }
+
+    Values values() {
+        return values;
     }
 
     JsonPointer at(String key) {
@@ -144,6 +135,23 @@ final class Fields {
     String word(String key, Collection<String> words, Collection<String> planned, String unlessGiven) {
         JsonValue v = get(key);
         return v == null ? unlessGiven : values.word(v, at(key), words, planned);
+    }
+
+    /** One of an enum's constants, called by its name in small letters; the first one after a problem. */
+    <E extends Enum<E>> E word(String key, E unlessGiven) {
+        Class<E> type = unlessGiven.getDeclaringClass();
+        String word = word(key, words(type), List.of(), word(unlessGiven));
+        return type.getEnumConstants()[Math.max(0, words(type).indexOf(word))];
+    }
+
+    /** How an enum's constants are called in scene files. */
+    static List<String> words(Class<? extends Enum<?>> type) {
+        return Arrays.stream(type.getEnumConstants()).map(Fields::word).toList();
+    }
+
+    /** How an enum's constant is called in scene files. */
+    static String word(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT);
     }
 
     ExactPoint point(String key) {

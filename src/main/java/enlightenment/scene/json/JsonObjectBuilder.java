@@ -1,46 +1,40 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneException;
 import java.math.BigDecimal;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.NavigableSet;
 
 /** One part of a scene on its way to JSON: what {@link Fields} is on the way back. */
 final class JsonObjectBuilder {
     private final JsonPointer place;
-    private final NavigableSet<String> targets;
+    private final Names names;
     private final Map<String, JsonValue> values = new LinkedHashMap<>();
 
-    /**
-     * @param targets the JSON pointers of animated numbers, which must be written as numbers at just these places
-     */
-    JsonObjectBuilder(JsonPointer place, NavigableSet<String> targets) {
+    /** @param names how the scene's textures, materials and image files are called in the text */
+    JsonObjectBuilder(JsonPointer place, Names names) {
         this.place = place;
-        this.targets = targets;
+        this.names = names;
     }
 
     JsonObjectBuilder child(String key) {
-        return new JsonObjectBuilder(place.child(key), targets);
+        return new JsonObjectBuilder(place.child(key), names);
     }
 
     JsonObjectBuilder child(String key, int index) {
-        return new JsonObjectBuilder(place.child(key).child(index), targets);
+        return new JsonObjectBuilder(place.child(key).child(index), names);
     }
 
     /** Whether a value, or something inside of it, is animated. */
     boolean animated(String key) {
-        if (targets.isEmpty()) {
-            return false;
-        }
-        String p = place.child(key).toString();
-        String inside = targets.ceiling(p + "/");
-        return targets.contains(p) || inside != null && inside.startsWith(p + "/");
+        return names.isAnimated(place.child(key));
     }
 
     JsonValue json() {
@@ -94,6 +88,24 @@ final class JsonObjectBuilder {
 
     JsonObjectBuilder flagUnless(boolean usual, String key, boolean v) {
         return v == usual ? this : put(key, new JsonValue.Bool(0, 0, v));
+    }
+
+    /** An enum's constant by its name in small letters. */
+    <E extends Enum<E>> JsonObjectBuilder wordUnless(E usual, String key, E v) {
+        return v == usual ? this : text(key, Fields.word(v));
+    }
+
+    /** A texture by its name, or the colour that it is. */
+    JsonObjectBuilder texture(String key, Texture texture) {
+        String name = names.of(texture);
+        if (texture instanceof Texture.Solid solid && (name == null || animated(key))) {
+            return color(key, solid.color());
+        }
+        return put(key, child(key).text("texture", name).json());
+    }
+
+    JsonObjectBuilder imageFile(String key, Path file) {
+        return text(key, names.of(file));
     }
 
     JsonObjectBuilder vector(String key, Vec3 v) {

@@ -6,10 +6,20 @@ import enlightenment.math.ExactPoint;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Reads the lights. */
+/** The lights. */
 final class Lights {
-    private static final Fields.Family FAMILY =
-            new Fields.Family("a light", Vocabulary.LIGHTS, List.of(), Vocabulary.PLANNED_LIGHT_KEYS);
+    static final Family<Light> FAMILY = new Family<Light>(
+                    "light", "a light", null, List.of(), Vocabulary.PLANNED_LIGHT_KEYS)
+            .with("sphere", Light.Sphere.class, "center radius color |", Lights::sphere, (s, p) -> p.point(
+                            "center", s.center())
+                    .number("radius", s.radius())
+                    .color("color", s.color()))
+            .with("rectangle", Light.Rectangle.class, "corners color |", Lights::rectangle, (r, p) -> p.points(
+                            "corners", r.lowerLeft(), r.upperLeft(), r.upperRight(), r.lowerRight())
+                    .color("color", r.color()))
+            .with("point", Light.Point.class, "position color |", Lights::point, (q, p) -> p.point(
+                            "position", q.position())
+                    .color("color", q.color()));
 
     private Lights() {}
 
@@ -18,8 +28,8 @@ final class Lights {
         List<Light> lights = new ArrayList<>();
         JsonValue.Arr a = values.array(v, place, -1, "an array of lights");
         for (int i = 0; a != null && i < a.size(); i++) {
-            Fields f = Fields.of(a.get(i), place.child(i), FAMILY, null, values);
-            Light light = f == null ? null : light(f);
+            Fields f = Fields.of(a.get(i), place.child(i), FAMILY, values);
+            Light light = f == null ? null : FAMILY.read(f);
             if (light != null) {
                 lights.add(light);
             }
@@ -27,22 +37,26 @@ final class Lights {
         return lights;
     }
 
-    private static Light light(Fields f) {
-        DisplayRgb color = f.color("color", DisplayRgb.WHITE);
-        switch (f.type(null)) {
-            case "sphere": {
-                ExactPoint center = f.point("center");
-                double radius = f.number("radius");
-                return f.make(() -> new Light.Sphere(center, radius, color));
-            }
-            case "rectangle": {
-                List<ExactPoint> c = f.points("corners", 4, SceneObjects.CORNERS);
-                return f.make(() -> new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), color));
-            }
-            default: {
-                ExactPoint position = f.point("position");
-                return f.make(() -> new Light.Point(position, color));
-            }
-        }
+    private static Light sphere(Fields f) {
+        ExactPoint center = f.point("center");
+        double radius = f.number("radius");
+        DisplayRgb color = color(f);
+        return f.make(() -> new Light.Sphere(center, radius, color));
+    }
+
+    private static Light rectangle(Fields f) {
+        List<ExactPoint> c = f.points("corners", 4, Shapes.CORNERS);
+        DisplayRgb color = color(f);
+        return f.make(() -> new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), color));
+    }
+
+    private static Light point(Fields f) {
+        ExactPoint position = f.point("position");
+        DisplayRgb color = color(f);
+        return f.make(() -> new Light.Point(position, color));
+    }
+
+    private static DisplayRgb color(Fields f) {
+        return f.color("color", DisplayRgb.WHITE);
     }
 }

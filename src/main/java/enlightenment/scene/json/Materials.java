@@ -1,80 +1,93 @@
 package enlightenment.scene.json;
 
-import enlightenment.color.DisplayRgb;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Reads the named materials, and materials where they are used. */
+/** The named materials, and materials where they are used. */
 final class Materials {
-    private static final Fields.Family FAMILY =
-            new Fields.Family("a material", Vocabulary.MATERIALS, Vocabulary.PLANNED_MATERIALS, List.of());
+    static final Family<Material> FAMILY = new Family<Material>(
+                    "material", "a material", null, Vocabulary.PLANNED_MATERIALS, List.of())
+            .with("matte", Material.Matte.class, "color | receivesShadows", Materials::matte, (m, p) -> p.texture(
+                            "color", m.color())
+                    .flagUnless(true, "receivesShadows", m.receivesShadows()))
+            .with("mirror", Material.Mirror.class, "color | receivesShadows", Materials::mirror, (m, p) -> p.texture(
+                            "color", m.color())
+                    .flagUnless(true, "receivesShadows", m.receivesShadows()))
+            .with(
+                    "glass",
+                    Material.Glass.class,
+                    "color indexOfRefraction | transparency priority receivesShadows",
+                    Materials::glass,
+                    (g, p) -> p.texture("color", g.color())
+                            .number("indexOfRefraction", g.indexOfRefraction())
+                            .numberUnless(1, "transparency", g.transparency())
+                            .wholeUnless(0, "priority", g.priority())
+                            .flagUnless(true, "receivesShadows", g.receivesShadows()));
 
-    private final Values values;
-    private final Textures textures;
-    /** Null for a material that is there but wrong: its own problem is enough. */
-    private final Map<String, Material> named = new LinkedHashMap<>();
+    private Materials() {}
 
-    Materials(Values values, Textures textures) {
-        this.values = values;
-        this.textures = textures;
-    }
-
-    /** Reads the part {@code materials}. */
-    void readNamed(JsonValue v, JsonPointer place) {
+    /** Reads the part {@code materials} into the library. */
+    static void readNamed(JsonValue v, JsonPointer place, Values values) {
         JsonValue.Obj o = values.object(v, place, "materials by their names");
         for (int i = 0; o != null && i < o.size(); i++) {
-            named.put(o.key(i), inline(o.value(i), place.child(o.key(i))));
+            values.library().materials.put(o.key(i), inline(o.value(i), place.child(o.key(i)), values));
         }
-    }
-
-    Map<String, Material> named() {
-        return named;
     }
 
     /** A name or a material; null after a problem, here or where the material has its name. */
-    Material use(JsonValue v, JsonPointer place) {
+    static Material use(JsonValue v, JsonPointer place, Values values) {
         if (v instanceof JsonValue.Str s) {
-            Material material = named.get(s.text);
-            if (material == null && !named.containsKey(s.text)) {
-                String there = Suggestion.of(s.text, named.keySet(), "there are");
-                String none = "; the scene names no materials (/materials)";
-                values.problems()
-                        .add(v, place, "unknown material " + Plain.quoted(s.text) + (named.isEmpty() ? none : there));
-            }
-            return material;
+            return named(s, place, values);
         }
         if (v instanceof JsonValue.Obj) {
-            return inline(v, place);
+            return inline(v, place, values);
         }
         values.problems().add(v, place, "must be the name of a material, or a material { ... }, not " + v.describe());
         return null;
     }
 
-    private Material inline(JsonValue v, JsonPointer place) {
-        Fields f = Fields.of(v, place, FAMILY, null, values);
-        if (f == null) {
-            return null;
+    private static Material named(JsonValue.Str name, JsonPointer place, Values values) {
+        Map<String, Material> named = values.library().materials;
+        if (!named.containsKey(name.text)) {
+            String instead = named.isEmpty()
+                    ? "; the scene names no materials (/materials)"
+                    : Suggestion.of(name.text, named.keySet(), "there are");
+            values.problems().add(name, place, "unknown material " + Plain.quoted(name.text) + instead);
         }
-        Texture color = f.has("color") ? textures.color(f.get("color"), f.at("color")) : Texture.of(DisplayRgb.BLACK);
-        boolean shadows = f.flag("receivesShadows", true);
-        switch (f.type(null)) {
-            case "matte":
-                return color == null ? null : f.make(() -> new Material.Matte(color, shadows));
-            case "mirror":
-                return color == null ? null : f.make(() -> new Material.Mirror(color, shadows));
-            default: {
-                double index = f.number("indexOfRefraction");
-                double transparency = f.number("transparency", 1);
-                int priority = f.integer("priority", Integer.MIN_VALUE, Integer.MAX_VALUE, 0);
-                return color == null
-                        ? null
-                        : f.make(() -> new Material.Glass(color, index, transparency, priority, shadows));
-            }
-        }
+        return named.get(name.text);
+    }
+
+    private static Material inline(JsonValue v, JsonPointer place, Values values) {
+        Fields f = Fields.of(v, place, FAMILY, values);
+        return f == null ? null : FAMILY.read(f);
+    }
+
+    private static Material matte(Fields f) {
+        Texture color = Textures.color(f, "color");
+        boolean shadows = receivesShadows(f);
+        return color == null ? null : f.make(() -> new Material.Matte(color, shadows));
+    }
+
+    private static Material mirror(Fields f) {
+        Texture color = Textures.color(f, "color");
+        boolean shadows = receivesShadows(f);
+        return color == null ? null : f.make(() -> new Material.Mirror(color, shadows));
+    }
+
+    private static Material glass(Fields f) {
+        Texture color = Textures.color(f, "color");
+        boolean shadows = receivesShadows(f);
+        double index = f.number("indexOfRefraction");
+        double transparency = f.number("transparency", 1);
+        int priority = f.integer("priority", Integer.MIN_VALUE, Integer.MAX_VALUE, 0);
+        return color == null ? null : f.make(() -> new Material.Glass(color, index, transparency, priority, shadows));
+    }
+
+    private static boolean receivesShadows(Fields f) {
+        return f.flag("receivesShadows", true);
     }
 }

@@ -18,17 +18,13 @@ import java.util.Set;
 /** Makes a scene of a document, or says all that is wrong with it. */
 final class SceneBinder {
     private final Values values;
-    private final Path folder;
-    private final Set<String> fileNames;
 
     /**
      * @param folder what the paths of image files are relative to
      * @param fileNames the names of image files that are not on the disk, or null if they are
      */
     SceneBinder(Problems problems, Path folder, Set<String> fileNames) {
-        this.values = new Values(problems);
-        this.folder = folder;
-        this.fileNames = fileNames;
+        this.values = new Values(problems, new Library(folder, fileNames));
     }
 
     /** The scene at a frame, or as it is written; null after a problem. */
@@ -63,18 +59,15 @@ final class SceneBinder {
         int height = image == null ? 1 : image.integer("height", 1, Scene.MAX_SIDE, 1);
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
         ClassicShading shading = shading(f);
-        Textures textures = new Textures(values, folder, fileNames);
         if (f.has("textures")) {
-            textures.readNamed(f.get("textures"), f.at("textures"));
+            Textures.readNamed(f.get("textures"), f.at("textures"), values);
         }
-        Materials materials = new Materials(values, textures);
         if (f.has("materials")) {
-            materials.readNamed(f.get("materials"), f.at("materials"));
+            Materials.readNamed(f.get("materials"), f.at("materials"), values);
         }
         List<Light> lights = f.has("lights") ? Lights.read(f.get("lights"), f.at("lights"), values) : List.of();
-        List<SceneObject> objects = f.has("objects")
-                ? new SceneObjects(values, materials).read(f.get("objects"), f.at("objects"))
-                : List.of();
+        List<SceneObject> objects =
+                f.has("objects") ? new SceneObjects(values).read(f.get("objects"), f.at("objects")) : List.of();
         RenderDefaults render = render(f);
         return f.make(() -> new Scene(
                 name == null ? "" : name,
@@ -82,8 +75,8 @@ final class SceneBinder {
                 height,
                 camera,
                 shading,
-                textures.named(),
-                materials.named(),
+                values.library().textures,
+                values.library().materials,
                 lights,
                 objects,
                 render,
@@ -94,8 +87,7 @@ final class SceneBinder {
         if (!scene.has("shading")) {
             return ClassicShading.DEFAULT;
         }
-        Fields f = Fields.of(
-                scene.get("shading"), scene.at("shading"), Vocabulary.SHADING, Vocabulary.PLANNED_SHADING_KEYS, values);
+        Fields f = Fields.of(scene.get("shading"), scene.at("shading"), Vocabulary.SHADING, values);
         if (f == null) {
             return null;
         }

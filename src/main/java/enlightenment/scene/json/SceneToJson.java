@@ -1,9 +1,6 @@
 package enlightenment.scene.json;
 
-import enlightenment.camera.Camera;
-import enlightenment.light.Light;
 import enlightenment.material.Material;
-import enlightenment.material.Texture;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderDefaults;
@@ -11,57 +8,23 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import java.util.TreeSet;
 import java.util.function.Function;
 
 /** Turns a scene into JSON. */
 final class SceneToJson {
     private final Scene scene;
-    private final Function<Path, String> fileNames;
-    private final TreeSet<String> targets = new TreeSet<>();
-    private final Map<String, Texture> textures;
-    private final Map<Texture, String> textureNames = new HashMap<>();
-    private final Map<Material, String> materialNames = new HashMap<>();
+    private final Names names;
 
     /** @param fileNames how image files are called in the text */
     SceneToJson(Scene scene, Function<Path, String> fileNames) {
         this.scene = scene;
-        this.fileNames = fileNames;
-        this.textures = new LinkedHashMap<>(scene.textures());
-        scene.animation().ifPresent(a -> a.tracks().forEach(t -> targets.add(t.target())));
-        textures.forEach((name, texture) -> textureNames.putIfAbsent(texture, name));
-        scene.materials().forEach((name, material) -> materialNames.putIfAbsent(material, name));
-        nameTextures();
-    }
-
-    private void nameTextures() {
-        scene.materials().values().forEach(this::nameTexture);
-        for (SceneObject object : scene.objects()) {
-            nameTexture(object.material());
-            object.faces().forEach(this::nameTexture);
-        }
-    }
-
-    private void nameTexture(Material material) {
-        Texture texture = material.color();
-        if (texture instanceof Texture.Solid || textureNames.containsKey(texture)) {
-            return;
-        }
-        int n = 1;
-        while (textures.containsKey("texture " + n)) {
-            n++;
-        }
-        textures.put("texture " + n, texture);
-        textureNames.put(texture, "texture " + n);
+        this.names = new Names(scene, fileNames);
     }
 
     JsonValue json() {
-        JsonObjectBuilder root = new JsonObjectBuilder(JsonPointer.ROOT, targets);
+        JsonObjectBuilder root = new JsonObjectBuilder(JsonPointer.ROOT, names);
         if (!scene.name().isEmpty()) {
             root.text("name", scene.name());
         }
@@ -71,13 +34,13 @@ final class SceneToJson {
                         .whole("width", scene.width())
                         .whole("height", scene.height())
                         .json());
-        root.put("camera", camera(scene.camera(), root.child("camera")));
+        root.put("camera", json(Cameras.FAMILY, scene.camera(), root.child("camera")));
         root.put("shading", shading(scene.shading(), root.child("shading")));
-        putUnlessEmpty(root, "textures", textures());
-        putUnlessEmpty(root, "materials", materials());
+        putNamed(root, "textures", Textures.FAMILY, names.textures());
+        putNamed(root, "materials", Materials.FAMILY, scene.materials());
         if (!scene.lights().isEmpty()) {
             List<JsonValue> lights = new ArrayList<>();
-            scene.lights().forEach(l -> lights.add(light(l, root.child("lights", lights.size()))));
+            scene.lights().forEach(l -> lights.add(json(Lights.FAMILY, l, root.child("lights", lights.size()))));
             root.put("lights", JsonValue.Arr.of(lights));
         }
         List<JsonValue> objects = new ArrayList<>(scene.objects().size());
@@ -88,28 +51,17 @@ final class SceneToJson {
         return root.json();
     }
 
-    private static void putUnlessEmpty(JsonObjectBuilder root, String key, JsonObjectBuilder part) {
-        if (!part.isEmpty()) {
-            root.put(key, part.json());
-        }
+    private static <T> JsonValue json(Family<T> family, T value, JsonObjectBuilder p) {
+        family.write(value, p);
+        return p.json();
     }
 
-    private static JsonValue camera(Camera camera, JsonObjectBuilder p) {
-        p.text("type", camera.type());
-        if (camera instanceof Camera.Window w) {
-            p.point("eye", w.eye()).point("lowerLeft", w.lowerLeft()).point("upperLeft", w.upperLeft());
-            p.point("upperRight", w.upperRight()).point("lowerRight", w.lowerRight());
-            p.numberUnless(0, "pupilRadius", w.pupilRadius());
-        } else if (camera instanceof Camera.Perspective c) {
-            p.point("eye", c.eye()).point("lookAt", c.lookAt()).vector("up", c.up());
-            p.number("fieldOfView", c.fieldOfView());
-        } else if (camera instanceof Camera.Orthographic c) {
-            p.point("eye", c.eye()).point("lookAt", c.lookAt()).vector("up", c.up());
-            p.number("height", c.height());
-        } else if (camera instanceof Camera.Isometric c) {
-            p.point("lookAt", c.lookAt()).number("height", c.height());
+    private static <T> void putNamed(JsonObjectBuilder root, String key, Family<T> family, Map<String, T> values) {
+        JsonObjectBuilder all = root.child(key);
+        values.forEach((name, value) -> all.put(name, json(family, value, all.child(name))));
+        if (!all.isEmpty()) {
+            root.put(key, all.json());
         }
-        return p.json();
     }
 
     private static JsonValue shading(ClassicShading s, JsonObjectBuilder p) {
@@ -124,41 +76,6 @@ final class SceneToJson {
         return p.wholeUnless(0, "seed", r.seed()).json();
     }
 
-    private static JsonValue light(Light light, JsonObjectBuilder p) {
-        p.text("type", light.type());
-        if (light instanceof Light.Sphere s) {
-            p.point("center", s.center()).number("radius", s.radius());
-        } else if (light instanceof Light.Rectangle r) {
-            p.points("corners", r.lowerLeft(), r.upperLeft(), r.upperRight(), r.lowerRight());
-        } else if (light instanceof Light.Point q) {
-            p.point("position", q.position());
-        }
-        return p.color("color", light.color()).json();
-    }
-
-    private JsonObjectBuilder textures() {
-        JsonObjectBuilder all = new JsonObjectBuilder(JsonPointer.ROOT.child("textures"), targets);
-        textures.forEach((name, texture) -> all.put(name, texture(texture, all.child(name))));
-        return all;
-    }
-
-    private JsonValue texture(Texture texture, JsonObjectBuilder p) {
-        if (texture instanceof Texture.File f) {
-            p.text("file", fileNames.apply(f.file()));
-            if (f.filter() != Texture.Filter.BILINEAR) {
-                p.text("filter", f.filter().name().toLowerCase(Locale.ROOT));
-            }
-            if (f.encoding() != Texture.Encoding.SRGB) {
-                p.text("encoding", f.encoding().name().toLowerCase(Locale.ROOT));
-            }
-        } else if (texture instanceof Texture.Checker c) {
-            p.text("type", "checker").colors("colors", c.colors()).number("scale", c.scale());
-        } else if (texture instanceof Texture.Solid s) {
-            p.text("type", "color").color("color", s.color());
-        }
-        return p.json();
-    }
-
     /** Calls image files by their paths relative to a folder. */
     static Function<Path, String> relativeTo(Path baseFolder) {
         Path folder = baseFolder.toAbsolutePath().normalize();
@@ -170,34 +87,11 @@ final class SceneToJson {
         };
     }
 
-    private JsonObjectBuilder materials() {
-        JsonObjectBuilder all = new JsonObjectBuilder(JsonPointer.ROOT.child("materials"), targets);
-        scene.materials().forEach((name, material) -> all.put(name, material(material, all.child(name))));
-        return all;
-    }
-
-    private JsonValue material(Material material, JsonObjectBuilder p) {
-        p.text("type", material.type());
-        Texture color = material.color();
-        if (color instanceof Texture.Solid s && (p.animated("color") || !textureNames.containsKey(color))) {
-            p.color("color", s.color());
-        } else {
-            p.put(
-                    "color",
-                    p.child("color").text("texture", textureNames.get(color)).json());
-        }
-        if (material instanceof Material.Glass g) {
-            p.number("indexOfRefraction", g.indexOfRefraction());
-            p.numberUnless(1, "transparency", g.transparency()).wholeUnless(0, "priority", g.priority());
-        }
-        return p.flagUnless(true, "receivesShadows", material.receivesShadows()).json();
-    }
-
     private JsonValue object(SceneObject object, JsonObjectBuilder p) {
         if (!object.name().isEmpty()) {
             p.text("name", object.name());
         }
-        ShapeToJson.put(object.shape(), p);
+        Shapes.FAMILY.write(object.shape(), p);
         if (!object.faces().isEmpty()) {
             List<JsonValue> faces = new ArrayList<>();
             for (Material face : object.faces()) {
@@ -214,8 +108,8 @@ final class SceneToJson {
     }
 
     private JsonValue use(Material material, JsonObjectBuilder p, boolean animated) {
-        String name = materialNames.get(material);
-        return name == null || animated ? material(material, p) : new JsonValue.Str(0, 0, name);
+        String name = names.of(material);
+        return name == null || animated ? json(Materials.FAMILY, material, p) : new JsonValue.Str(0, 0, name);
     }
 
     private static JsonValue animation(Animation animation, JsonObjectBuilder p) {

@@ -64,7 +64,7 @@ public final class SceneWriter {
         Problems problems = new Problems("", "");
         JsonValue root = JsonTree.parse(() -> new StringReader(json), problems);
         problems.throwIfAny();
-        new Tracks(root, new Values(problems))
+        new Tracks(root, new Values(problems, null))
                 .read(((JsonValue.Obj) root).get("animation"), JsonPointer.ROOT.child("animation"));
         problems.throwIfAny();
     }

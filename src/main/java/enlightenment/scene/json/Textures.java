@@ -11,49 +11,45 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Reads the named textures, and the colours that use them. */
+/** The named textures, and the colours that use them. */
 final class Textures {
-    private static final Fields.Family FAMILY =
-            new Fields.Family("a texture", Vocabulary.TEXTURES, List.of(), List.of());
+    static final Family<Texture> FAMILY = new Family<Texture>("texture", "a texture", "file", List.of(), List.of())
+            .with("file", Texture.File.class, "file | filter encoding", Textures::file, (t, p) -> p.imageFile(
+                            "file", t.file())
+                    .wordUnless(Texture.Filter.BILINEAR, "filter", t.filter())
+                    .wordUnless(Texture.Encoding.SRGB, "encoding", t.encoding()))
+            .with("checker", Texture.Checker.class, "colors scale |", Textures::checker, (c, p) -> p.colors(
+                            "colors", c.colors())
+                    .number("scale", c.scale()))
+            .with("color", Texture.Solid.class, "color |", Textures::solid, (s, p) -> p.color("color", s.color()));
+
     private static final String COLOR = Values.COLOR + ", [r, g, b] with components in 0..1, or {\"texture\": NAME}";
 
-    private final Values values;
-    private final Path folder;
-    /** Names of image files that are not on the disk; null if they are. */
-    private final Set<String> fileNames;
+    private Textures() {}
 
-    /** Null for a texture that is there but wrong: its own problem is enough. */
-    private final Map<String, Texture> named = new LinkedHashMap<>();
-
-    /**
-     * @param folder what the paths of image files are relative to
-     * @param fileNames the names of image files that are not on the disk, or null if they are
-     */
-    Textures(Values values, Path folder, Set<String> fileNames) {
-        this.fileNames = fileNames;
-        this.values = values;
-        this.folder = folder.toAbsolutePath();
-    }
-
-    /** Reads the part {@code textures}. */
-    void readNamed(JsonValue v, JsonPointer place) {
+    /** Reads the part {@code textures} into the library. */
+    static void readNamed(JsonValue v, JsonPointer place, Values values) {
         JsonValue.Obj o = values.object(v, place, "textures by their names");
         for (int i = 0; o != null && i < o.size(); i++) {
-            named.put(o.key(i), texture(o.value(i), place.child(o.key(i))));
+            Fields f = Fields.of(o.value(i), place.child(o.key(i)), FAMILY, values);
+            values.library().textures.put(o.key(i), f == null ? null : FAMILY.read(f));
         }
     }
 
-    Map<String, Texture> named() {
-        return named;
+    /**
+     * The colour of a material.
+     *
+     * @return black where it is missing; null after a problem, here or where the texture has its name
+     */
+    static Texture color(Fields f, String key) {
+        return f.has(key) ? color(f.get(key), f.at(key), f.values()) : Texture.of(DisplayRgb.BLACK);
     }
 
-    /** The colour of a material; null after a problem, here or where the texture has its name. */
-    Texture color(JsonValue v, JsonPointer place) {
+    private static Texture color(JsonValue v, JsonPointer place, Values values) {
         int before = values.problems().count();
         if (!(v instanceof JsonValue.Obj)) {
             DisplayRgb c = values.color(v, place, COLOR);
@@ -61,56 +57,44 @@ final class Textures {
         }
         Fields f = Fields.of(v, place, Vocabulary.TEXTURE_REFERENCE, values);
         String name = f.text("texture", "the name of a texture");
+        Map<String, Texture> named = values.library().textures;
         if (name == null || named.containsKey(name)) {
             return name == null ? null : named.get(name);
         }
-        String there = Suggestion.of(name, named.keySet(), "there are");
-        String none = "; the scene names no textures (/textures)";
-        f.problem("texture", "unknown texture " + Plain.quoted(name) + (named.isEmpty() ? none : there));
+        String instead = named.isEmpty()
+                ? "; the scene names no textures (/textures)"
+                : Suggestion.of(name, named.keySet(), "there are");
+        f.problem("texture", "unknown texture " + Plain.quoted(name) + instead);
         return null;
     }
 
-    private Texture texture(JsonValue v, JsonPointer place) {
-        Fields f = Fields.of(v, place, FAMILY, "file", values);
-        if (f == null) {
-            return null;
-        }
-        switch (f.type("file")) {
-            case "checker":
-                return checker(f);
-            case "color": {
-                DisplayRgb c = f.color("color", DisplayRgb.BLACK);
-                return f.make(() -> Texture.of(c));
-            }
-            default:
-                return file(f);
-        }
+    private static Texture solid(Fields f) {
+        DisplayRgb c = f.color("color", DisplayRgb.BLACK);
+        return f.make(() -> Texture.of(c));
     }
 
-    private Texture checker(Fields f) {
+    private static Texture checker(Fields f) {
         List<DisplayRgb> colors = new ArrayList<>();
         JsonValue v = f.get("colors");
-        JsonValue.Arr a = v == null ? null : values.array(v, f.at("colors"), 2, "an array of two colours");
+        JsonValue.Arr a = v == null ? null : f.values().array(v, f.at("colors"), 2, "an array of two colours");
         for (int i = 0; a != null && i < 2; i++) {
-            colors.add(values.color(a.get(i), f.at("colors").child(i)));
+            colors.add(f.values().color(a.get(i), f.at("colors").child(i)));
         }
         double scale = f.number("scale");
         return f.make(() -> new Texture.Checker(colors, scale));
     }
 
-    private Texture file(Fields f) {
+    private static Texture file(Fields f) {
         String written = f.text("file", "the path of an image file");
-        String filter = f.word("filter", Vocabulary.FILTERS, List.of(), "bilinear");
-        String encoding = f.word("encoding", Vocabulary.ENCODINGS, List.of(), "srgb");
+        Texture.Filter filter = f.word("filter", Texture.Filter.BILINEAR);
+        Texture.Encoding encoding = f.word("encoding", Texture.Encoding.SRGB);
         Path file = written == null ? null : imageFile(f, written);
-        return f.make(() -> new Texture.File(
-                file,
-                filter.equals("nearest") ? Texture.Filter.NEAREST : Texture.Filter.BILINEAR,
-                encoding.equals("linear") ? Texture.Encoding.LINEAR : Texture.Encoding.SRGB));
+        return f.make(() -> new Texture.File(file, filter, encoding));
     }
 
     /** The file that is meant, after a look at whether it is one. */
-    private Path imageFile(Fields f, String written) {
+    private static Path imageFile(Fields f, String written) {
+        Set<String> fileNames = f.values().library().fileNames;
         if (fileNames != null) {
             if (!fileNames.contains(written)) {
                 f.problem("file", "there is no image " + Plain.quoted(written));
@@ -120,27 +104,34 @@ final class Textures {
         }
         Path file;
         try {
-            file = folder.resolve(written).normalize();
+            file = f.values().library().folder.resolve(written).normalize();
         } catch (InvalidPathException e) {
             f.problem("file", "is not a path: " + Plain.quoted(written));
             return null;
         }
-        String meant = Plain.quoted(written) + " (" + file + ")";
-        if (!Files.exists(file)) {
-            f.problem("file", "there is no file " + meant);
-        } else if (!Files.isRegularFile(file)) {
-            f.problem("file", "is not a file: " + meant);
-        } else {
-            try (InputStream in = Files.newInputStream(file)) {
-                byte[] start = in.readNBytes(ImageFormat.SIGNATURE_LENGTH);
-                List<ImageFormat> usable = ImageFormat.textures();
-                if (ImageFormat.ofContent(start).filter(usable::contains).isEmpty()) {
-                    f.problem("file", "is not an image: " + meant + " is neither " + ImageFormat.names(usable, "nor"));
-                }
-            } catch (IOException e) {
-                f.problem("file", "cannot be read: " + meant + ": " + e);
-            }
+        String problem = problem(file, Plain.quoted(written) + " (" + file + ")");
+        if (problem != null) {
+            f.problem("file", problem);
         }
         return file;
+    }
+
+    /** What keeps a file from being used, as far as its first bytes tell; null if nothing does. */
+    private static String problem(Path file, String meant) {
+        if (!Files.exists(file)) {
+            return "there is no file " + meant;
+        }
+        if (!Files.isRegularFile(file)) {
+            return "is not a file: " + meant;
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] start = in.readNBytes(ImageFormat.SIGNATURE_LENGTH);
+            List<ImageFormat> usable = ImageFormat.textures();
+            return ImageFormat.ofContent(start).filter(usable::contains).isPresent()
+                    ? null
+                    : "is not an image: " + meant + " is neither " + ImageFormat.names(usable, "nor");
+        } catch (IOException e) {
+            return "cannot be read: " + meant + ": " + e;
+        }
     }
 }

@@ -18,9 +18,16 @@ final class Values {
     static final String COLOR = "a colour: \"#rrggbb\", \"#rgb\", a CSS colour name such as \"teal\"";
 
     private final Problems problems;
+    private final Library library;
 
-    Values(Problems problems) {
+    Values(Problems problems, Library library) {
         this.problems = problems;
+        this.library = library;
+    }
+
+    /** What parts that are read later may refer to. */
+    Library library() {
+        return library;
     }
 
     Problems problems() {

@@ -122,7 +122,7 @@ final class BadDocuments {
             edit("\"model\": \"classic\"", "\"model\": \"classical\"", "/shading/model", "did you mean \"classic\"?"),
             // What is planned.
             edit("\"model\": \"classic\"", "\"model\": \"physical\"", "/shading/model", "not available yet"),
-            edit("\"model\": \"classic\"", "\"maxBounces\": -1", "/shading/maxBounces", "whole number"),
+            edit("\"maxBounces\": 7", "\"maxBounces\": -1", "/shading/maxBounces", "whole number"),
             edit("\"type\": \"triangle\"", "\"type\": \"mesh\"", "/objects/8/type", "not available yet"),
             edit("\"type\": \"mirror\"", "\"type\": \"glossy\"", "/materials/chrome/type", "not available yet"),
             edit("\"type\": \"mirror\"", "\"type\": \"scattering\"", "/materials/chrome/type", "not available yet"),

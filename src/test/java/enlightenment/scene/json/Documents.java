@@ -24,7 +24,7 @@ final class Documents {
               "image": { "width": 40, "height": 20 },
               "camera": { "type": "window", "eye": [0, 1, -3], "lowerLeft": [-3, 0, 0], "upperLeft": [-3, 3, 0],
                 "upperRight": [3, 3, 0], "lowerRight": [3, 0, 0], "pupilRadius": 0.5 },
-              "shading": { "model": "classic", "ambient": 0.25, "shadow": 0.75, "background": "#102030" },
+              "shading": { "model": "classic", "ambient": 0.25, "shadow": 0.75, "background": "#102030", "maxBounces": 7 },
               "textures": {
                 "ice": { "type": "file", "file": "ice.png", "filter": "nearest", "encoding": "linear" },
                 "checks": { "type": "checker", "colors": ["#ffffff", [0, 0.5, 1]], "scale": 8 },

@@ -8,10 +8,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
+import enlightenment.material.Texture;
 import enlightenment.scene.Method;
+import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -19,12 +23,14 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tools.jackson.core.json.JsonReadFeature;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Holds the schema and the reader together. */
 class SceneSchemaTest {
@@ -120,36 +126,31 @@ class SceneSchemaTest {
 
     @Test
     void bothKnowTheSameTypesAndWords() {
-        Map.of(
-                        "camera", Vocabulary.CAMERAS,
-                        "object", Vocabulary.OBJECTS,
-                        "material", Vocabulary.MATERIALS,
-                        "light", Vocabulary.LIGHTS,
-                        "texture", Vocabulary.TEXTURES)
-                .forEach((family, types) -> {
-                    Set<String> refs = new TreeSet<>();
-                    TEXT.get("$defs")
-                            .get(family)
-                            .get("oneOf")
-                            .forEach(r -> refs.add(r.get("$ref").asString().substring("#/$defs/".length())));
-                    assertEquals(
-                            types.values().stream()
-                                    .map(Vocabulary.Keys::schemaName)
-                                    .collect(Collectors.toCollection(TreeSet::new)),
-                            refs);
-                    types.forEach((type, keys) -> assertEquals(
-                            type,
-                            property(keys.schemaName(), "type").get("const").asString()));
-                });
+        for (Family<?> family : Vocabulary.families()) {
+            Set<String> refs = new TreeSet<>();
+            TEXT.get("$defs")
+                    .get(family.name())
+                    .get("oneOf")
+                    .forEach(r -> refs.add(r.get("$ref").asString().substring("#/$defs/".length())));
+            assertEquals(
+                    family.keys().stream().map(Keys::schemaName).collect(Collectors.toCollection(TreeSet::new)), refs);
+            for (String type : family.types()) {
+                assertEquals(
+                        type,
+                        property(family.keys(type).schemaName(), "type")
+                                .get("const")
+                                .asString());
+            }
+        }
         assertEquals(words(Method.words()), strings(property("render", "method").get("enum")));
         assertEquals(
                 words(Vocabulary.SHADING_MODELS),
                 strings(property("shading", "model").get("enum")));
         assertEquals(
-                words(Vocabulary.FILTERS),
+                words(Fields.words(Texture.Filter.class)),
                 strings(property("fileTexture", "filter").get("enum")));
         assertEquals(
-                words(Vocabulary.ENCODINGS),
+                words(Fields.words(Texture.Encoding.class)),
                 strings(property("fileTexture", "encoding").get("enum")));
     }
 
@@ -157,6 +158,65 @@ class SceneSchemaTest {
     void thereAreNoWordsThatNothingHolds() {
         assertTrue(BadDocuments.FOR_THE_SCHEMA_TOO.size() > 80);
         assertEquals(Vocabulary.all().size(), parts().size());
+    }
+
+    @Test
+    void aMissingKeyIsItsDefault(@TempDir Path folder) {
+        Documents.withImage(folder);
+        int compared = 0;
+        for (String document : List.of(
+                Documents.EVERYTHING,
+                withCamera("perspective", "\"eye\": [0, 1, -3], \"lookAt\": [0, 1, 0], \"fieldOfView\": 30"),
+                withCamera("orthographic", "\"eye\": [0, 1, -3], \"lookAt\": [0, 1, 0], \"height\": 5"))) {
+            ObjectNode root = (ObjectNode) JSON.readTree(document);
+            // Its tracks need the numbers that go.
+            root.remove("animation");
+            Map<ObjectNode, JsonNode> parts = new IdentityHashMap<>();
+            parts.put(root, TEXT.get("$defs").get("scene"));
+            for (String part : List.of("shading", "render")) {
+                parts.put((ObjectNode) root.get(part), TEXT.get("$defs").get(part));
+            }
+            addKinds(parts, Cameras.FAMILY, List.of(root.get("camera")));
+            addKinds(parts, Shapes.FAMILY, root.get("objects"));
+            addKinds(parts, Materials.FAMILY, root.get("materials"));
+            addKinds(parts, Textures.FAMILY, root.get("textures"));
+            addKinds(parts, Lights.FAMILY, root.get("lights"));
+            for (Map.Entry<ObjectNode, JsonNode> part : parts.entrySet()) {
+                for (Map.Entry<String, JsonNode> property :
+                        part.getValue().get("properties").properties()) {
+                    if (property.getValue().has("default")) {
+                        compareWithout(part.getKey(), property.getKey(), property.getValue(), root, folder);
+                        compared++;
+                    }
+                }
+            }
+        }
+        assertTrue(compared > 20, compared + " defaults");
+    }
+
+    private static String withCamera(String type, String keys) {
+        String everything = Documents.EVERYTHING;
+        int start = everything.indexOf("{", everything.indexOf("\"camera\""));
+        int end = everything.indexOf("}", start);
+        return everything.substring(0, start) + "{\"type\": \"" + type + "\", " + keys + everything.substring(end);
+    }
+
+    private static void addKinds(Map<ObjectNode, JsonNode> parts, Family<?> family, Iterable<JsonNode> nodes) {
+        for (JsonNode node : nodes) {
+            String type = node.path("type").asString(family.typeUnlessGiven());
+            parts.put((ObjectNode) node, TEXT.get("$defs").get(family.keys(type).schemaName()));
+        }
+    }
+
+    private static void compareWithout(ObjectNode part, String key, JsonNode schema, ObjectNode root, Path folder) {
+        JsonNode before = part.get(key);
+        part.set(key, schema.get("default"));
+        Scene withDefault = Documents.read(root.toString(), folder);
+        part.remove(key);
+        assertEquals(withDefault, Documents.read(root.toString(), folder), key);
+        if (before != null) {
+            part.set(key, before);
+        }
     }
 
     private static Set<String> words(List<String> words) {

@@ -206,7 +206,7 @@ class ShippedScenesTest {
         Set<String> types = read("primitives.json").objects().stream()
                 .map(o -> o.shape().type())
                 .collect(Collectors.toSet());
-        assertEquals(Vocabulary.OBJECTS.keySet(), types);
+        assertEquals(Set.copyOf(Shapes.FAMILY.types()), types);
     }
 
     @Test

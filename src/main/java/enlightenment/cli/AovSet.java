@@ -1,0 +1,40 @@
+package enlightenment.cli;
+
+import enlightenment.render.Auxiliary;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import picocli.CommandLine.ITypeConverter;
+
+/** The further pictures that are asked for beside the picture, in the order of {@link Auxiliary}. */
+record AovSet(Set<Auxiliary> kinds) {
+    static final AovSet EMPTY = new AovSet(Set.of());
+
+    /** Reads words with commas between them. */
+    static final class Converter implements ITypeConverter<AovSet> {
+        @Override
+        public AovSet convert(String text) {
+            Words words = new Words();
+            Set<Auxiliary> kinds = EnumSet.noneOf(Auxiliary.class);
+            for (String word : text.split(",", -1)) {
+                if (!kinds.add(words.convert(word))) {
+                    throw new BadValue("names " + word + " twice");
+                }
+            }
+            return new AovSet(Collections.unmodifiableSet(kinds));
+        }
+    }
+
+    /** One of the words. */
+    static final class Words extends Vocabulary<Auxiliary> {
+        Words() {
+            super(List.of(Auxiliary.values()));
+        }
+
+        @Override
+        String word(Auxiliary kind) {
+            return kind.word();
+        }
+    }
+}

@@ -1,0 +1,43 @@
+package enlightenment.cli;
+
+import enlightenment.image.Image;
+import enlightenment.render.RenderProgress;
+import enlightenment.scene.Budget;
+import java.util.function.Supplier;
+
+/**
+ * Says what becomes of a budget: the number of samples that a time amounts to, so that the picture can be made again, what cannot
+ * be met, and why a picture is rendered once more. Passes everything on to the display.
+ */
+final class BudgetNotes implements RenderProgress {
+    private final RenderProgress display;
+    private final Budget budget;
+    private final Terminal terminal;
+
+    BudgetNotes(RenderProgress display, Budget budget, Terminal terminal) {
+        this.display = display;
+        this.budget = budget;
+        this.terminal = terminal;
+    }
+
+    @Override
+    public void planned(double samples, String decidedBy) {
+        if (decidedBy.equals("time")) {
+            terminal.err()
+                    .println("time " + DecimalNumber.plain(budget.seconds().orElse(0)) + " s: --samples "
+                            + DecimalNumber.plain(samples) + " makes the same picture");
+        }
+        display.planned(samples, decidedBy);
+    }
+
+    @Override
+    public void note(String text) {
+        terminal.say(text);
+        display.note(text);
+    }
+
+    @Override
+    public void progress(long done, long total, Supplier<Image> soFar) {
+        display.progress(done, total, soFar);
+    }
+}

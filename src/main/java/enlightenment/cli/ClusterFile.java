@@ -1,0 +1,35 @@
+package enlightenment.cli;
+
+import enlightenment.file.WholeFile;
+import enlightenment.render.RenderResult;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/** The file of {@code --dump-clusters}: what the cluster method learned, for those who want to look at it. */
+final class ClusterFile {
+    private ClusterFile() {}
+
+    /** Fails unless the settings make ray clusters and the file's name says how to write them. */
+    static void check(Path file, RenderSettings settings) {
+        if (settings.method() != Method.CLUSTER) {
+            throw CliException.wrongUsage("--dump-clusters needs --method " + Method.CLUSTER.word() + "; "
+                    + settings.method().word() + " has none");
+        }
+        String extension = FileNames.extension(file);
+        if (!extension.equals(".json") && !extension.equals(".csv")) {
+            throw CliException.wrongUsage(
+                    "--dump-clusters must name a file that ends in .json or .csv, not \"" + file + "\"");
+        }
+    }
+
+    static void write(Path file, RenderResult result, Terminal terminal) throws IOException {
+        boolean csv = FileNames.extension(file).equals(".csv");
+        WholeFile.write(file, csv ? ClusterCsv.of(result.clusters()) : ClusterJson.of(result.clusters()));
+        if (result.report().sampling().method() != Method.CLUSTER) {
+            terminal.say(
+                    file + " is empty: with this few samples per pixel they were evenly spaced and made no clusters");
+        }
+    }
+}

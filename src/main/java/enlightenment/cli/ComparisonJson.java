@@ -1,0 +1,44 @@
+package enlightenment.cli;
+
+import enlightenment.image.ImageError;
+import enlightenment.json.JsonText;
+import tools.jackson.core.JsonGenerator;
+
+/** What {@code compare} found, with all digits; docs/compare.md lists the keys. */
+final class ComparisonJson {
+    private ComparisonJson() {}
+
+    static String of(Comparison c) {
+        return JsonText.of(json -> comparison(json, c));
+    }
+
+    private static void comparison(JsonGenerator json, Comparison c) {
+        ImageError error = c.error();
+        json.writeStartObject();
+        json.writeStringProperty("enlightenment", Version.number());
+        json.writeStringProperty("test", c.test().toString());
+        json.writeStringProperty("reference", c.reference().toString());
+        json.writeNumberProperty("width", c.flip().width());
+        json.writeNumberProperty("height", c.flip().height());
+        json.writeNumberProperty("rmse", error.rmse());
+        json.writeNumberProperty("relativeMse", error.relativeMeanSquaredError());
+        json.writeNumberProperty("meanAbsoluteError", error.meanAbsoluteError());
+        json.writeNumberProperty("psnr", error.psnr());
+        json.writeObjectPropertyStart("flip");
+        json.writeNumberProperty("mean", c.flip().mean());
+        json.writeNumberProperty("largest", (double) c.flip().largest());
+        json.writeNumberProperty("pixelsPerDegree", c.pixelsPerDegree());
+        json.writeEndObject();
+        json.writeObjectPropertyStart("largestDifference");
+        json.writeNumberProperty("value", error.largest().difference());
+        json.writeNumberProperty("column", error.largest().column());
+        json.writeNumberProperty("row", error.largest().row());
+        json.writeStringProperty("channel", error.largest().channelName());
+        json.writeEndObject();
+        if (c.maxRmse() != null) {
+            json.writeNumberProperty("maxRmse", c.maxRmse().doubleValue());
+            json.writeBooleanProperty("passed", c.passed());
+        }
+        json.writeEndObject();
+    }
+}

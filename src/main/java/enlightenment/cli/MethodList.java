@@ -1,0 +1,34 @@
+package enlightenment.cli;
+
+import enlightenment.scene.Method;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import picocli.CommandLine.ITypeConverter;
+
+/** Methods to compare, each at most once. */
+record MethodList(List<Method> methods) {
+    static final MethodList ALL = new MethodList(List.of(Method.values()));
+
+    /** As it is typed: {@code raytrace,cluster}. */
+    @Override
+    public String toString() {
+        return methods.stream().map(Method::word).collect(Collectors.joining(","));
+    }
+
+    /** Reads names with commas between them. */
+    static final class Converter implements ITypeConverter<MethodList> {
+        @Override
+        public MethodList convert(String text) {
+            List<Method> methods = new ArrayList<>();
+            for (String word : text.split(",", -1)) {
+                Method method = Method.of(word).orElseThrow(() -> BadValue.expected("some of " + ALL, text));
+                if (methods.contains(method)) {
+                    throw new BadValue("must name each method once, not \"" + text + "\"");
+                }
+                methods.add(method);
+            }
+            return new MethodList(List.copyOf(methods));
+        }
+    }
+}

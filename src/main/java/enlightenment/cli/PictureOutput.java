@@ -1,0 +1,132 @@
+package enlightenment.cli;
+
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.ImageFormat;
+import enlightenment.image.PngOptions;
+import enlightenment.scene.RenderSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+import picocli.CommandLine.Option;
+
+/** The options that say where a picture goes and in which format. */
+final class PictureOutput {
+    private static final int USUAL_DEPTH = 8;
+
+    @Option(
+            names = {"-o", "--output"},
+            required = true,
+            paramLabel = "FILE",
+            description = "the picture: .png, or .pfm for exact floats; - for standard output")
+    private Path file;
+
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            converter = Formats.class,
+            completionCandidates = Formats.class,
+            description = "format on standard output, only with -o -: png (default) or pfm")
+    private ImageFormat format;
+
+    @Option(
+            names = "--depth",
+            paramLabel = "BITS",
+            converter = Depths.class,
+            completionCandidates = Depths.class,
+            description = "bits per component of a PNG file: 8 (default) or 16")
+    private Integer depth;
+
+    PictureOutput() {}
+
+    Path file() {
+        return file;
+    }
+
+    /** What messages call it. */
+    String name() {
+        return StandardStreams.outputName(file);
+    }
+
+    boolean isStandardOutput() {
+        return StandardStreams.isNamed(file);
+    }
+
+    boolean hasFormat() {
+        return format != null;
+    }
+
+    boolean hasDepth() {
+        return depth != null;
+    }
+
+    /** Fails unless the picture's format is one that can be written, and may have the depth that was given. */
+    void check() {
+        if (isStandardOutput() && System.console() != null) {
+            throw CliException.wrongUsage("-o - writes a picture to standard output, which is a terminal here");
+        }
+        if (!isStandardOutput() && hasFormat()) {
+            throw CliException.wrongUsage("--format must only be given with -o -: the name of a file tells its format");
+        }
+        boolean holdsFloats = format().holdsFloats();
+        if (hasDepth() && holdsFloats) {
+            String what = isStandardOutput() ? "--format pfm" : "a .pfm file";
+            throw CliException.wrongUsage("--depth must not be given for " + what + ", which holds floats");
+        }
+    }
+
+    /** The format of the file, or of what goes to standard output. */
+    private ImageFormat format() {
+        if (isStandardOutput()) {
+            return hasFormat() ? format : ImageFormat.PNG;
+        }
+        return ImageFormat.ofExtension(file)
+                .filter(ImageFormat::isWritten)
+                .orElseThrow(() -> CliException.wrongUsage("-o must name a file that ends in "
+                        + ImageFormat.extensions(ImageFormat.written()) + ", not \"" + file + "\""));
+    }
+
+    /** Bits per component of a PNG file. */
+    int depth() {
+        return hasDepth() ? depth : USUAL_DEPTH;
+    }
+
+    /** Bits per component of what is written; 0 for floats. */
+    int writtenDepth() {
+        return format().holdsFloats() ? 0 : depth();
+    }
+
+    /** The settings with the rounding of the written file, which counts where an error is asked for. */
+    static RenderSettings withRounding(RenderSettings settings, int writtenDepth) {
+        return settings.budget().error().isEmpty()
+                ? settings
+                : settings.withBudget(settings.budget().withDepth(writtenDepth));
+    }
+
+    /** Writes the picture. */
+    void write(Image image, PngOptions options, Terminal terminal) throws IOException {
+        if (isStandardOutput()) {
+            ImageFiles.write(image, terminal.out(), format(), options);
+        } else {
+            ImageFiles.write(image, file, options);
+        }
+    }
+
+    /** The formats that can be written. */
+    static final class Formats extends Vocabulary<ImageFormat> {
+        Formats() {
+            super(ImageFormat.written());
+        }
+
+        @Override
+        String word(ImageFormat format) {
+            return format.word();
+        }
+    }
+
+    /** The depths of PNG files. */
+    static final class Depths extends Vocabulary<Integer> {
+        Depths() {
+            super(ImageFormat.PNG.depths());
+        }
+    }
+}

@@ -1,0 +1,26 @@
+package enlightenment.cli;
+
+import enlightenment.scene.Scene;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** What a picture's file says of itself: nothing that differs from run to run. */
+final class PictureText {
+    private PictureText() {}
+
+    /**
+     * Keywords and texts of a PNG file.
+     *
+     * @param settings a line of {@link SettingsLine}
+     */
+    static Map<String, String> of(Scene scene, String settings) {
+        Map<String, String> text = new LinkedHashMap<>();
+        if (!scene.name().isEmpty()) {
+            // PNG ends a text at a NUL.
+            text.put("Title", scene.name().replace('\0', ' '));
+        }
+        text.put("Software", "Enlightenment " + Version.number());
+        text.put("Settings", settings);
+        return text;
+    }
+}

@@ -1,0 +1,65 @@
+package enlightenment.cli;
+
+import enlightenment.render.RenderProgress;
+import java.io.Console;
+import java.io.PrintStream;
+import java.util.function.LongSupplier;
+import picocli.CommandLine.Option;
+
+/** The option that says how progress is shown. */
+final class ProgressOption {
+    @Option(
+            names = "--progress",
+            paramLabel = "KIND",
+            converter = ProgressKind.Words.class,
+            completionCandidates = ProgressKind.Words.class,
+            description = "how progress is shown: auto (default), bar, plain or none")
+    private ProgressKind kind = ProgressKind.AUTO;
+
+    ProgressOption() {}
+
+    /** What was chosen; for {@code auto} what it stands for here. */
+    ProgressKind kind() {
+        if (kind != ProgressKind.AUTO) {
+            return kind;
+        }
+        return isInteractive() ? ProgressKind.BAR : ProgressKind.PLAIN;
+    }
+
+    /** A display of a render's progress. */
+    RenderProgress display(PrintStream err) {
+        return switch (kind()) {
+            case NONE -> RenderProgress.NONE;
+            case BAR -> new BarProgress(err);
+            default -> new PlainProgress(err, new NanoClock());
+        };
+    }
+
+    /** Ends a display. */
+    static void end(RenderProgress display) {
+        if (display instanceof BarProgress bar) {
+            bar.close();
+        }
+    }
+
+    private static boolean isInteractive() {
+        Console console = System.console();
+        if (console == null) {
+            return false;
+        }
+        try {
+            // From Java 22 on there is a console even where there is no terminal; this method came with it.
+            return (Boolean) Console.class.getMethod("isTerminal").invoke(console);
+        } catch (ReflectiveOperationException e) {
+            return true;
+        }
+    }
+
+    /** A class rather than a lambda: the first lambda costs more at start-up than a small tile takes to render. */
+    private static final class NanoClock implements LongSupplier {
+        @Override
+        public long getAsLong() {
+            return System.nanoTime();
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package enlightenment.cli;
+
+import enlightenment.file.WholeFile;
+import enlightenment.render.RenderResult;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Path;
+import picocli.CommandLine.Option;
+
+/** The options that tell what a render did. */
+final class ReportOutput {
+    @Option(names = "--report", paramLabel = "FILE", description = "write the render's statistics to this JSON file")
+    private Path report;
+
+    @Option(names = "--stats", description = "print the render's statistics")
+    private boolean stats;
+
+    ReportOutput() {}
+
+    boolean isAsked() {
+        return report != null || stats;
+    }
+
+    /** Says which file will be written, if any. */
+    void register(CommandFiles files) {
+        files.writes("--report", report);
+    }
+
+    /** Writes and prints what was asked for; where the picture goes to standard output, the statistics go elsewhere. */
+    void write(RenderResult result, PictureOutput picture, Terminal terminal) throws IOException {
+        if (report != null) {
+            WholeFile.write(report, ReportJson.of(result));
+        }
+        if (stats) {
+            PrintStream stream = picture.isStandardOutput() ? terminal.err() : terminal.out();
+            stream.print(StatsTable.of(result.report()));
+        }
+    }
+}

@@ -1,0 +1,31 @@
+package enlightenment.cli;
+
+import enlightenment.render.RenderReport;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/** Whether a finished picture is as exact as {@code --error} asks. */
+final class RequestedError {
+    private RequestedError() {}
+
+    /** Fails if an error was asked for and is not met. */
+    static void require(RenderReport report) {
+        if (report.isErrorMet()) {
+            return;
+        }
+        RenderReport.Sampling sampling = report.sampling();
+        double asked = report.settings().budget().error().getAsDouble();
+        OptionalDouble samples = report.samplesForError();
+        throw CliException.failed(String.format(
+                Locale.ROOT,
+                "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s%s",
+                Math.hypot(sampling.estimatedError(), sampling.rounding()),
+                sampling.errorInFile(),
+                DecimalNumber.plain(asked),
+                sampling.decidedBy(),
+                samples.isPresent() ? "; try --samples " + DecimalNumber.plain(samples.getAsDouble()) : "",
+                2 * sampling.rounding() > asked
+                        ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"
+                        : ""));
+    }
+}

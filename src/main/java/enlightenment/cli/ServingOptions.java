@@ -1,0 +1,200 @@
+package enlightenment.cli;
+
+import enlightenment.net.ServerOptions;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Path;
+import java.util.List;
+import picocli.CommandLine.Option;
+
+/** The options that say how a server serves: where, to whom, and what it keeps. */
+final class ServingOptions {
+    @Option(
+            names = "--host",
+            paramLabel = "ADDRESS",
+            description = "address to listen at: 127.0.0.1 (default), 0.0.0.0 for all ...")
+    private String host = "127.0.0.1";
+
+    @Option(
+            names = "--port",
+            paramLabel = "PORT",
+            converter = WholeNumber.Port.class,
+            description = "port to listen at (default: 6002); 0 for any that is free")
+    private int port = ServerOptions.DEFAULT_PORT;
+
+    @Option(
+            names = "--min-workers",
+            paramLabel = "N",
+            converter = MinWorkers.class,
+            description = "begin when this many workers are connected (default: 0)")
+    private int minWorkers;
+
+    @Option(
+            names = "--wait",
+            paramLabel = "SECONDS",
+            converter = Wait.class,
+            description = "wait for workers no longer than this (default: 30)")
+    private double wait = 30;
+
+    @Option(
+            names = "--shares",
+            paramLabel = "HOST=WEIGHT,...",
+            converter = SpeedShares.Converter.class,
+            description = "first guesses of the workers' speeds; others have 1")
+    private SpeedShares shares = SpeedShares.NONE;
+
+    @Option(
+            names = "--token-file",
+            paramLabel = "FILE",
+            description = "the secret that workers must know; made if there is no such file")
+    private Path token;
+
+    @Option(
+            names = "--tls",
+            paramLabel = "FILE",
+            description = "use TLS with the certificate and private key in this file (PEM); made if there is none")
+    private Path tls;
+
+    @Option(
+            names = "--tls-cert",
+            paramLabel = "FILE",
+            description = "instead of --tls: use TLS with this certificate (PEM)")
+    private Path certificate;
+
+    @Option(names = "--tls-key", paramLabel = "FILE", description = "with --tls-cert: its private key (PEM, PKCS #8)")
+    private Path key;
+
+    @Option(
+            names = "--status-port",
+            paramLabel = "PORT",
+            converter = WholeNumber.Port.class,
+            description = "show the state of the render as a web page on this machine; 0 for any free port")
+    private Integer statusPort;
+
+    @Option(names = "--checkpoint", paramLabel = "FILE", description = "keep finished tiles here, and go on from them")
+    private Path checkpoint;
+
+    @Option(
+            names = "--local-threads",
+            paramLabel = "N",
+            converter = LocalThreads.class,
+            description = "threads that render in the server itself (default: all processors but one)")
+    private Integer localThreads;
+
+    @Option(
+            names = "--audit",
+            paramLabel = "SHARE",
+            converter = Audit.class,
+            description =
+                    "share of the tiles that two machines render, to find one that computes wrongly (default: 0.002)")
+    private Double audit;
+
+    @Option(
+            names = "--pardon",
+            split = ",",
+            paramLabel = "MACHINE",
+            description = "readmit an expelled machine, named as in the log and the checkpoint")
+    private List<String> pardoned = List.of();
+
+    ServingOptions() {}
+
+    boolean hasCheckpoint() {
+        return checkpoint != null;
+    }
+
+    /** What the options ask for; warns of what is not secret. */
+    ServerOptions options(Terminal terminal) throws IOException {
+        if (!pardoned.isEmpty() && checkpoint == null) {
+            throw CliException.wrongUsage("--pardon needs --checkpoint, which remembers who was expelled");
+        }
+        checkSecrets(terminal);
+        ServerOptions.Builder o = ServerOptions.builder()
+                .address(host, port)
+                .awaitWorkers(minWorkers, wait)
+                .shares(shares.byHost())
+                .pardoned(pardoned)
+                .log(terminal::say);
+        if (token != null) {
+            o.tokenFile(token);
+        }
+        if (certificate != null) {
+            o.tls(certificate, key);
+        }
+        if (tls != null) {
+            o.tls(tls);
+        }
+        if (statusPort != null) {
+            o.statusPort(statusPort);
+        }
+        if (localThreads != null) {
+            o.localThreads(localThreads);
+        }
+        if (audit != null) {
+            o.auditRate(audit);
+        }
+        if (checkpoint != null) {
+            o.checkpoint(checkpoint);
+        }
+        return o.build();
+    }
+
+    private void checkSecrets(Terminal terminal) throws IOException {
+        if ((certificate == null) != (key == null)) {
+            throw CliException.wrongUsage("--tls-cert and --tls-key go together");
+        }
+        if (tls != null && certificate != null) {
+            throw CliException.wrongUsage("--tls must not be given together with --tls-cert and --tls-key");
+        }
+        if (InetAddress.getByName(host).isLoopbackAddress()) {
+            return;
+        }
+        if (token == null) {
+            throw CliException.wrongUsage("--host " + host + " is beyond this machine: --token-file FILE must be given;"
+                    + " a token is made if there is no such file");
+        }
+        if (tls == null && certificate == null) {
+            terminal.say("without --tls FILE whoever is on the network can see scene and picture;"
+                    + " a certificate is made if there is no such file");
+        }
+    }
+
+    /** Says which files the server reads and writes. */
+    void register(CommandFiles files) {
+        files.reads("the file of --tls-cert", certificate)
+                .reads("the file of --tls-key", key)
+                .makes("--token-file", token)
+                .makes("--tls", tls)
+                .writes("--checkpoint", checkpoint);
+    }
+
+    /** Tells how workers join the server that listens at this port. */
+    List<String> joinLines(int listening, String pin) throws IOException {
+        return JoinLines.of(Launcher.command(), host, listening, token, pin);
+    }
+
+    static final class MinWorkers extends WholeNumber {
+        MinWorkers() {
+            super(0, ServerOptions.MAX_WORKERS);
+        }
+    }
+
+    static final class LocalThreads extends WholeNumber {
+        LocalThreads() {
+            super(0, Threads.MAX);
+        }
+    }
+
+    static final class Wait extends DecimalNumber {
+        private static final double MAX = 1e7;
+
+        Wait() {
+            super(0, MAX);
+        }
+    }
+
+    static final class Audit extends DecimalNumber {
+        Audit() {
+            super(0, 1);
+        }
+    }
+}

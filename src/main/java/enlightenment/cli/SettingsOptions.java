@@ -1,0 +1,180 @@
+package enlightenment.cli;
+
+import enlightenment.math.InvalidValueException;
+import enlightenment.sampling.Distribution;
+import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+
+/** The options that change what a scene says about its rendering, except for method and budget: those of {@link RenderOptions}. */
+final class SettingsOptions {
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = PictureSize.Converter.class,
+            description = "size of the whole picture in pixels")
+    private PictureSize size;
+
+    @Option(
+            names = "--antialias",
+            paramLabel = "N",
+            converter = Antialias.class,
+            description = "N x N camera rays per pixel, 1..256")
+    private Integer antialias;
+
+    @Option(
+            names = "--shadow-samples",
+            paramLabel = "N",
+            converter = ShadowSamples.class,
+            description = "light samples per hit and light, 1..1000000")
+    private Integer shadowSamples;
+
+    @Option(
+            names = "--proposal",
+            paramLabel = "KIND",
+            converter = Proposals.class,
+            completionCandidates = Proposals.class,
+            description = "distribution that ray clusters propose light samples from: normal (default), zeta or linear")
+    private String proposal;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            converter = Seed.class,
+            description = "seed of the random numbers, any 64-bit whole number")
+    private Long seed;
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            converter = WholeNumber.Threads.class,
+            description = "number of threads, 1..4096; the picture does not depend on it")
+    private Integer threads;
+
+    @Option(
+            names = "--crop",
+            paramLabel = "X,Y,W,H",
+            converter = CropConverter.class,
+            description = "render only this part of the picture; 0,0 is the upper left corner")
+    private RenderSettings.Crop crop;
+
+    @Option(
+            names = "--frame",
+            paramLabel = "N",
+            converter = Frame.class,
+            description = "frame of an animation, counted from 0")
+    private Integer frame;
+
+    SettingsOptions() {}
+
+    /** The frame that was asked for, or null. */
+    Integer frame() {
+        return frame;
+    }
+
+    /** Says that {@code --size} stretches the picture, if it does. */
+    void warnOfStretch(Scene scene, RenderSettings settings, Terminal terminal) {
+        if (size != null) {
+            StretchHint.of(scene, settings).ifPresent(terminal::say);
+        }
+    }
+
+    /**
+     * The settings for a scene: what it asks for, changed by the options.
+     *
+     * @param sceneFile what messages call the scene
+     */
+    RenderSettings settings(Scene scene, String sceneFile) {
+        RenderSettings s;
+        try {
+            s = RenderSettings.of(scene);
+        } catch (InvalidValueException e) {
+            throw SceneFailures.inFile(sceneFile, e);
+        }
+        s = size == null ? s : s.withSize(size.width(), size.height());
+        s = antialias == null ? s : s.withAntialias(antialias);
+        s = shadowSamples == null ? s : s.withShadowSamples(shadowSamples);
+        s = proposal == null ? s : s.withProposal(proposal);
+        s = seed == null ? s : s.withSeed(seed);
+        s = threads == null ? s : s.withThreads(threads);
+        try {
+            return crop == null ? s : s.withCrop(crop);
+        } catch (InvalidValueException e) {
+            throw CliException.wrongUsage("--crop " + e.problem());
+        }
+    }
+
+    /** The options given that decide what is in the picture and how many threads share the work, word by word. */
+    List<String> given() {
+        List<String> words = new ArrayList<>();
+        add(words, "--size", size);
+        add(words, "--shadow-samples", shadowSamples);
+        add(words, "--proposal", proposal);
+        add(words, "--seed", seed);
+        add(words, "--threads", threads);
+        add(words, "--crop", crop == null ? null : CropConverter.typed(crop));
+        add(words, "--frame", frame);
+        return words;
+    }
+
+    private static void add(List<String> words, String option, Object value) {
+        if (value != null) {
+            words.addAll(List.of(option, value.toString()));
+        }
+    }
+
+    /** What to tell of a value that the renderer refused: the option's fault where it was given, else the scene's. */
+    RuntimeException blame(InvalidValueException e, String sceneFile) {
+        if (!e.key().equals("size")) {
+            return SceneFailures.inFile(sceneFile, e);
+        }
+        return size != null
+                ? CliException.wrongUsage("--size: " + e.problem())
+                : SceneFailures.inFile(sceneFile, new InvalidValueException("image", e.problem()));
+    }
+
+    /** The scene at the frame that was asked for. */
+    Scene read(SceneInput input) {
+        return input.read(Optional.ofNullable(frame));
+    }
+
+    static final class Antialias extends WholeNumber {
+        Antialias() {
+            super(1, RenderDefaults.MAX_ANTIALIAS);
+        }
+    }
+
+    static final class ShadowSamples extends WholeNumber {
+        ShadowSamples() {
+            super(1, RenderDefaults.MAX_SHADOW_SAMPLES);
+        }
+    }
+
+    static final class Frame extends WholeNumber {
+        Frame() {
+            super(0, Integer.MAX_VALUE);
+        }
+    }
+
+    static final class Proposals extends Vocabulary<String> {
+        Proposals() {
+            super(Distribution.NAMES);
+        }
+    }
+
+    static final class Seed implements ITypeConverter<Long> {
+        @Override
+        public Long convert(String text) {
+            try {
+                return Long.parseLong(text);
+            } catch (NumberFormatException e) {
+                throw BadValue.expected("a whole number in " + Long.MIN_VALUE + ".." + Long.MAX_VALUE, text);
+            }
+        }
+    }
+}

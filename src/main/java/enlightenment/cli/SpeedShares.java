@@ -1,0 +1,30 @@
+package enlightenment.cli;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import picocli.CommandLine.ITypeConverter;
+
+/** First guesses of the speeds of workers, by name or address; all others have 1. */
+record SpeedShares(Map<String, Double> byHost) {
+    private static final double MIN = 0.001;
+    private static final double MAX = 1000;
+
+    static final SpeedShares NONE = new SpeedShares(Map.of());
+
+    /** Reads {@code HOST=WEIGHT,...}. */
+    static final class Converter implements ITypeConverter<SpeedShares> {
+        @Override
+        public SpeedShares convert(String text) {
+            Map<String, Double> byHost = new LinkedHashMap<>();
+            for (String share : text.split(",", -1)) {
+                int equals = share.lastIndexOf('=');
+                if (equals < 1) {
+                    throw BadValue.expected("HOST=WEIGHT,... such as fast=4,10.0.0.7=1.5", text);
+                }
+                byHost.put(share.substring(0, equals), DecimalNumber.parse(share.substring(equals + 1), MIN, MAX));
+            }
+            return new SpeedShares(Collections.unmodifiableMap(byHost));
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** Finished pictures: kept, read and written, and compared with each other. */
+package enlightenment.image;

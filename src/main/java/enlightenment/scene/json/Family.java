@@ -1,0 +1,144 @@
+package enlightenment.scene.json;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiConsumer;
+import java.util.function.Function;
+
+/**
+ * The kinds of a part that {@code "type"} tells apart, such as those of lights: the one place that says how each is called,
+ * which keys it has, how it is read and how it is written.
+ *
+ * @param <T> what all kinds become
+ */
+final class Family<T> {
+    /** One kind. */
+    private record Kind<T>(Keys keys, Function<Fields, ? extends T> reader, BiConsumer<T, JsonObjectBuilder> writer) {}
+
+    private final String name;
+    private final String noun;
+    private final String typeUnlessGiven;
+    private final Collection<String> plannedTypes;
+    private final Collection<String> plannedKeys;
+    private final Map<String, Kind<T>> byName = new LinkedHashMap<>();
+    private final Map<Class<?>, String> names = new HashMap<>();
+
+    /**
+     * @param name its name in the schema's {@code $defs}
+     * @param noun what messages call one of it
+     * @param typeUnlessGiven the type of a part that does not say one, or null if it must
+     * @param plannedTypes types that the format will have
+     * @param plannedKeys keys that the format will have
+     */
+    Family(
+            String name,
+            String noun,
+            String typeUnlessGiven,
+            Collection<String> plannedTypes,
+            Collection<String> plannedKeys) {
+        this.name = name;
+        this.noun = noun;
+        this.typeUnlessGiven = typeUnlessGiven;
+        this.plannedTypes = plannedTypes;
+        this.plannedKeys = plannedKeys;
+    }
+
+    /**
+     * Adds a kind.
+     *
+     * @param type its name in the format
+     * @param value the class that it becomes
+     * @param keys the keys that must be there, a bar, the keys that may be there
+     * @param reader makes the value; null after a problem
+     * @param writer puts all of the value's keys but {@code "type"}
+     */
+    <K extends T> Family<T> with(
+            String type,
+            Class<K> value,
+            String keys,
+            Function<Fields, ? extends T> reader,
+            BiConsumer<K, JsonObjectBuilder> writer) {
+        int bar = keys.indexOf('|');
+        String required = keys.substring(0, bar);
+        String optional = keys.substring(bar + 1);
+        boolean implied = type.equals(typeUnlessGiven);
+        Keys all = Keys.of(
+                type + Character.toUpperCase(name.charAt(0)) + name.substring(1),
+                (type.startsWith("i") || type.startsWith("o") ? "an " : "a ") + type + nounSuffix(),
+                (implied ? "" : "type ") + required,
+                (implied ? "type " : "") + optional);
+        byName.put(type, new Kind<>(all, reader, (v, p) -> writer.accept(value.cast(v), p)));
+        names.put(value, type);
+        return this;
+    }
+
+    /** A shape is called by its type alone: "a sphere"; others by what they are as well: "a sphere light". */
+    private String nounSuffix() {
+        return name.equals("object") ? "" : " " + name;
+    }
+
+    String name() {
+        return name;
+    }
+
+    String noun() {
+        return noun;
+    }
+
+    String typeUnlessGiven() {
+        return typeUnlessGiven;
+    }
+
+    Collection<String> plannedTypes() {
+        return plannedTypes;
+    }
+
+    Collection<String> plannedKeys() {
+        return plannedKeys;
+    }
+
+    /** The names of all kinds. */
+    Collection<String> types() {
+        return Collections.unmodifiableSet(byName.keySet());
+    }
+
+    /** The keys of each kind. */
+    List<Keys> keys() {
+        return byName.values().stream().map(Kind::keys).toList();
+    }
+
+    Keys keys(String type) {
+        return byName.get(type).keys();
+    }
+
+    /** The name of the kind that a class is; null if there is none. */
+    String typeOf(Class<?> value) {
+        return names.get(value);
+    }
+
+    /** The value of a part whose type is known; null after a problem. */
+    T read(Fields f) {
+        return byName.get(f.type(typeUnlessGiven)).reader().apply(f);
+    }
+
+    /**
+     * Puts a value's type, where it must be said, and its keys.
+     *
+     * @throws IllegalStateException if the value is of none of the kinds: nothing is left out silently
+     */
+    void write(T value, JsonObjectBuilder p) {
+        String type = names.get(value.getClass());
+        if (type == null) {
+            throw new IllegalStateException("the scene format has no " + name + " for "
+                    + value.getClass().getName());
+        }
+        if (!type.equals(typeUnlessGiven)) {
+            p.text("type", type);
+        }
+        byName.get(type).writer().accept(value, p);
+    }
+}

@@ -1,0 +1,28 @@
+package enlightenment.scene.json;
+
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+
+/** What a scene calls by names: its textures and materials as far as they have been read, and image files. */
+final class Library {
+    /** Null for a texture that is there but wrong: its own problem is enough. */
+    final Map<String, Texture> textures = new LinkedHashMap<>();
+
+    /** Null for a material that is there but wrong: its own problem is enough. */
+    final Map<String, Material> materials = new LinkedHashMap<>();
+
+    /** What the paths of image files are relative to. */
+    final Path folder;
+
+    /** The names of image files that are not on the disk; null if they are. */
+    final Set<String> fileNames;
+
+    Library(Path folder, Set<String> fileNames) {
+        this.folder = folder.toAbsolutePath();
+        this.fileNames = fileNames;
+    }
+}

@@ -1,0 +1,78 @@
+package enlightenment.scene.json;
+
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.function.Function;
+
+/** How a scene's textures, materials and image files are called in its text, and which of its numbers are animated. */
+final class Names {
+    private final Function<Path, String> fileNames;
+    private final TreeSet<String> targets = new TreeSet<>();
+    private final Map<String, Texture> textures;
+    private final Map<Texture, String> textureNames = new HashMap<>();
+    private final Map<Material, String> materialNames = new HashMap<>();
+
+    /** @param fileNames how image files are called in the text */
+    Names(Scene scene, Function<Path, String> fileNames) {
+        this.fileNames = fileNames;
+        this.textures = new LinkedHashMap<>(scene.textures());
+        scene.animation().ifPresent(a -> a.tracks().forEach(t -> targets.add(t.target())));
+        textures.forEach((name, texture) -> textureNames.putIfAbsent(texture, name));
+        scene.materials().forEach((name, material) -> materialNames.putIfAbsent(material, name));
+        scene.materials().values().forEach(this::nameTexture);
+        for (SceneObject object : scene.objects()) {
+            nameTexture(object.material());
+            object.faces().forEach(this::nameTexture);
+        }
+    }
+
+    /** In the format only a colour can stand where it is used: every other texture needs a name. */
+    private void nameTexture(Material material) {
+        Texture texture = material.color();
+        if (texture instanceof Texture.Solid || textureNames.containsKey(texture)) {
+            return;
+        }
+        int n = 1;
+        while (textures.containsKey("texture " + n)) {
+            n++;
+        }
+        textures.put("texture " + n, texture);
+        textureNames.put(texture, "texture " + n);
+    }
+
+    /** The scene's textures by their names, and those that got one here. */
+    Map<String, Texture> textures() {
+        return textures;
+    }
+
+    /** A texture's name; null for a colour without one. */
+    String of(Texture texture) {
+        return textureNames.get(texture);
+    }
+
+    /** A material's name; null if it has none. */
+    String of(Material material) {
+        return materialNames.get(material);
+    }
+
+    String of(Path file) {
+        return fileNames.apply(file);
+    }
+
+    /** Whether a value, or something inside of it, is animated: then it must be written as numbers, at just that place. */
+    boolean isAnimated(JsonPointer place) {
+        if (targets.isEmpty()) {
+            return false;
+        }
+        String p = place.toString();
+        String inside = targets.ceiling(p + "/");
+        return targets.contains(p) || inside != null && inside.startsWith(p + "/");
+    }
+}

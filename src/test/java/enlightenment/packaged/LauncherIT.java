@@ -1,0 +1,232 @@
+package enlightenment.packaged;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The launcher of the zip, run by sh as people run it: from anywhere, by any path, with whatever lies in the cache. */
+@DisabledOnOs(OS.WINDOWS)
+class LauncherIT {
+    /** Shows the launcher's last word instead of starting Java: what Java would be started with, a line each. */
+    private static final String SHOWING_JAVA =
+            """
+            #!/bin/sh
+            if [ "$1" = -XshowSettings:properties ]; then
+                echo "    java.version = VERSION" >&2
+                exit 0
+            fi
+            printf '%s\\n' "$@"
+            """;
+
+    @TempDir
+    Path folder;
+
+    private Path launcher;
+    private Path cache;
+
+    @BeforeEach
+    void unpack() throws IOException {
+        launcher = UnpackedZip.into(Files.createDirectories(folder.resolve("with blanks")))
+                .resolve("bin/enlightenment");
+        cache = folder.resolve("cache of mine");
+    }
+
+    private Packages.Run launch(Path command, Map<String, String> more, Object... arguments)
+            throws IOException, InterruptedException {
+        Map<String, String> environment =
+                new HashMap<>(Map.of("JAVA_HOME", System.getProperty("java.home"), "XDG_CACHE_HOME", cache.toString()));
+        environment.putAll(more);
+        return Packages.run(
+                folder,
+                environment,
+                Stream.concat(Stream.of(command), Stream.of(arguments)).toArray());
+    }
+
+    /** A Java that is none; its lines are the arguments that it was started with. */
+    private Map<String, String> showing(String version) throws IOException {
+        Path home = folder.resolve("java " + version);
+        Path java = Files.createDirectories(home.resolve("bin")).resolve("java");
+        Files.writeString(java, SHOWING_JAVA.replace("VERSION", version));
+        assertTrue(java.toFile().setExecutable(true));
+        return Map.of("JAVA_HOME", home.toString());
+    }
+
+    @Test
+    void itWorksFromAnyFolderThroughLinksAndWithBlanksInPaths() throws Exception {
+        Path links = Files.createDirectories(folder.resolve("bin"));
+        Path first = Files.createSymbolicLink(links.resolve("first"), launcher);
+        Path relative = Files.createSymbolicLink(links.resolve("second"), Path.of("first"));
+        for (Path command : List.of(launcher, first, relative, Path.of("bin/second"))) {
+            Packages.Run run = launch(command, Map.of(), "--version");
+            assertEquals(0, run.code(), run::toString);
+            assertTrue(run.out().startsWith("enlightenment " + Packages.VERSION + " (Java "), run::toString);
+            assertEquals("", run.err());
+        }
+    }
+
+    @Test
+    void itIsFoundOnThePathAndThenCalledByItsName() throws Exception {
+        Map<String, String> environment = new HashMap<>(showing("17.0.1"));
+        environment.put("PATH", launcher.getParent() + ":" + System.getenv("PATH"));
+        Packages.Run run = Packages.run(folder, environment, "sh", "-c", "enlightenment help");
+        assertTrue(run.out().lines().anyMatch("-Denlightenment.launcher=enlightenment"::equals), run::toString);
+        Packages.Run elsewhere = launch(launcher, showing("17.0.1"), "help");
+        assertTrue(
+                elsewhere.out().lines().anyMatch(("-Denlightenment.launcher=" + launcher)::equals),
+                elsewhere::toString);
+    }
+
+    @Test
+    void argumentsArriveAsTheyWereGiven() throws Exception {
+        List<String> given = List.of("render", "a b.json", "*", "", "$HOME", "\"quoted\"", "-o", "c'd.png");
+        Packages.Run run = launch(launcher, showing("17.0.1"), given.toArray());
+        List<String> lines = run.out().lines().toList();
+        assertEquals(given, lines.subList(lines.indexOf("enlightenment.cli.Main") + 1, lines.size()));
+        assertFalse(lines.contains("-XX:TieredStopAtLevel=1"));
+    }
+
+    @Test
+    void optionsForJavaComeFromTwoVariables() throws Exception {
+        Map<String, String> environment = new HashMap<>(showing("17.0.1"));
+        environment.put("JAVA_OPTS", "-Xmx1g  -Da=*");
+        environment.put("ENLIGHTENMENT_OPTS", "-Xmx2g");
+        List<String> lines =
+                launch(launcher, environment, "validate", "x").out().lines().toList();
+        int at = lines.indexOf("-Xmx1g");
+        assertEquals(List.of("-Xmx1g", "-Da=*", "-Xmx2g", "-cp"), lines.subList(at, at + 4));
+        assertTrue(lines.contains("-XX:TieredStopAtLevel=1"));
+    }
+
+    @Test
+    void withoutAJavaThatWillDoItSaysSo() throws Exception {
+        Packages.Run old = launch(launcher, showing("11.0.2"), "help");
+        assertEquals(1, old.code());
+        assertTrue(
+                old.err().matches("enlightenment: .*/java is Java 11\\.0\\.2, but .* needs 17 or newer\n"), old.err());
+        Packages.Run older = launch(launcher, showing("1.8.0_392"), "help");
+        assertTrue(older.err().contains("is Java 1.8.0_392, but"), older.err());
+        Packages.Run wrong = launch(launcher, Map.of("JAVA_HOME", folder.toString()), "help");
+        assertEquals("enlightenment: JAVA_HOME is " + folder + ", but there is no bin/java in it\n", wrong.err());
+        Path tools = Files.createDirectories(folder.resolve("tools"));
+        for (String tool : List.of("readlink", "cksum", "ls", "sed", "mkdir")) {
+            Path place = Stream.of("/bin", "/usr/bin")
+                    .map(bin -> Path.of(bin, tool))
+                    .filter(Files::isExecutable)
+                    .findFirst()
+                    .orElseThrow();
+            Path script = Files.writeString(tools.resolve(tool), "#!/bin/sh\nexec " + place + " \"$@\"\n");
+            assertTrue(script.toFile().setExecutable(true));
+        }
+        Packages.Run none = launch(launcher, Map.of("JAVA_HOME", "", "PATH", tools.toString()), "help");
+        assertEquals(1, none.code());
+        assertTrue(none.err().startsWith("enlightenment: no Java found: install Java 17"), none.err());
+    }
+
+    @Test
+    void setupMakesAnArchiveThatIsUsedAndBringsTheSamePicture() throws Exception {
+        Packages.Run setup = launch(launcher, Map.of(), "setup");
+        assertEquals(0, setup.code(), setup::toString);
+        Path archive = archive();
+        assertTrue(setup.out().startsWith(archive + ": "), setup::toString);
+        List<String> used = launch(launcher, Map.of("ENLIGHTENMENT_OPTS", "-Xlog:class+load"), "--version")
+                .out()
+                .lines()
+                .filter(line -> line.contains("shared objects file (top)"))
+                .toList();
+        assertFalse(used.isEmpty());
+        assertRenders("with.png");
+        Files.delete(archive);
+        assertRenders("without.png");
+        assertEquals(-1, Files.mismatch(folder.resolve("with.png"), folder.resolve("without.png")));
+    }
+
+    @Test
+    void anArchiveThatIsBrokenOrForeignIsNobodysBusiness() throws Exception {
+        Packages.Run setup = launch(launcher, Map.of(), "setup");
+        Path archive = archive();
+        byte[] whole = Files.readAllBytes(archive);
+        byte[] damaged = whole.clone();
+        for (int i = 0; i < 512; i++) {
+            damaged[i] ^= 0x55;
+        }
+        for (byte[] content : List.of(
+                new byte[0],
+                "no archive".getBytes(StandardCharsets.UTF_8),
+                damaged,
+                Arrays.copyOf(whole, whole.length / 2))) {
+            Files.write(archive, content);
+            assertRenders("a.png");
+            Packages.Run run = launch(launcher, Map.of(), "validate", Packages.SCENE.toAbsolutePath());
+            assertEquals(Packages.SCENE.toAbsolutePath() + ": valid\n", run.out(), setup::toString);
+            assertEquals("", run.err());
+        }
+        Packages.Run again = launch(launcher, Map.of(), "setup");
+        assertEquals(0, again.code(), again::toString);
+    }
+
+    @Test
+    void aCacheThatCannotBeWrittenPreventsNothing() throws Exception {
+        Path file = Files.writeString(folder.resolve("file"), "");
+        Map<String, String> environment = Map.of("XDG_CACHE_HOME", file.toString());
+        Packages.Run run = launch(launcher, environment, "--version");
+        assertEquals(0, run.code(), run::toString);
+        assertEquals("", run.err());
+        Packages.Run setup = launch(launcher, environment, "setup");
+        assertEquals(1, setup.code(), setup::toString);
+        assertEquals(1, setup.err().lines().count(), setup::toString);
+    }
+
+    @Test
+    void onlyRenderLetsAJavaThatCanMakeTheArchiveByItself() throws Exception {
+        List<String> render =
+                launch(launcher, showing("21.0.2"), "render", "x").out().lines().toList();
+        assertTrue(render.contains("-XX:+AutoCreateSharedArchive"), render::toString);
+        assertTrue(render.stream().anyMatch(l -> l.startsWith("-XX:SharedArchiveFile=" + cache + "/enlightenment/")));
+        List<String> help =
+                launch(launcher, showing("21.0.2"), "help").out().lines().toList();
+        assertFalse(help.contains("-XX:+AutoCreateSharedArchive"), help::toString);
+        List<String> seventeen =
+                launch(launcher, showing("17.0.1"), "render", "x").out().lines().toList();
+        assertFalse(seventeen.contains("-XX:+AutoCreateSharedArchive"), seventeen::toString);
+    }
+
+    private Path archive() throws IOException {
+        try (Stream<Path> files = Files.list(cache.resolve("enlightenment"))) {
+            List<Path> all =
+                    files.filter(file -> file.toString().endsWith(".jsa")).toList();
+            assertEquals(1, all.size(), all::toString);
+            return all.get(0);
+        }
+    }
+
+    private void assertRenders(String picture) throws Exception {
+        Packages.Run run = launch(
+                launcher,
+                Map.of(),
+                "render",
+                Packages.SCENE.toAbsolutePath(),
+                "--size",
+                "16x8",
+                "-o",
+                picture,
+                "--progress",
+                "none");
+        assertEquals(0, run.code(), run::toString);
+        assertEquals("", run.out() + run.err());
+    }
+}

@@ -1,0 +1,4 @@
+module both {
+    requires enlightenment;
+    requires tools.jackson.core;
+}

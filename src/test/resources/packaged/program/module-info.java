@@ -1,0 +1,4 @@
+module program {
+    requires enlightenment;
+    requires java.desktop;
+}

@@ -21,7 +21,7 @@ import java.util.function.BooleanSupplier;
  * @param name what the measurement is called in the output
  * @param settings the settings of the renders
  * @param wall seconds by the clock for one render, from the scene in memory to the finished image
- * @param cpu seconds of all processors for one render; 0 where the machine cannot tell
+ * @param cpu seconds of all processors for one render; 0 where the system does not report it
  * @param rays rays of all kinds that one render traced
  * @param lightSamples light samples that one render evaluated, with or without a ray: what the paper's program counted as rays
  */

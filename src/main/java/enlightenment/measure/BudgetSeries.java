@@ -86,7 +86,7 @@ final class BudgetSeries {
         return chosen;
     }
 
-    /** Whether its error can no longer be told from the reference's: more samples would tell nothing. */
+    /** Whether its error can no longer be distinguished from the reference's: more samples add nothing. */
     private boolean isDone(Configuration configuration, int index) {
         return index >= MIN_BUDGETS
                 && Curve.of(
@@ -99,9 +99,9 @@ final class BudgetSeries {
     }
 
     private List<Configuration> variants(List<Configuration> own) {
-        List<TradeRun> ladder = session.runs(r -> r.kind().equals(TradeRun.LADDER));
+        List<TradeRun> series = session.runs(r -> r.kind().equals(TradeRun.BUDGET_SERIES));
         return own.stream()
-                .flatMap(c -> Variants.worthwhile(c, ladder).stream())
+                .flatMap(c -> Variants.worthwhile(c, series).stream())
                 .toList();
     }
 
@@ -130,7 +130,7 @@ final class BudgetSeries {
         for (int i = 0; i < configurations.size(); i++) {
             // The first one changes with the turn: it may find the machine in another state.
             Configuration configuration = configurations.get((i + turn) % configurations.size());
-            boolean done = session.has(r -> r.kind().equals(TradeRun.LADDER)
+            boolean done = session.has(r -> r.kind().equals(TradeRun.BUDGET_SERIES)
                     && Configuration.of(r).equals(configuration)
                     && r.samples() == samples
                     && r.seed() == seed);
@@ -138,6 +138,6 @@ final class BudgetSeries {
                 renders.add(session.timed(configuration, samples, seed));
             }
         }
-        session.record(TradeRun.LADDER, renders);
+        session.record(TradeRun.BUDGET_SERIES, renders);
     }
 }

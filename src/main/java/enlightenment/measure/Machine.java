@@ -34,7 +34,7 @@ final class Machine {
         return facts;
     }
 
-    /** The processor's model where Linux tells it, its architecture elsewhere. */
+    /** The processor's model where Linux reports it, its architecture elsewhere. */
     private static String processor() {
         try {
             for (String line :

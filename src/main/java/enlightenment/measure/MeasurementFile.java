@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The file of the figures that the runs do not tell: the reference and the conditions, one {@code key=value} per line. */
+/** The file of the figures that are not in the runs: the reference and the conditions, one {@code key=value} per line. */
 final class MeasurementFile {
     private static final String VARIANCE = "reference.variance";
     private static final String PART = "reference.part";

@@ -32,8 +32,8 @@ final class ReferenceMaker {
     private static final double PROBE_SHARE = 0.1;
 
     /**
-     * Light points for each hit of a part made of evenly spaced rays, if the scene does not ask for fewer: few for each of many
-     * rays lead to the same picture in less time. Fitted: 2 took 0.6 to 0.8 of the time to equal error that 10 and 25 took.
+     * Light samples per hit of a part by {@code raytrace}, unless the scene asks for fewer: many camera rays with few light samples
+     * each converge sooner. Fitted: 2 took 0.6 to 0.8 of the time to equal error of 10 and 25.
      */
     private static final int LIGHT_SAMPLES = 2;
 
@@ -65,7 +65,7 @@ final class ReferenceMaker {
         return meanOf(images, parts);
     }
 
-    /** Every method once, or the only one twice: a single render could not tell its own error. */
+    /** Every method once, or the only one twice: the error of a single render is unknown. */
     private List<String> pair() {
         List<String> methods = session.settings.methods();
         return methods.size() > 1 ? methods : List.of(methods.get(0), methods.get(0));

@@ -83,12 +83,12 @@ final class TradeFolder {
     private static void checkRuns(Path folder, List<TradeRun> runs, RenderSettings base) {
         boolean ran = false;
         for (TradeRun run : runs) {
-            boolean ladder = run.kind().equals(TradeRun.LADDER);
-            if (ladder && run.threads() != base.threads()) {
+            boolean series = run.kind().equals(TradeRun.BUDGET_SERIES);
+            if (series && run.threads() != base.threads()) {
                 throw new InvalidValueException(
                         "evaluate", folder + " holds runs with " + run.threads() + " threads, not " + base.threads());
             }
-            ran |= ladder && run.shadowSamples() == base.shadowSamples();
+            ran |= series && run.shadowSamples() == base.shadowSamples();
         }
         if (!ran) {
             throw new InvalidValueException(

@@ -17,7 +17,7 @@ import java.util.Set;
 
 /**
  * Validates the advice before it is given: the budget that an error is estimated to need is rendered with the scene's own seed. A
- * render is a function of its settings, so whoever follows the advice gets this very image and this very error.
+ * render is a function of its settings, so following the advice gives this very image and this very error.
  */
 final class Validation {
     private static final double SHARE = 0.88;
@@ -42,7 +42,7 @@ final class Validation {
     /** Validates all methods for an error: with the scene's number of light samples, and with the one that is best so far. */
     void run(double target) throws IOException {
         if (target < session.reference().error()) {
-            // It could not be told from the reference's error.
+            // It could not be distinguished from the reference's error.
             return;
         }
         session.say("trying the budgets for an error of " + target);

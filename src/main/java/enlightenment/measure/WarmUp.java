@@ -6,7 +6,7 @@ import enlightenment.measure.analysis.Configuration;
 final class WarmUp {
     private static final double SAMPLES = 4;
 
-    /** Ends after this share of the budget, at most after so many seconds. Measured: fire and ice needs three to four. */
+    /** Ends after this share of the budget, at most after this many seconds. Measured: fire and ice needs three to four. */
     private static final double SHARE = 0.08;
 
     private static final double MAX_SECONDS = 6;

@@ -55,7 +55,8 @@ class TradeTest {
 
     private static Set<Double> budgets(TradeResult result, String method) {
         return result.runs().stream()
-                .filter(r -> r.kind().equals(TradeRun.LADDER) && r.method().equals(method))
+                .filter(r ->
+                        r.kind().equals(TradeRun.BUDGET_SERIES) && r.method().equals(method))
                 .map(TradeRun::samples)
                 .collect(Collectors.toSet());
     }

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.Test;
 class VariantsTest {
     private static final Configuration OWN = new Configuration("raytrace", 10, false);
 
-    private static List<Integer> worth(List<TradeRun> ladder) {
-        return Variants.worthwhile(OWN, ladder).stream()
+    private static List<Integer> worth(List<TradeRun> series) {
+        return Variants.worthwhile(OWN, series).stream()
                 .map(Configuration::lightSamples)
                 .toList();
     }
@@ -30,21 +30,21 @@ class VariantsTest {
     }
 
     @Test
-    void whatIsTwiceSurpassedIsGivenUp() {
-        List<TradeRun> runs = new ArrayList<>(SyntheticRuns.ladder("raytrace", 10, 16, 0.08, 0.1, 0.1));
-        runs.addAll(SyntheticRuns.ladder("raytrace", 1, 2, 0.09, 0.1, 0.02));
-        // Four times the time for nearly the same error: surpassed. Quick but coarse: not.
-        runs.addAll(SyntheticRuns.ladder("raytrace", 40, 1, 0.079, 0.1, 0.4));
+    void aVariantThatIsTwiceDominatedIsDropped() {
+        List<TradeRun> runs = new ArrayList<>(SyntheticRuns.series("raytrace", 10, 16, 0.08, 0.1, 0.1));
+        runs.addAll(SyntheticRuns.series("raytrace", 1, 2, 0.09, 0.1, 0.02));
+        // Four times the time for nearly the same error: dominated. Fast but coarse: not.
+        runs.addAll(SyntheticRuns.series("raytrace", 40, 1, 0.079, 0.1, 0.4));
         assertEquals(List.of(1, 4, 40), worth(runs));
-        runs.addAll(SyntheticRuns.ladder("raytrace", 40, 2, 0.079, 0.1, 0.4));
+        runs.addAll(SyntheticRuns.series("raytrace", 40, 2, 0.079, 0.1, 0.4));
         assertEquals(List.of(1, 4), worth(runs));
     }
 
     @Test
     void whatMakesTheSamePictureIsNotTriedAgain() {
         // A scene of point lights: the light samples change nothing.
-        List<TradeRun> runs = new ArrayList<>(SyntheticRuns.ladder("raytrace", 10, 1, 0.08, 0.1, 0.1));
-        runs.addAll(SyntheticRuns.ladder("raytrace", 4, 1, 0.08, 0.1, 0.1));
+        List<TradeRun> runs = new ArrayList<>(SyntheticRuns.series("raytrace", 10, 1, 0.08, 0.1, 0.1));
+        runs.addAll(SyntheticRuns.series("raytrace", 4, 1, 0.08, 0.1, 0.1));
         assertEquals(List.of(1, 40), worth(runs));
     }
 }

@@ -36,12 +36,12 @@ public record CostEstimate(
 
     /** How a cost is known. */
     public enum Source {
-        /** This very budget was rendered with the scene's own seed: whoever follows the advice gets that image. */
+        /** This very budget was rendered with the scene's own seed: following the advice gives that image. */
         TRIED,
         /** This budget was rendered with other random numbers, and gave the error or a smaller one. */
         MEASURED,
         /**
-         * This budget was rendered, and its error is below the reference's own; how far below cannot be told. The error stated is
+         * This budget was rendered, and its error is below the reference's own; how far below is unknown. The error stated is
          * the reference's.
          */
         BELOW,

@@ -18,7 +18,7 @@ import java.util.TreeMap;
  * @param overTime the fitted power law of error over seconds by the clock, of the budgets that take at least twice as long as the
  *     shortest render: below that, fixed costs dominate
  * @param insideOwnInterval in how many of the judged runs the measured error lay in the render's own 95 % interval
- * @param judged how many runs have an error that can be told from the reference's
+ * @param judged how many runs have an error that can be distinguished from the reference's
  */
 public record Curve(
         Configuration configuration,
@@ -44,7 +44,7 @@ public record Curve(
      * @param error root mean square error, the reference's taken off
      * @param flip mean FLIP difference
      * @param estimated the error that the renders estimated of themselves
-     * @param judged whether every run's error can be told from the reference's
+     * @param judged whether every run's error can be distinguished from the reference's
      */
     public record Point(
             double samples,
@@ -56,14 +56,14 @@ public record Curve(
             Spread estimated,
             boolean judged) {}
 
-    /** The curve of a configuration from its runs of kind {@link TradeRun#LADDER}; other runs are ignored. */
+    /** The curve of a configuration from its runs of kind {@link TradeRun#SERIES}; other runs are ignored. */
     public static Curve of(Configuration configuration, List<TradeRun> runs, double referenceVariance) {
-        List<TradeRun> ladder = runs.stream()
-                .filter(r ->
-                        r.kind().equals(TradeRun.LADDER) && Configuration.of(r).equals(configuration))
+        List<TradeRun> series = runs.stream()
+                .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES)
+                        && Configuration.of(r).equals(configuration))
                 .toList();
-        List<Point> points = points(ladder, referenceVariance);
-        List<TradeRun> judged = ladder.stream()
+        List<Point> points = points(series, referenceVariance);
+        List<TradeRun> judged = series.stream()
                 .filter(r -> points.stream().anyMatch(p -> p.judged && p.samples == budget(r)))
                 .toList();
         double[] error =
@@ -138,7 +138,7 @@ public record Curve(
         return configuration.method();
     }
 
-    /** The points whose error can be told from the reference's. */
+    /** The points whose error can be distinguished from the reference's. */
     public List<Point> judgedPoints() {
         return points.stream().filter(Point::judged).toList();
     }

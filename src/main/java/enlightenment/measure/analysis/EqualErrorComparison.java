@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 
 /**
- * The times of two methods at an error that both were measured at. Only there can a ratio of times be told.
+ * The times of two methods at an error that both were measured at. Only there is the ratio of times known.
  *
  * @param error the error
  * @param smallest whether it is the smallest that both were measured to reach

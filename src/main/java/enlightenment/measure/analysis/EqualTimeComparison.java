@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
 /**
- * One picture by each method, rendered to take equally long as far as such budgets were found: {@link #isEqual} tells.
+ * One picture by each method, rendered to take equally long as far as such budgets were found: see {@link #isEqual}.
  *
  * @param pictures in the order of the methods; empty where there was no time for them
  * @param referenceVariance the reference's own mean squared error

@@ -37,7 +37,7 @@ public final class MeasuredCosts {
     private final List<TradeRun> checks;
     private final double referenceVariance;
 
-    /** An error that cannot be told from the reference's is at most about this, the reference's own. */
+    /** An error that cannot be distinguished from the reference's is at most about this, the reference's own. */
     private final double floor;
 
     private MeasuredCosts(

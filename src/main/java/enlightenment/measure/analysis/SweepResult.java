@@ -27,11 +27,11 @@ public record SweepResult(Sweep sweep, String method, List<Point> points) {
      * @param wall seconds by the clock
      * @param cpu seconds of all processors
      * @param error root mean square error, the reference's taken off
-     * @param judged whether every run's error can be told from the reference's
+     * @param judged whether every run's error can be distinguished from the reference's
      */
     public record Point(int value, Spread wall, Spread cpu, Spread error, boolean judged) {}
 
-    /** What the runs tell of a sweep; those of other kinds are ignored. */
+    /** The values of a sweep as the runs show them; those of other kinds are ignored. */
     public static SweepResult of(Sweep sweep, String method, List<TradeRun> all, double referenceVariance) {
         Map<Integer, List<TradeRun>> byValue = new TreeMap<>();
         for (TradeRun run : all) {

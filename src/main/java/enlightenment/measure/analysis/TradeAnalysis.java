@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The trade-off of speed against accuracy, as the runs of a result tell it.
+ * The trade-off of speed against accuracy, as the runs of a result show it.
  *
  * @param result what was measured
  * @param curves error against budget of each configuration: methods in the order asked for, the scene's own number of light
@@ -21,7 +21,7 @@ import java.util.Set;
  */
 public record TradeAnalysis(
         TradeResult result, List<Curve> curves, List<MeasuredCosts> costs, List<SweepResult> sweeps) {
-    /** How many of the longest renders tell how busy the machine was. */
+    /** The number of longest renders that the share of the processors is taken from. */
     private static final int LONGEST = 7;
 
     public TradeAnalysis {
@@ -116,12 +116,12 @@ public record TradeAnalysis(
 
     /**
      * The share of the processor time they asked for that the longest renders got, 0..1: well below 1 where the machine had other
-     * work to do. Also 1 where the machine tells no processor times.
+     * work to do. Also 1 where the system reports no processor times.
      */
     public double shareOfProcessors() {
         int processors = result.conditions().processors();
         List<Double> shares = result.runs().stream()
-                .filter(r -> r.kind().equals(TradeRun.LADDER) && r.cpuSeconds() > 0)
+                .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES) && r.cpuSeconds() > 0)
                 .sorted((a, b) -> Double.compare(b.wallSeconds(), a.wallSeconds()))
                 .limit(LONGEST)
                 .map(r -> r.cpuSeconds() / (r.wallSeconds() * Math.min(r.threads(), processors)))

@@ -14,7 +14,7 @@ import java.util.Optional;
  * extrapolated is called so, and no ratio is made of it.
  *
  * @param target the error to reach
- * @param best what reaches it in the least time; empty where that cannot be told
+ * @param best what reaches it in the least time; empty where it is unknown
  * @param known what the advice rests on
  * @param comparisons how other configurations compare, as far as they were measured there
  * @param sentence the advice, one sentence

@@ -119,7 +119,7 @@ public final class TradeCharts {
             double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
             line(chart, legend(label, fit.apply(curve)), x, y, i);
             List<TradeRun> runs = result.result().runs().stream()
-                    .filter(r -> r.kind().equals(TradeRun.LADDER)
+                    .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES)
                             && curve.configuration().made(r)
                             && r.isJudged(variance)
                             && xOfRun.applyAsDouble(r) > 0)

@@ -52,7 +52,7 @@ public final class TradePage {
         page.costs();
         page.pictures();
         page.sweeps(charts);
-        page.ladder();
+        page.budgets();
         page.howMeasured();
         return page.html.raw("</main></body></html>\n").toString();
     }
@@ -284,7 +284,7 @@ public final class TradePage {
         return before == 0 ? "" : String.format(Locale.ROOT, "%+.0f %%", PERCENT * (now / before - 1));
     }
 
-    private void ladder() {
+    private void budgets() {
         html.element("h2", "All budgets");
         List<List<String>> rows = new ArrayList<>();
         for (Curve curve : result.curves()) {
@@ -341,7 +341,7 @@ public final class TradePage {
                                         + ". Its own error, from the difference of the two, is ")
                         + Digits.of(r.error(), 2)
                         + ". It has been taken off the errors above (as squares). "
-                        + "Runs whose error is smaller are left out: it cannot be told from the reference's.");
+                        + "Runs whose error is smaller are left out: it cannot be distinguished from the reference's.");
         html.element(
                 "p",
                 "Java was warmed up first. The methods took turns, render by render, so that a busy machine disturbs "

@@ -24,7 +24,7 @@ public record TradeResult(TradeSettings settings, Reference reference, List<Trad
     /**
      * The conditions of a measurement.
      *
-     * @param machine what it was measured on, by label, as {@link enlightenment.measure.Bench#machine()} tells it
+     * @param machine what it was measured on, by label, as {@link enlightenment.measure.Bench#machine()} returns it
      * @param coldSeconds by how much the first render of the process took longer than the same render later; at least 0
      * @param seconds how long the last session took by the clock
      * @param complete false where it was cancelled before its end
@@ -37,7 +37,7 @@ public record TradeResult(TradeSettings settings, Reference reference, List<Trad
             machine = new LinkedHashMap<>(machine);
         }
 
-        /** How many processors there were; those of this machine where {@link #machine} does not tell. */
+        /** How many processors there were; those of this machine where {@link #machine} has none. */
         public int processors() {
             try {
                 return Math.max(Integer.parseInt(machine.getOrDefault(PROCESSORS, "")), 1);

@@ -3,7 +3,7 @@ package enlightenment.measure.trade;
 /**
  * One timed render and its error.
  *
- * @param kind why it was made: {@link #LADDER}, {@link #CHECK}, {@link #EQUAL_TIME}, or {@link #SWEEP} and the sweep's name
+ * @param kind why it was made: {@link #BUDGET_SERIES}, {@link #CHECK}, {@link #EQUAL_TIME}, or {@link #SWEEP} and the sweep's name
  * @param method the method
  * @param antialias n for the n × n grid of positions per pixel; used where {@code samples} is 0
  * @param shadowSamples light samples per hit and light
@@ -11,7 +11,7 @@ package enlightenment.measure.trade;
  * @param samples the budget of camera rays per pixel; 0 where {@code antialias} decided
  * @param seed the seed of its random numbers
  * @param wallSeconds time by the clock from the scene in memory to the finished image, without reading or writing files
- * @param cpuSeconds processor time of all threads; 0 where the machine cannot tell
+ * @param cpuSeconds processor time of all threads; 0 where the system does not report it
  * @param samplesPerPixel camera rays per pixel that were traced, surveys included
  * @param meanSquaredDifference mean squared difference from the reference, which includes the reference's own variance;
  *     square of display units
@@ -37,7 +37,7 @@ public record TradeRun(
         double estimatedLow,
         double estimatedHigh) {
     /** One of the budgets 1, 2, 4, ... samples per pixel. */
-    public static final String LADDER = "ladder";
+    public static final String BUDGET_SERIES = "ladder";
 
     /** The advice, rendered with the scene's own seed exactly as given. */
     public static final String CHECK = "check";
@@ -61,7 +61,7 @@ public record TradeRun(
         return Math.sqrt(Math.max(meanSquaredDifference - referenceVariance, 0));
     }
 
-    /** Whether the error can be told from the reference's: it is at least as large. */
+    /** Whether the error can be distinguished from the reference's: it is at least as large. */
     public boolean isJudged(double referenceVariance) {
         return meanSquaredDifference > 0 && referenceVariance <= MOST_OF_REFERENCE * meanSquaredDifference;
     }

@@ -46,7 +46,7 @@ class CurveTest {
     @Test
     void otherNumbersOfLightPointsAreOtherCurves() {
         List<TradeRun> runs = new ArrayList<>(runs());
-        runs.add(SyntheticRuns.of(TradeRun.LADDER, "cluster", 1, 256, 1, 1, 1, 1));
+        runs.add(SyntheticRuns.of(TradeRun.BUDGET_SERIES, "cluster", 1, 256, 1, 1, 1, 1));
         assertEquals(CURVE, Curve.of(CLUSTER, runs, 0));
     }
 

@@ -14,7 +14,7 @@ class MeasuredCostsTest {
     private static final Configuration CLUSTER = new Configuration("cluster", 10, false);
 
     /** Error 0.08/√n and FLIP 0.2/√n in n/10 seconds: 1, 2, ..., 64 samples, down to an error of 0.01. */
-    private static final List<TradeRun> LADDER = SyntheticRuns.ladder("cluster", 10, 64, 0.08, 0.2, 0.1);
+    private static final List<TradeRun> SERIES = SyntheticRuns.series("cluster", 10, 64, 0.08, 0.2, 0.1);
 
     private static MeasuredCosts costs(List<TradeRun> runs, double referenceError) {
         return MeasuredCosts.of(CLUSTER, runs, 2, referenceError * referenceError);
@@ -22,7 +22,7 @@ class MeasuredCostsTest {
 
     @Test
     void betweenTwoMeasuredErrorsTheBudgetIsInterpolatedAndNamesBoth() {
-        CostEstimate need = costs(LADDER, 0).forError(0.016).orElseThrow();
+        CostEstimate need = costs(SERIES, 0).forError(0.016).orElseThrow();
         assertEquals(25, need.samples(), 1e-9);
         assertEquals(2.5, need.wall().median(), 1e-9);
         assertEquals(5, need.cpu().orElseThrow().median(), 1e-9);
@@ -35,7 +35,7 @@ class MeasuredCostsTest {
 
     @Test
     void aMeasuredErrorNeedsNoInterpolation() {
-        CostEstimate need = costs(LADDER, 0).forError(0.02).orElseThrow();
+        CostEstimate need = costs(SERIES, 0).forError(0.02).orElseThrow();
         assertEquals(CostEstimate.Source.MEASURED, need.source());
         assertEquals(16, need.samples());
         assertEquals("measured", need.evidence());
@@ -43,17 +43,17 @@ class MeasuredCostsTest {
 
     @Test
     void beyondTheLastBudgetTheLineGoesOnForOneDoublingAndSaysSo() {
-        CostEstimate need = costs(LADDER, 0).forError(0.008).orElseThrow();
+        CostEstimate need = costs(SERIES, 0).forError(0.008).orElseThrow();
         assertEquals(100, need.samples(), 1e-9);
         assertEquals(10, need.wall().median(), 1e-9);
         assertFalse(need.isMeasured());
         assertEquals("extrapolated from 0.010, the smallest error measured", need.evidence());
-        assertTrue(costs(LADDER, 0).forError(0.0049).isEmpty());
+        assertTrue(costs(SERIES, 0).forError(0.0049).isEmpty());
     }
 
     @Test
     void anErrorThatOneSampleUndercutsNeedsOneSampleAndSaysWhatItGives() {
-        CostEstimate need = costs(LADDER, 0).forError(0.5).orElseThrow();
+        CostEstimate need = costs(SERIES, 0).forError(0.5).orElseThrow();
         assertEquals(1, need.samples());
         assertTrue(need.undercutsTarget());
         assertEquals("measured, gives 0.080 or less", need.evidence());
@@ -75,7 +75,7 @@ class MeasuredCostsTest {
     void errorsBelowTheReferencesAreNotTold() {
         // The runs' differences hold the reference's error: 0.02, more than the last two errors, as much as the one
         // before.
-        List<TradeRun> runs = LADDER.stream()
+        List<TradeRun> runs = SERIES.stream()
                 .map(r -> SyntheticRuns.run(
                         "cluster", r.samples(), 1, r.meanSquaredDifference() + 0.0004, r.wallSeconds()))
                 .toList();
@@ -89,7 +89,7 @@ class MeasuredCostsTest {
 
     @Test
     void whatWasTriedGoesFirstAndAnErrorAsCloseAsAskedBeforeASmallerOne() {
-        List<TradeRun> runs = new ArrayList<>(LADDER);
+        List<TradeRun> runs = new ArrayList<>(SERIES);
         runs.add(SyntheticRuns.of(TradeRun.CHECK, "cluster", 10, 20, 0, 0.004 * 0.004, 3, 0.1));
         runs.add(SyntheticRuns.of(TradeRun.CHECK, "cluster", 10, 30, 0, 0.0155 * 0.0155, 2.7, 0.1));
         runs.add(SyntheticRuns.of(TradeRun.CHECK, "cluster", 10, 30, 0, 0.0155 * 0.0155, 2.9, 0.1));
@@ -101,7 +101,7 @@ class MeasuredCostsTest {
 
     @Test
     void timesOnOtherThreadsAreNotCompared() {
-        assertTrue(MeasuredCosts.of(CLUSTER, LADDER, 1, 0).forError(0.02).isEmpty());
+        assertTrue(MeasuredCosts.of(CLUSTER, SERIES, 1, 0).forError(0.02).isEmpty());
     }
 
     @Test
@@ -118,17 +118,17 @@ class MeasuredCostsTest {
 
     @Test
     void theBudgetForATimeIsFoundAmongThoseMeasuredAndALittleBeyond() {
-        assertEquals(25, costs(LADDER, 0).samplesIn(2.5), 1e-9);
-        assertEquals(1, costs(LADDER, 0).samplesIn(0.001), 1e-9);
-        assertEquals(96, costs(LADDER, 0).samplesIn(9.6), 1e-9);
+        assertEquals(25, costs(SERIES, 0).samplesIn(2.5), 1e-9);
+        assertEquals(1, costs(SERIES, 0).samplesIn(0.001), 1e-9);
+        assertEquals(96, costs(SERIES, 0).samplesIn(9.6), 1e-9);
     }
 
     @Test
     void flipHasItsOwnCrossing() {
         // FLIP 0.2/√n = 0.04 at 25 samples.
-        CostEstimate need = costs(LADDER, 0).forFlip(0.04).orElseThrow();
+        CostEstimate need = costs(SERIES, 0).forFlip(0.04).orElseThrow();
         assertEquals(2.5, need.wall().median(), 1e-9);
         assertEquals(0.016, need.error(), 1e-9);
-        assertTrue(costs(LADDER, 0).forFlip(0.01).isEmpty());
+        assertTrue(costs(SERIES, 0).forFlip(0.01).isEmpty());
     }
 }

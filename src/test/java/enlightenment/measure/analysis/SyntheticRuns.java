@@ -21,7 +21,7 @@ public final class SyntheticRuns {
 
     public static TradeRun run(String method, double samples, long seed, double meanSquaredDifference, double wall) {
         double e = Math.sqrt(meanSquaredDifference);
-        return of(TradeRun.LADDER, method, LIGHT_SAMPLES, samples, seed, meanSquaredDifference, wall, e);
+        return of(TradeRun.BUDGET_SERIES, method, LIGHT_SAMPLES, samples, seed, meanSquaredDifference, wall, e);
     }
 
     /** A run without a reference's error in it; FLIP as given. */
@@ -59,12 +59,13 @@ public final class SyntheticRuns {
      * @param error with one sample
      * @param seconds with one sample
      */
-    public static List<TradeRun> ladder(
+    public static List<TradeRun> series(
             String method, int lightSamples, int most, double error, double flip, double seconds) {
         List<TradeRun> runs = new ArrayList<>();
         for (int n = 1; n <= most; n *= 2) {
             double root = Math.sqrt(n);
-            runs.add(of(TradeRun.LADDER, method, lightSamples, n, 1, error * error / n, seconds * n, flip / root));
+            runs.add(of(
+                    TradeRun.BUDGET_SERIES, method, lightSamples, n, 1, error * error / n, seconds * n, flip / root));
         }
         return runs;
     }

@@ -47,8 +47,8 @@ class TradeAnalysisTest {
     /** raytrace ends at 0.01 and would extrapolate to 0.008 in a moment; cluster was measured there, slowly. */
     @Test
     void whatWasMeasuredIsPreferredToWhatIsExtrapolatedAndFaster() {
-        List<TradeRun> runs = new ArrayList<>(SyntheticRuns.ladder("raytrace", 10, 64, 0.08, 0.1, 0.001));
-        runs.addAll(SyntheticRuns.ladder("cluster", 10, 1024, 0.08, 0.1, 1));
+        List<TradeRun> runs = new ArrayList<>(SyntheticRuns.series("raytrace", 10, 64, 0.08, 0.1, 0.001));
+        runs.addAll(SyntheticRuns.series("cluster", 10, 1024, 0.08, 0.1, 1));
         TradeAnalysis analysis = SyntheticRuns.trade(0, runs);
         assertFalse(analysis.own("raytrace", 0.008).orElseThrow().isMeasured());
         CostEstimate fastest = TradeAnalysis.fastest(analysis.costs(), 0.008).orElseThrow();

@@ -22,12 +22,12 @@ class VerdictTest {
     }
 
     private static List<TradeRun> raytrace(int lightSamples, int most, double error, double seconds) {
-        return SyntheticRuns.ladder("raytrace", lightSamples, most, error, error, seconds);
+        return SyntheticRuns.series("raytrace", lightSamples, most, error, error, seconds);
     }
 
     /** Error E takes seconds·(error/E)²: with errors 0.08 and 0.04 for the same time, cluster is four times faster. */
     private static List<TradeRun> cluster(int most, double error, double seconds) {
-        return SyntheticRuns.ladder("cluster", 10, most, error, error, seconds);
+        return SyntheticRuns.series("cluster", 10, most, error, error, seconds);
     }
 
     @Test
@@ -149,7 +149,7 @@ class VerdictTest {
     /** Equal RMSE in half the time, but FLIP four times as large: by FLIP raytrace needs a 16th of the samples. */
     @Test
     void whereFlipDisagreesTheSentenceSaysSo() {
-        List<TradeRun> cluster = SyntheticRuns.ladder("cluster", 10, 1024, 0.08, 0.32, 0.05);
+        List<TradeRun> cluster = SyntheticRuns.series("cluster", 10, 1024, 0.08, 0.32, 0.05);
         TradeAnalysis trade = trade(0, List.of(raytrace(10, 1024, 0.08, 0.1), cluster));
         Verdict verdict = Verdict.of(trade, 0.005);
         assertEquals("cluster", verdict.best().orElseThrow().method());

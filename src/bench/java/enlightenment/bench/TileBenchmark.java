@@ -5,7 +5,10 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
 import enlightenment.method.TileMethod;
-import enlightenment.method.cluster.ClusterCost;
+import enlightenment.plan.Planner;
+import enlightenment.plan.RenderPlan;
+import enlightenment.plan.TileMethods;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -33,7 +36,6 @@ import org.openjdk.jmh.annotations.Warmup;
 public class TileBenchmark {
     private static final int SIDE = 64;
     private static final double SAMPLES = 16;
-    private static final int COST_BLOCKS = 512;
 
     @Param({"raytrace", "cluster"})
     public String method;
@@ -49,20 +51,17 @@ public class TileBenchmark {
         RenderSettings settings =
                 RenderSettings.of(read).withMethod(Method.named(method)).withThreads(1);
         CompiledScene compiled = SceneCompiler.compile(read, settings);
-        double level = method.equals("cluster")
-                ? ClusterCost.of(compiled, settings, COST_BLOCKS).effort(SAMPLES)
-                : SAMPLES;
-        tileMethod = new RenderPlan(level, SAMPLES, "samples")
-                .method(compiled, settings, new RayCounters(compiled.kindNames.size()));
+        RenderPlan plan = new Planner(compiled, settings, () -> false).withSamples(SAMPLES, "samples");
+        tileMethod = TileMethods.of(plan, compiled, settings, new RayCounters(compiled.kindNames.size()));
     }
 
     @Benchmark
     public FilmTile tile() {
         FilmTile all = null;
         // In the tiles that a render is cut into.
-        for (int y = 0; y < SIDE; y += 8) {
-            for (int x = 0; x < SIDE; x += 8) {
-                FilmTile tile = new FilmTile(368 + x, 168 + y, 8, 8);
+        for (int y = 0; y < SIDE; y += FilmTile.BLOCK_SIDE) {
+            for (int x = 0; x < SIDE; x += FilmTile.BLOCK_SIDE) {
+                FilmTile tile = new FilmTile(368 + x, 168 + y, FilmTile.BLOCK_SIDE, FilmTile.BLOCK_SIDE);
                 tileMethod.render(tile);
                 all = tile;
             }

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
+import enlightenment.scene.Method;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -48,7 +49,7 @@ public final class ArchiveTraining {
         int worst = 0;
         for (String[] command : new String[][] {
             {"render", scene, "-o", first, "--stats", "--progress", "plain"},
-            {"render", scene, "-o", second, "--method", "cluster", "--samples", "8", "--progress", "none"},
+            {"render", scene, "-o", second, "--method", Method.CLUSTER.word(), "--samples", "8", "--progress", "none"},
             {"compare", first, second},
             {"validate", scene},
             {"inspect", scene},

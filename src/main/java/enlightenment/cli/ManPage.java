@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.scene.Method;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -21,7 +22,7 @@ final class ManPage {
     private static final String[][] EXAMPLES = {
         {"enlightenment render scene.json -o picture.png", "Make a picture as the scene asks for it."},
         {
-            "enlightenment render scene.json -o picture.png --method cluster --error 0.005",
+            "enlightenment render scene.json -o picture.png --method " + Method.CLUSTER + " --error 0.005",
             "Make it with a root mean square error of at most 0.005."
         },
         {"enlightenment validate *.json", "Find all problems of some scenes."},

@@ -10,7 +10,7 @@ import picocli.CommandLine.Option;
 final class ProgressOption {
     @Option(
             names = "--progress",
-            paramLabel = "KIND",
+            paramLabel = "DISPLAY",
             converter = ProgressKind.Words.class,
             completionCandidates = ProgressKind.Words.class,
             description = "how progress is shown: auto (default), bar, plain or none")

@@ -11,8 +11,8 @@ import java.util.List;
  * ({@link FilmTile#halves}, {@link FilmTile#quarters}) give the sum of their variances, A times a share that depends on B/A
  * ({@link VarianceDecay}).
  *
- * <p>The interval has three parts. What the shares may be, the least and the most that was found for such a ratio on scenes of
- * many kinds; the ratio itself taken as uncertain as its pixels say. Chance: a sum of squares of which few are great errs by
+ * <p>The interval has three parts. What the shares may be: the smallest and the largest that were found for such a ratio on scenes
+ * of many kinds, with the ratio itself as uncertain as its pixels show. Chance: a sum of squares of which few are large errs by
  * factors, once in the estimate and once in the picture, which is one of many. And, where all pixels have about as many samples,
  * what none of them may have met: features of the picture's own contrast in three pixels.
  */
@@ -28,7 +28,10 @@ public final class ErrorEstimate {
     /** 97.5 % of a normal distribution lie below this many deviations. */
     private static final double TWO_SIDED_95 = 1.96;
 
-    /** So many pixels may hide something that none of their n samples has met, in one of 40 pictures ln 40/(3 n) of each. */
+    /**
+     * This many pixels may hide something that none of their n samples has met; in one of 40 pictures it covers at least
+     * ln 40/(3 n) of each.
+     */
     private static final int HIDING = 3;
 
     private static final double HIDDEN = 1.23;
@@ -41,7 +44,7 @@ public final class ErrorEstimate {
 
     private final double most;
 
-    /** What is added to the greatest mean square. */
+    /** What is added to the largest mean square. */
     private final double unseen;
 
     private final long pixels;
@@ -60,7 +63,7 @@ public final class ErrorEstimate {
      * @param second per pixel {@link FilmTile#quarters}
      * @param counts per pixel the number of samples, 0 for an unfinished pixel
      * @param differences whether the samples are differences from a known part
-     * @param contrast the difference between the greatest and the least component of all pixels
+     * @param contrast the difference between the largest and the smallest component of all pixels
      */
     static ErrorEstimate of(float[] first, float[] second, int[] counts, boolean differences, double contrast) {
         Level[] levels = levels(first, second, counts, differences);
@@ -99,8 +102,8 @@ public final class ErrorEstimate {
     }
 
     /**
-     * The deviation of the logarithm of the ratio of two sums of squares, each of so many squares of normal numbers as one of
-     * 2 m − 1 degrees of freedom: √(2 ψ′(m − ½)).
+     * The deviation of the logarithm of the ratio of two sums of squares, each with as many squares of normal numbers as a χ² distribution
+     * of 2 m − 1 degrees of freedom: √(2 ψ′(m − ½)).
      *
      * @param inverse 1/m, where m is the number of pixels that carry the sum
      */
@@ -141,7 +144,7 @@ public final class ErrorEstimate {
         return of(first, second, counts, differences, contrast.get());
     }
 
-    /** The difference between the greatest and the least of some numbers. */
+    /** The difference between the largest and the smallest of some numbers. */
     static final class Contrast {
         private double least = Double.POSITIVE_INFINITY;
         private double greatest = Double.NEGATIVE_INFINITY;

@@ -7,12 +7,19 @@ import java.util.Arrays;
  * error analysis of some methods for summing finite sums", 1974); and what the samples tell about their own error.
  */
 public final class FilmTile {
+    /**
+     * Side, in pixels, of the blocks that are surveyed, judged and handed out as one; a power of two. They are cut from the whole
+     * picture's corner, so that no crop, tile or worker changes which pixels belong together.
+     */
+    public static final int BLOCK_SIDE = 8;
+
     private static final int PER_PIXEL = 6;
     private static final int PER_KNOWN = 4;
 
-    /** So many samples are kept one by one, so many numbers of each. */
+    /** Up to this many samples of a pixel are kept one by one. */
     private static final int FEW = 2;
 
+    /** How many numbers are kept of each: place, red, green and blue. */
     static final int PER_SAMPLE = 5;
 
     public final int x;

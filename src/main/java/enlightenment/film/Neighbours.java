@@ -14,10 +14,7 @@ package enlightenment.film;
  * a trial, in a tile of any size and on a worker of a network.
  */
 final class Neighbours {
-    /** Binary logarithm of a cell's side. */
-    private static final int CELL = 3;
-
-    private static final int SIDE = 1 << CELL;
+    private static final int SIDE = FilmTile.BLOCK_SIDE;
     private static final int MOST = 2;
 
     /** The pixels right of a pixel, below it, and below it to the right and to the left: each pair is met once. */
@@ -50,8 +47,8 @@ final class Neighbours {
     Neighbours(FilmTile tile) {
         this.tile = tile;
         single = new float[tile.width * tile.height];
-        for (int y = tile.y >> CELL << CELL; y < tile.y + tile.height; y += SIDE) {
-            for (int x = tile.x >> CELL << CELL; x < tile.x + tile.width; x += SIDE) {
+        for (int y = tile.y / SIDE * SIDE; y < tile.y + tile.height; y += SIDE) {
+            for (int x = tile.x / SIDE * SIDE; x < tile.x + tile.width; x += SIDE) {
                 for (int count = 1; count <= MOST; count++) {
                     compare(x, y, count);
                 }

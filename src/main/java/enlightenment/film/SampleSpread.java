@@ -24,7 +24,7 @@ public final class SampleSpread {
     /** The spread of no samples. */
     public SampleSpread() {}
 
-    /** Starts over, with a pixel of so many samples. */
+    /** Starts over, with a pixel of this many samples. */
     public void begin(int samples) {
         count = samples;
         taken = 0;

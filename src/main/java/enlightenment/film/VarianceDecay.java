@@ -59,7 +59,7 @@ final class VarianceDecay {
 
     private VarianceDecay() {}
 
-    /** Which of the three curves: what may be expected, or the least or the most that was found. */
+    /** Which of the three curves: what is to be expected, or the smallest or the largest that was found. */
     enum Curve {
         LEAST,
         MIDDLE,

@@ -44,7 +44,7 @@ public final class RayTraceMethod implements TileMethod {
     }
 
     /**
-     * Takes so many samples per pixel in the mean, at least 1: the next power of two below in some pixels and that above in
+     * Takes this many samples per pixel in the mean, at least 1: the next power of two below in some pixels and that above in
      * the others, since these are the numbers for which the points are best distributed.
      */
     public static RayTraceMethod withMeanSamples(

@@ -8,7 +8,7 @@ public final class SpreadPlaces {
     private SpreadPlaces() {}
 
     /**
-     * So many different fields, or all of them if there are not more: those with the lowest thresholds of {@link Dither}, row by
+     * {@code count} different fields, or all of them if there are no more: those with the lowest thresholds of {@link Dither}, row by
      * row.
      */
     public static List<int[]> of(int columns, int rows, int count) {

@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.render.TiledRender;
+import enlightenment.engine.TiledRender;
 import java.security.SecureRandom;
 import java.util.List;
 

@@ -1,9 +1,9 @@
 package enlightenment.net;
 
-import enlightenment.render.FilmAssembly;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.TiledRender;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
-import enlightenment.render.TiledRender;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -18,6 +18,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.IntFunction;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
 /**
@@ -60,7 +62,7 @@ public final class EngineJob implements Closeable {
         return new EngineJob(job);
     }
 
-    /** What {@link #render} needs, wherever that is: first the job's hash and the canary's, then contents. */
+    /** What {@link #makers} needs, wherever that is: first the job's hash and the canary's, then contents. */
     public List<byte[]> contents() {
         List<byte[]> all = new ArrayList<>(List.of(job.hash().toBytes(), canary.toBytes()));
         job.content().hashes().forEach(hash -> all.add(job.content().content(hash)));
@@ -68,13 +70,14 @@ public final class EngineJob implements Closeable {
     }
 
     /**
-     * The same render, to make tiles of, from what {@link #contents} gave on some other machine. Nothing is read from
-     * disks.
+     * Makes tiles of the same render, from what {@link #contents} gave on some other machine. Nothing is read from disks.
      *
+     * @return gives each thread its own maker, which makes of a tile's number the bytes for {@link #put}: the same on every
+     *     machine, however often and in whatever order; an {@link IndexOutOfBoundsException} if there is no such tile
      * @throws IOException if the contents are not those that were sent, are of another version, or this machine computes
      *     other bits than the one that sent them
      */
-    public static TiledRender render(List<byte[]> contents) throws IOException {
+    public static Supplier<IntFunction<byte[]>> makers(List<byte[]> contents) throws IOException {
         Map<ContentHash, byte[]> byHash = new LinkedHashMap<>();
         contents.subList(2, contents.size()).forEach(bytes -> byHash.put(ContentHash.of(bytes), bytes));
         byte[] document = byHash.get(ContentHash.fromBytes(contents.get(0)));
@@ -88,8 +91,9 @@ public final class EngineJob implements Closeable {
         byHash.forEach((hash, bytes) -> byName.put(hash.toString(), bytes));
         JobContent.Document read = JobContent.read(document, byHash.keySet(), Build.number(), 1);
         try {
-            return TiledRender.planned(
+            TiledRender render = TiledRender.planned(
                     read.scene(), read.settings(), read.plan(), (Path file) -> byName.get(file.toString()));
+            return () -> render.maker()::make;
         } catch (IllegalArgumentException | SceneException e) {
             throw new IOException("the job cannot be used: " + e.getMessage(), e);
         }

@@ -1,10 +1,10 @@
 package enlightenment.net;
 
+import enlightenment.engine.RenderOutline;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
-import enlightenment.render.RenderOutline;
-import enlightenment.render.TilePlan;
+import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -135,7 +135,7 @@ final class JobContent {
     }
 
     /** What a job's document says. */
-    record Document(Scene scene, RenderSettings settings, TilePlan plan) {}
+    record Document(Scene scene, RenderSettings settings, RenderPlan plan) {}
 
     /**
      * Reads a job's document.

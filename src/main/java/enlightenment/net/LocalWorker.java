@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.render.TiledRender;
+import enlightenment.engine.TiledRender;
 import java.util.Set;
 import java.util.function.Consumer;
 

@@ -1,8 +1,8 @@
 package enlightenment.net;
 
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.RenderOutline;
 import enlightenment.file.WholeFile;
-import enlightenment.render.FilmAssembly;
-import enlightenment.render.RenderOutline;
 import java.io.BufferedInputStream;
 import java.io.Closeable;
 import java.io.DataInputStream;

@@ -1,10 +1,9 @@
 package enlightenment.net;
 
-import enlightenment.render.FilmAssembly;
-import enlightenment.render.RenderOutline;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.TiledRender;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
-import enlightenment.render.TiledRender;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
@@ -85,11 +84,10 @@ public final class RenderParts {
      * What parts make together.
      *
      * @param result the picture and its report; its counts are those of a render at once
-     * @param outline what was rendered
      * @param text what the picture's file is to say of itself
      * @param missing what is missing, in words; empty if nothing is
      */
-    public record Merged(RenderResult result, RenderOutline outline, Map<String, String> text, List<String> missing) {}
+    public record Merged(RenderResult result, Map<String, String> text, List<String> missing) {}
 
     /**
      * Puts parts together. The same tile may be in several files, if it is the same there.
@@ -116,7 +114,7 @@ public final class RenderParts {
         if (first == null) {
             throw new IOException("there are no parts to merge");
         }
-        return new Merged(film.result(), first.outline(), first.text(), missing(first, film));
+        return new Merged(film.result(), first.text(), missing(first, film));
     }
 
     private static void add(PartFile part, FilmAssembly film, ContentHash[] hashes, Path[] from) throws IOException {

@@ -1,7 +1,7 @@
 package enlightenment.net;
 
-import enlightenment.render.TileMaker;
-import enlightenment.render.TiledRender;
+import enlightenment.engine.TileMaker;
+import enlightenment.engine.TiledRender;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

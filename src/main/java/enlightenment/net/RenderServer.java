@@ -1,8 +1,8 @@
 package enlightenment.net;
 
+import enlightenment.engine.TiledRender;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
-import enlightenment.render.TiledRender;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.Closeable;

@@ -1,7 +1,7 @@
 package enlightenment.net;
 
-import enlightenment.render.FilmAssembly;
-import enlightenment.render.TiledRender;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.TiledRender;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;

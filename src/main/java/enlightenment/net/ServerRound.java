@@ -1,9 +1,9 @@
 package enlightenment.net;
 
+import enlightenment.engine.TiledRender;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
-import enlightenment.render.TiledRender;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetAddress;

@@ -1,8 +1,8 @@
 package enlightenment.net;
 
+import enlightenment.engine.TiledRender;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
-import enlightenment.render.TiledRender;
 import java.io.IOException;
 import java.util.function.BooleanSupplier;
 

@@ -1,7 +1,7 @@
 package enlightenment.net;
 
-import enlightenment.render.RenderOutline;
-import enlightenment.render.TilePlan;
+import enlightenment.engine.RenderOutline;
+import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -26,7 +26,7 @@ final class SettingsBytes {
 
     private SettingsBytes() {}
 
-    static void write(DataOutputStream out, RenderSettings s, TilePlan plan) throws IOException {
+    static void write(DataOutputStream out, RenderSettings s, RenderPlan plan) throws IOException {
         text(out, s.method().word());
         out.writeInt(s.width());
         out.writeInt(s.height());
@@ -56,7 +56,7 @@ final class SettingsBytes {
     }
 
     /** Settings that were read, and the plan. */
-    record Decided(RenderSettings settings, TilePlan plan) {}
+    record Decided(RenderSettings settings, RenderPlan plan) {}
 
     /**
      * Reads what {@link #write} wrote.
@@ -87,7 +87,8 @@ final class SettingsBytes {
                 text(in),
                 threads,
                 in.readInt());
-        return new Decided(settings, new TilePlan(Method.named(text(in)), in.readDouble(), in.readDouble(), text(in)));
+        return new Decided(
+                settings, new RenderPlan(Method.named(text(in)), in.readDouble(), in.readDouble(), text(in)));
     }
 
     private static OptionalDouble readOptional(DataInputStream in) throws IOException {

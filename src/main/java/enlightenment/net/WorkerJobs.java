@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.render.TiledRender;
+import enlightenment.engine.TiledRender;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.Path;

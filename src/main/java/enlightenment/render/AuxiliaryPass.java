@@ -9,6 +9,7 @@ import enlightenment.numeric.Scale;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.Workers;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
@@ -22,11 +23,11 @@ final class AuxiliaryPass {
     private final RenderSettings.Crop region;
     private final Map<Auxiliary, float[]> numbers = new EnumMap<>(Auxiliary.class);
 
-    AuxiliaryPass(CompiledScene scene, RenderSettings settings, Set<Auxiliary> wanted) {
+    AuxiliaryPass(CompiledScene scene, RenderSettings settings, Set<Auxiliary> kinds) {
         this.scene = scene;
         this.settings = settings;
         region = settings.region();
-        for (Auxiliary a : wanted) {
+        for (Auxiliary a : kinds) {
             if (a.needsRays()) {
                 float[] all = new float[3 * region.width() * region.height()];
                 Arrays.fill(all, a == Auxiliary.DEPTH ? Float.POSITIVE_INFINITY : a == Auxiliary.OBJECT ? -1 : 0);

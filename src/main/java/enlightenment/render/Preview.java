@@ -5,8 +5,12 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
 import enlightenment.method.TileMethod;
+import enlightenment.plan.Planner;
+import enlightenment.plan.RenderPlan;
+import enlightenment.plan.TileMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.Workers;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -53,22 +57,21 @@ final class Preview {
         pass(FIRST, null, RenderProgress.NONE, cancelled);
         double last = LAST_SHARE * plan.samples();
         for (double samples : plan.samples() < MANY ? new double[] {Math.min(last, 1)} : new double[] {1, last}) {
-            pass(samples, planner.planFor(samples), progress, cancelled);
+            pass(samples, planner.preview(samples).orElse(null), progress, cancelled);
         }
     }
 
-    /** @param few the method's plan for so few samples, or null if there is none */
+    /** @param few the method's plan for this number of samples, or null if that is too few for it */
     private void pass(double samples, RenderPlan few, RenderProgress progress, BooleanSupplier cancelled) {
         boolean own = few != null;
-        // Where the method cannot do with so few: evenly spaced rays, one light point each, if need be not in all
-        // pixels.
+        // Too few for the method: evenly spaced rays with one light sample each, if need be not in all pixels.
         RenderSettings how =
                 own ? settings : settings.withMethod(Method.RAYTRACE).withShadowSamples(1);
         RenderPlan plan = own ? few : new RenderPlan(Method.RAYTRACE, Math.max(samples, 1), samples, "preview");
         int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
         long total = (long) region.width() * region.height();
         Workers.run(settings.threads(), grid.count, cancelled, () -> {
-            TileMethod method = plan.method(scene, how, new RayCounters(scene.kindNames.size()));
+            TileMethod method = TileMethods.of(plan, scene, how, new RayCounters(scene.kindNames.size()));
             method.stopWhen(cancelled);
             return turn -> {
                 FilmTile tile = grid.tile(turn);

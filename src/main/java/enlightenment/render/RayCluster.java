@@ -2,7 +2,7 @@ package enlightenment.render;
 
 import enlightenment.frame.SceneFrame;
 import enlightenment.math.ExactPoint;
-import enlightenment.method.cluster.ClusterRecord;
+import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.numeric.Scale;
 import enlightenment.sampling.RunningStatistics;
 import java.math.BigDecimal;
@@ -45,10 +45,10 @@ public record RayCluster(
      */
     public record Coordinate(double mean, double deviation) {}
 
-    static RayCluster of(ClusterRecord record, SceneFrame frame) {
+    static RayCluster of(ClusterStatistics record, SceneFrame frame) {
         List<Coordinate> distributions = new ArrayList<>();
         long valid = record.coordinate(0).count();
-        for (int k = 0; k < ClusterRecord.COORDINATES && valid > 0; k++) {
+        for (int k = 0; k < ClusterStatistics.COORDINATES && valid > 0; k++) {
             RunningStatistics s = record.coordinate(k);
             double mean = originComponent(frame.origin(), k % 3) + Scale.scalb(s.mean(), frame.exponent());
             distributions.add(new Coordinate(mean, Scale.scalb(s.standardDeviation(), frame.exponent())));

@@ -1,5 +1,6 @@
 package enlightenment.render;
 
+import enlightenment.plan.Rounds;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -74,7 +75,7 @@ public record RenderReport(
             return Math.hypot(errorHigh, rounding);
         }
 
-        private Sampling with(double newRounding, int newRounds) {
+        private Sampling with(double newRounding) {
             return new Sampling(
                     method,
                     decidedBy,
@@ -87,7 +88,7 @@ public record RenderReport(
                     proposals,
                     accepted,
                     newRounding,
-                    newRounds);
+                    rounds);
         }
     }
 
@@ -116,16 +117,26 @@ public record RenderReport(
      */
     public OptionalDouble samplesForError() {
         OptionalDouble error = settings.budget().error();
-        return error.isEmpty() ? error : new Rounds(Budget.NONE.withError(error.getAsDouble())).next(this, 0, 0);
+        return error.isEmpty() ? error : new Rounds(Budget.NONE.withError(error.getAsDouble())).next(outcome(), 0, 0);
     }
 
     /** The same report for a file with another root mean square of what rounding changes. */
     public RenderReport withRounding(double rounding) {
-        return with(rounding, sampling.rounds());
+        return with(sampling.with(rounding));
     }
 
-    /** The same report of a picture that was rendered so often. */
-    RenderReport with(double rounding, int rounds) {
+    /** What decides whether there is another round. */
+    Rounds.Outcome outcome() {
+        return new Rounds.Outcome(
+                settings.method(),
+                sampling.method(),
+                sampling.plannedSamples(),
+                sampling.errorHigh(),
+                sampling.rounding());
+    }
+
+    /** The same report with other figures of sampling. */
+    private RenderReport with(Sampling figures) {
         return new RenderReport(
                 sceneName,
                 settings,
@@ -133,7 +144,7 @@ public record RenderReport(
                 raysByKind,
                 lightSamples,
                 lightSamplesWithoutRay,
-                sampling.with(rounding, rounds),
+                figures,
                 testsByPrimitive,
                 hitsByPrimitive,
                 textureLookups,

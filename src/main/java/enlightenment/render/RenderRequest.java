@@ -2,6 +2,7 @@ package enlightenment.render;
 
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Objects;
@@ -9,7 +10,8 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 
 /**
- * What is wanted of a render. Only scene and settings have an influence on the picture.
+ * What is asked of a render. Begin with {@link #of(Scene)} and change what should differ. Only scene and settings have an
+ * influence on the picture.
  *
  * @param scene what to render
  * @param settings how
@@ -30,6 +32,7 @@ public record RenderRequest(
         boolean progressive,
         boolean clusters) {
 
+    /** Copies the set; nothing may be null. */
     public RenderRequest {
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(settings, "settings");
@@ -40,27 +43,49 @@ public record RenderRequest(
         auxiliary = Collections.unmodifiableSet(copy);
     }
 
+    /** Just the picture, as the scene asks for it, on all processors. */
+    public static RenderRequest of(Scene scene) {
+        return of(scene, RenderSettings.of(scene));
+    }
+
     /** Just the picture. */
     public static RenderRequest of(Scene scene, RenderSettings settings) {
         return new RenderRequest(scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false);
     }
 
+    /** The same request with other settings. */
+    public RenderRequest withSettings(RenderSettings value) {
+        return new RenderRequest(scene, value, progress, cancelled, auxiliary, progressive, clusters);
+    }
+
+    /** The same request with another listener. */
     public RenderRequest withProgress(RenderProgress value) {
         return new RenderRequest(scene, settings, value, cancelled, auxiliary, progressive, clusters);
     }
 
+    /** The same request, ended by something else; it must be quick to answer. */
     public RenderRequest withCancelled(BooleanSupplier value) {
         return new RenderRequest(scene, settings, progress, value, auxiliary, progressive, clusters);
     }
 
+    /** The same request for other things beside the colours. */
     public RenderRequest withAuxiliary(Set<Auxiliary> value) {
         return new RenderRequest(scene, settings, progress, cancelled, value, progressive, clusters);
     }
 
+    /** The same request for other things beside the colours. */
+    public RenderRequest withAuxiliary(Auxiliary... values) {
+        EnumSet<Auxiliary> set = EnumSet.noneOf(Auxiliary.class);
+        set.addAll(Arrays.asList(values));
+        return withAuxiliary(set);
+    }
+
+    /** The same request with or without the ray clusters. */
     public RenderRequest withClusters(boolean value) {
         return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, value);
     }
 
+    /** The same request with or without coarse passes first. */
     public RenderRequest withProgressive(boolean value) {
         return new RenderRequest(scene, settings, progress, cancelled, auxiliary, value, clusters);
     }

@@ -3,14 +3,17 @@ package enlightenment.render;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
+import enlightenment.plan.Planner;
+import enlightenment.plan.RenderPlan;
+import enlightenment.plan.Rounds;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.Phases;
+import enlightenment.work.Stopwatch;
 import java.util.Map;
 import java.util.OptionalDouble;
 
 /** Renders a planned picture, and again with more samples as long as it is not as exact as was asked. */
 final class RenderRounds {
-    private static final double NANO = 1e-9;
-
     private final RenderRequest request;
     private final RenderSettings settings;
     private final CompiledScene scene;
@@ -18,12 +21,12 @@ final class RenderRounds {
     private final Preview preview;
     private final AuxiliaryPass pass;
     private final Phases phases;
-    private final long start;
+    private final Stopwatch time;
 
     /**
      * @param preview what is shown where nothing is finished yet, or null
      * @param pass what is told of pixels beside their colours, as far as it needs rays of its own
-     * @param start when the render began, of {@link System#nanoTime}
+     * @param time since the render began
      */
     RenderRounds(
             RenderRequest request,
@@ -32,7 +35,7 @@ final class RenderRounds {
             Preview preview,
             AuxiliaryPass pass,
             Phases phases,
-            long start) {
+            Stopwatch time) {
         this.request = request;
         settings = request.settings();
         this.scene = scene;
@@ -40,7 +43,7 @@ final class RenderRounds {
         this.preview = preview;
         this.pass = pass;
         this.phases = phases;
-        this.start = start;
+        this.time = time;
     }
 
     /** The last picture that became whole; if not even the first did, what there is of it. */
@@ -49,18 +52,19 @@ final class RenderRounds {
         RenderResult best = null;
         RenderPlan plan = first;
         for (int round = 1; ; round++) {
-            long before = System.nanoTime();
+            double before = time.seconds();
             RenderResult result = render(plan, round);
             if (!result.complete()) {
                 return best == null ? result : best;
             }
             best = result;
-            long now = System.nanoTime();
-            OptionalDouble next = rounds.next(result.report(), (now - before) * NANO, (now - start) * NANO);
+            double now = time.seconds();
+            Rounds.Outcome outcome = result.report().outcome();
+            OptionalDouble next = rounds.next(outcome, now - before, now);
             if (next.isEmpty() || request.cancelled().getAsBoolean()) {
                 return best;
             }
-            request.progress().note(Rounds.note(result.report(), next.getAsDouble()));
+            request.progress().note(rounds.note(outcome, next.getAsDouble()));
             phases.again();
             plan = phases.run(
                     "plan", () -> planner.withSamples(next.getAsDouble(), rounds.decidedBy(next.getAsDouble())));
@@ -81,8 +85,8 @@ final class RenderRounds {
                 auxiliary.put(kind, new PixelStatistics(render.film()).of(kind));
             }
         }
-        RenderReport report = render.report(request.scene().name(), phases.list())
-                .with(Rounding.of(image, settings.budget().depth()), round);
+        double rounding = Rounding.of(image, settings.budget().depth());
+        RenderReport report = render.report(request.scene().name(), phases.list(), rounding, round);
         return new RenderResult(image, report, render.isComplete(), render.shownPixels(), auxiliary, render.clusters());
     }
 }

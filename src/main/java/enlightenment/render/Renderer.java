@@ -1,13 +1,18 @@
 package enlightenment.render;
 
-import enlightenment.check.Check;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.compiled.SceneHints;
 import enlightenment.image.Image;
+import enlightenment.plan.Planner;
+import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.work.Cancellation;
+import enlightenment.work.Phases;
+import enlightenment.work.PictureMemory;
+import enlightenment.work.Stopwatch;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
@@ -29,16 +34,21 @@ import java.util.function.BooleanSupplier;
  * not work on an interrupted thread. An interrupt of a helper has no effect.
  */
 public final class Renderer {
-    /** A film keeps three doubles, two floats and a count per pixel, the finished picture three floats. */
-    private static final long BYTES_PER_PIXEL = 3 * (8 + 4) + 3 * 4;
-
-    /** Images of other things, and the preview. */
-    private static final long BYTES_PER_IMAGE_PIXEL = 3 * 4;
-
     /** Measured for spheres with a hierarchy (docs/benchmarks.md), rounded up. */
     private static final long BYTES_PER_PRIMITIVE = 400;
 
     private Renderer() {}
+
+    /**
+     * Renders the scene as it asks to be, on all processors.
+     *
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.InvalidValueException if the picture does not fit into the memory
+     * @throws CancellationException if the thread was interrupted before the picture was whole; the interrupt stays set
+     */
+    public static Image render(Scene scene) {
+        return render(scene, RenderSettings.of(scene));
+    }
 
     /**
      * Renders the scene.
@@ -65,7 +75,10 @@ public final class Renderer {
      */
     public static RenderResult render(
             Scene scene, RenderSettings settings, RenderProgress progress, BooleanSupplier cancelled) {
-        return render(RenderRequest.of(scene, settings).withProgress(progress).withCancelled(cancelled));
+        return render(RenderRequest.of(scene)
+                .withSettings(settings)
+                .withProgress(progress)
+                .withCancelled(cancelled));
     }
 
     /**
@@ -75,9 +88,9 @@ public final class Renderer {
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
     public static RenderResult render(RenderRequest request) {
-        long start = System.nanoTime();
+        Stopwatch time = Stopwatch.started();
         RenderSettings settings = request.settings();
-        checkMemory(
+        PictureMemory.check(
                 settings,
                 (request.progressive() ? 1 : 0)
                         + request.auxiliary().size()
@@ -91,7 +104,7 @@ public final class Renderer {
             phases.run("auxiliary", () -> pass.run(cancelled));
         }
         Planner planner = new Planner(scene, settings, cancelled);
-        RenderPlan plan = phases.run("plan", () -> planner.plan(start, request.progressive() ? Preview.SHARE : 0));
+        RenderPlan plan = phases.run("plan", () -> planner.plan(time, request.progressive() ? Preview.SHARE : 0));
         planner.notes().forEach(request.progress()::note);
         request.progress().planned(plan.samples(), plan.decidedBy());
         Preview preview = request.progressive() ? new Preview(scene, settings, planner) : null;
@@ -99,7 +112,7 @@ public final class Renderer {
             phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
         }
         RenderRequest stoppable = request.withCancelled(cancelled);
-        return new RenderRounds(stoppable, scene, planner, preview, pass, phases, start).run(plan);
+        return new RenderRounds(stoppable, scene, planner, preview, pass, phases, time).run(plan);
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */
@@ -127,26 +140,7 @@ public final class Renderer {
 
     /** The memory that the picture needs while it is rendered, in bytes. */
     public static long memoryFor(RenderSettings settings) {
-        RenderSettings.Crop region = settings.region();
-        return (long) region.width() * region.height() * BYTES_PER_PIXEL;
-    }
-
-    /** Refuses settings that cannot be used, whatever the scene. */
-    static void check(RenderSettings settings) {
-        checkMemory(settings, 0);
-    }
-
-    /** Refuses a picture that cannot fit before anything is allocated. */
-    private static void checkMemory(RenderSettings settings, int moreImages) {
-        RenderSettings.Crop region = settings.region();
-        long needed = memoryFor(settings) + moreImages * BYTES_PER_IMAGE_PIXEL * region.width() * region.height();
-        long available = Runtime.getRuntime().maxMemory();
-        boolean fits = needed <= available && 3L * region.width() * region.height() <= Integer.MAX_VALUE - 8;
-        Check.that(
-                fits,
-                "size",
-                "a picture of " + region.width() + "x" + region.height() + " pixels needs " + needed
-                        + " bytes of memory; at most " + available + " are there (java -Xmx sets the limit)");
+        return PictureMemory.bytes(settings);
     }
 
     /**

@@ -40,15 +40,12 @@ final class TileGrid {
         return step;
     }
 
-    /** The tile that is handed out after so many others, empty. */
+    /** The tile that is handed out after {@code turn} others, without samples yet. */
     FilmTile tile(int turn) {
         int index = (int) ((long) turn * stride % count);
         int left = (region.x() / size + index % across) * size;
         int top = (region.y() / size + index / across) * size;
-        int x = Math.max(left, region.x());
-        int y = Math.max(top, region.y());
-        int width = Math.min(left + size, region.x() + region.width()) - x;
-        int height = Math.min(top + size, region.y() + region.height()) - y;
-        return new FilmTile(x, y, width, height);
+        RenderSettings.Crop c = region.intersection(new RenderSettings.Crop(left, top, size, size));
+        return new FilmTile(c.x(), c.y(), c.width(), c.height());
     }
 }

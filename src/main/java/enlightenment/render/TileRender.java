@@ -2,12 +2,18 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
 import enlightenment.method.TileMethod;
-import enlightenment.method.cluster.ClusterRecord;
+import enlightenment.method.cluster.ClusterStatistics;
+import enlightenment.plan.RenderPlan;
+import enlightenment.plan.TileMethods;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.Phases;
+import enlightenment.work.RayCounts;
+import enlightenment.work.Workers;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -65,7 +71,7 @@ final class TileRender {
         Workers.run(settings.threads(), grid.count, cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
-            TileMethod method = plan.method(scene, settings, mine, clusters == null ? null : this::gather);
+            TileMethod method = TileMethods.of(plan, scene, settings, mine, clusters == null ? null : this::gather);
             method.stopWhen(cancelled);
             return turn -> renderTile(method, grid.tile(turn));
         });
@@ -93,9 +99,9 @@ final class TileRender {
         progress.progress(pixelsDone, (long) region.width() * region.height(), this::image);
     }
 
-    private void gather(List<ClusterRecord> records) {
+    private void gather(List<ClusterStatistics> records) {
         synchronized (clusters) {
-            for (ClusterRecord record : records) {
+            for (ClusterStatistics record : records) {
                 clusters.add(RayCluster.of(record, scene.frame));
             }
         }
@@ -134,13 +140,46 @@ final class TileRender {
         return pixelsDone == (long) region.width() * region.height();
     }
 
-    RenderReport report(String sceneName, List<RenderReport.Phase> phases) {
+    /**
+     * What was done.
+     *
+     * @param rounding the error of rounding the picture to the depth of its file
+     * @param round how often the picture was rendered
+     */
+    RenderReport report(String sceneName, List<Phases.Timing> phases, double rounding, int round) {
         RayCounters all = new RayCounters(scene.kindNames.size());
         for (RayCounters one : counters) {
             all.add(one);
         }
-        RenderOutline outline =
-                new RenderOutline(sceneName, settings, TilePlan.of(plan), scene.features(), scene.kindNames);
-        return Reports.of(outline, film.error(), film.cameraSamples(), all, phases, pixelsDone, peakMemory);
+        ErrorEstimate error = film.error();
+        RenderReport.Sampling sampling = new RenderReport.Sampling(
+                plan.method(),
+                plan.decidedBy(),
+                plan.samples(),
+                film.cameraSamples() / (double) Math.max(pixelsDone, 1),
+                error.rmse(),
+                error.low(),
+                error.high(),
+                all.clusters,
+                all.proposals,
+                all.accepted,
+                rounding,
+                round);
+        return new RenderReport(
+                sceneName,
+                settings,
+                scene.features(),
+                RayCounts.raysByKind(all),
+                all.lightSamples,
+                all.lightSamplesWithoutRay,
+                sampling,
+                RayCounts.byPrimitive(scene.kindNames, all.tests),
+                RayCounts.byPrimitive(scene.kindNames, all.hits),
+                all.textureLookups,
+                phases.stream()
+                        .map(t -> new RenderReport.Phase(t.name(), t.wallSeconds(), t.cpuSeconds()))
+                        .toList(),
+                pixelsDone,
+                peakMemory);
     }
 }

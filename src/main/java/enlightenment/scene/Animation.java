@@ -14,6 +14,7 @@ import java.util.TreeMap;
  * @param tracks what changes
  */
 public record Animation(int frames, double framesPerSecond, List<Track> tracks) {
+    /** @throws enlightenment.math.InvalidValueException if there are no frames, or framesPerSecond is not positive and finite */
     public Animation {
         Check.that(frames >= 1, "frames", "must be at least 1, not " + frames);
         Check.positive("framesPerSecond", framesPerSecond);
@@ -24,7 +25,7 @@ public record Animation(int frames, double framesPerSecond, List<Track> tracks) 
      * One changing number.
      *
      * @param target a JSON pointer to a number of the scene file
-     * @param keys exact values at some frames; linear between them, constant before the first and after the last
+     * @param keys exact values at some frames, at least one, counted from 0; linear between them, constant before the first and after the last
      */
     public record Track(String target, NavigableMap<Integer, BigDecimal> keys) {
         public Track {

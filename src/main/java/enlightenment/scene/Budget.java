@@ -42,18 +42,22 @@ public record Budget(OptionalDouble samples, OptionalDouble error, OptionalDoubl
         Check.that(depth >= 0 && depth <= MAX_DEPTH, "depth", "must lie in 0.." + MAX_DEPTH + ", not " + depth);
     }
 
+    /** This budget with another number of samples per pixel, as {@link #samples}. */
     public Budget withSamples(double value) {
         return new Budget(OptionalDouble.of(value), error, seconds, depth);
     }
 
+    /** This budget with another error, as {@link #error}. */
     public Budget withError(double value) {
         return new Budget(samples, OptionalDouble.of(value), seconds, depth);
     }
 
+    /** This budget with another time, as {@link #seconds}. */
     public Budget withSeconds(double value) {
         return new Budget(samples, error, OptionalDouble.of(value), depth);
     }
 
+    /** This budget for a file of another depth, as {@link #depth}. */
     public Budget withDepth(int value) {
         return new Budget(samples, error, seconds, value);
     }

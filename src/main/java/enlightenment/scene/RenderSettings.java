@@ -45,7 +45,16 @@ public record RenderSettings(
      * @param width number of columns, at least 1
      * @param height number of rows, at least 1
      */
-    public record Crop(int x, int y, int width, int height) {}
+    public record Crop(int x, int y, int width, int height) {
+        /** The pixels that are also in the other rectangle; there must be some. */
+        public Crop intersection(Crop other) {
+            int left = Math.max(x, other.x);
+            int top = Math.max(y, other.y);
+            int right = Math.min(x + width, other.x + other.width);
+            int bottom = Math.min(y + height, other.y + other.height);
+            return new Crop(left, top, right - left, bottom - top);
+        }
+    }
 
     /**
      * Checks the ranges.

@@ -18,16 +18,18 @@ import java.util.Set;
 /**
  * A whole scene: plain, immutable data, independent of how it is stored or rendered.
  *
+ * <p>Lengths and positions are in scene units, angles in degrees. Lists and maps are copied and cannot be changed.
+ *
  * @param name what the scene is called, or ""
- * @param width the picture's width in pixels, at least 1
- * @param height the picture's height in pixels, at least 1
+ * @param width the picture's width in pixels, 1..{@link #MAX_SIDE}
+ * @param height the picture's height in pixels, 1..{@link #MAX_SIDE}
  * @param camera where it is seen from
  * @param shading how surfaces are shaded
- * @param textures named textures, in order
- * @param materials named materials, in order
- * @param lights the lights
- * @param objects the things
- * @param render the settings it asks for
+ * @param textures named textures, in order; those that materials hold need no name
+ * @param materials named materials, in order; those that objects hold need no name
+ * @param lights the lights, in order; the picture does not depend on it
+ * @param objects the things, in order; the picture does not depend on it. Names differ
+ * @param render the settings it asks to be rendered with
  * @param animation how it changes over frames, if it does
  */
 public record Scene(
@@ -46,6 +48,7 @@ public record Scene(
     /** The largest width or height that a picture may have. */
     public static final int MAX_SIDE = 65_536;
 
+    /** @throws InvalidValueException if the size is out of range or two objects have the same name; its key is the place */
     public Scene {
         Objects.requireNonNull(name, "name");
         checkSize(width, height);
@@ -77,7 +80,11 @@ public record Scene(
                 name, width, height, camera, shading, textures, materials, lights, objects, render, Optional.empty());
     }
 
-    /** Refuses a picture size that no picture can have. */
+    /**
+     * Checks a picture's size in pixels.
+     *
+     * @throws InvalidValueException if width or height are not in 1..{@link #MAX_SIDE}
+     */
     public static void checkSize(int width, int height) {
         Check.that(
                 width >= 1 && width <= MAX_SIDE,

@@ -41,12 +41,13 @@ public final class SceneException extends RuntimeException {
 
     private final transient List<Problem> problems;
 
+    /** @param problems what is wrong, in the order of their places; the message has a line for each */
     public SceneException(List<Problem> problems) {
         super(String.join("\n", problems.stream().map(Problem::toString).toList()));
         this.problems = List.copyOf(problems);
     }
 
-    /** A single problem without a place in a file. */
+    /** A single problem without a place in a file: the JSON pointer of the value, or "", and what is wrong. */
     public static SceneException of(String pointer, String message) {
         return new SceneException(List.of(new Problem("", 0, 0, pointer, message)));
     }

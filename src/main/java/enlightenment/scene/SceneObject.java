@@ -16,6 +16,7 @@ import java.util.Objects;
  * @param faces empty, or for a cube the materials of its six faces: -x, +x, -y, +y, -z, +z before rotation
  */
 public record SceneObject(String name, Shape shape, Material material, List<Material> faces) {
+    /** @throws enlightenment.math.InvalidValueException if there are faces, but not six or not on a cube */
     public SceneObject {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(shape, "shape");
@@ -27,12 +28,16 @@ public record SceneObject(String name, Shape shape, Material material, List<Mate
                 "must be six materials, on a cube");
     }
 
-    /** A nameless object. */
+    /** An object without a name, of one material. */
     public static SceneObject of(Shape shape, Material material) {
         return new SceneObject("", shape, material, List.of());
     }
 
-    /** The material of a face. */
+    /**
+     * The material of a face.
+     *
+     * @param face 0..5 of a cube with faces, in their order; ignored where there is only one material
+     */
     public Material materialOf(int face) {
         return faces.isEmpty() ? material : faces.get(face);
     }

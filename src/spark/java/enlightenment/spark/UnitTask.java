@@ -1,9 +1,9 @@
 package enlightenment.spark;
 
-import enlightenment.render.TileMaker;
 import java.io.IOException;
 import java.io.Serializable;
 import java.io.UncheckedIOException;
+import java.util.function.IntFunction;
 import org.apache.spark.TaskContext;
 import org.apache.spark.broadcast.Broadcast;
 import scala.collection.Iterator;
@@ -26,7 +26,7 @@ final class UnitTask extends AbstractFunction1<Iterator<int[]>, byte[]> implemen
     public byte[] apply(Iterator<int[]> units) {
         try {
             UnitResult.Writer out = new UnitResult.Writer();
-            TileMaker maker = shared.value().render().maker();
+            IntFunction<byte[]> maker = shared.value().maker();
             long start = System.nanoTime();
             while (units.hasNext()) {
                 make(units.next(), maker, start, out);
@@ -37,7 +37,7 @@ final class UnitTask extends AbstractFunction1<Iterator<int[]>, byte[]> implemen
         }
     }
 
-    private void make(int[] unit, TileMaker maker, long start, UnitResult.Writer out) throws IOException {
+    private void make(int[] unit, IntFunction<byte[]> maker, long start, UnitResult.Writer out) throws IOException {
         long last = System.nanoTime();
         for (int tile : unit) {
             if (last - start > nanos) {
@@ -45,7 +45,7 @@ final class UnitTask extends AbstractFunction1<Iterator<int[]>, byte[]> implemen
             }
             // Somebody else was faster, or the render was stopped.
             TaskContext.get().killTaskIfInterrupted();
-            byte[] bytes = maker.make(tile);
+            byte[] bytes = maker.apply(tile);
             long now = System.nanoTime();
             out.add(tile, bytes, now - last);
             last = now;

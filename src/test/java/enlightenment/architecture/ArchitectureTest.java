@@ -79,8 +79,14 @@ class ArchitectureTest {
             .definedBy("enlightenment.shading")
             .layer("method")
             .definedBy("enlightenment.method..")
+            .layer("work")
+            .definedBy("enlightenment.work")
+            .layer("plan")
+            .definedBy("enlightenment.plan")
             .layer("render")
             .definedBy("enlightenment.render")
+            .layer("engine")
+            .definedBy("enlightenment.engine")
             .layer("net")
             .definedBy("enlightenment.net")
             .layer("measure")
@@ -94,46 +100,64 @@ class ArchitectureTest {
             .whereLayer("file")
             .mayOnlyBeAccessedByLayers("codec", "image", "json", "net", "measure", "cli")
             .whereLayer("machine")
-            .mayOnlyBeAccessedByLayers("render", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("work", "net", "measure", "cli")
             .whereLayer("net")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
             .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("engine")
+            .mayOnlyBeAccessedByLayers("net")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("engine", "net", "measure", "cli")
+            .whereLayer("plan")
+            .mayOnlyBeAccessedByLayers("render", "engine", "net")
+            .whereLayer("work")
+            .mayOnlyBeAccessedByLayers("plan", "render", "engine")
             .whereLayer("nff")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("json")
             .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("method")
-            .mayOnlyBeAccessedByLayers("render")
+            .mayOnlyBeAccessedByLayers("plan", "render", "engine")
             .whereLayer("shading")
-            .mayOnlyBeAccessedByLayers("method", "render")
+            .mayOnlyBeAccessedByLayers("method")
             .whereLayer("film")
-            .mayOnlyBeAccessedByLayers("shading", "method", "render", "net")
+            .mayOnlyBeAccessedByLayers("shading", "method", "plan", "render", "engine", "net")
             .whereLayer("primitive")
             .mayOnlyBeAccessedByLayers("accel", "compiled", "shading", "method", "render")
             .whereLayer("compiled")
-            .mayOnlyBeAccessedByLayers("film", "shading", "method", "render")
+            .mayOnlyBeAccessedByLayers("film", "shading", "method", "work", "plan", "render", "engine")
             .whereLayer("accel")
             .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers(
-                    "json", "nff", "compiled", "shading", "method", "render", "net", "measure", "cli")
+                    "json",
+                    "nff",
+                    "compiled",
+                    "shading",
+                    "method",
+                    "work",
+                    "plan",
+                    "render",
+                    "engine",
+                    "net",
+                    "measure",
+                    "cli")
             .whereLayer("descriptions")
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
-            .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "render", "net", "cli")
+            .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "plan", "render", "net", "cli")
             .whereLayer("text")
             .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture")
             .whereLayer("picture")
-            .mayOnlyBeAccessedByLayers("render", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "cli")
             .whereLayer("texture")
             .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("image")
-            .mayOnlyBeAccessedByLayers("picture", "texture", "film", "render", "net", "measure", "cli", "json");
+            .mayOnlyBeAccessedByLayers(
+                    "picture", "texture", "film", "plan", "render", "engine", "net", "measure", "cli", "json");
 
     /** So that files appear as a whole; what is appended to, such as checkpoints, is left to the journals. */
     @ArchTest

@@ -181,9 +181,9 @@ class FloatingLiteralsTest {
             new Explained("method/cluster/SampleDemand.java", "0x1p-13", "variance of display-referred colours"),
             new Explained("method/cluster/SampleDemand.java", "0x1p-27", "variance of display-referred colours"),
             new Explained("method/cluster/SampleDemand.java", "6", "1 + 4 + 1: variance of a second difference"),
-            new Explained("method/cluster/RayCluster.java", "0.125", "share of a mixture"),
-            new Explained("method/cluster/RayCluster.java", "0.25", "share of a mixture"),
-            new Explained("method/cluster/RayCluster.java", "3", "ratio of variances that pays"));
+            new Explained("method/cluster/ClusterProposal.java", "0.125", "share of a mixture"),
+            new Explained("method/cluster/ClusterProposal.java", "0.25", "share of a mixture"),
+            new Explained("method/cluster/ClusterProposal.java", "3", "ratio of variances that pays"));
 
     /** Coefficients of published approximations in dimensionless variables. */
     private static final Map<String, List<String>> CITED = Map.of(

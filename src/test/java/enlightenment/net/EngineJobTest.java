@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.render.TileMaker;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -18,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -34,10 +34,10 @@ class EngineJobTest {
     @Test
     void tilesMadeFromTheContentsAloneMakeThePictureOfOneProcess() throws IOException {
         try (EngineJob job = start(null)) {
-            TileMaker maker = EngineJob.render(job.contents()).maker();
+            IntFunction<byte[]> maker = EngineJob.makers(job.contents()).get();
             int[] missing = job.missing();
             for (int i = missing.length - 1; i >= 0; i--) {
-                byte[] bytes = maker.make(missing[i]);
+                byte[] bytes = maker.apply(missing[i]);
                 assertEquals(job.length(missing[i]), bytes.length);
                 job.put(missing[i], bytes, "a");
                 job.put(missing[i], bytes, "b");
@@ -53,18 +53,18 @@ class EngineJobTest {
         int all;
         try (EngineJob job = start(checkpoint)) {
             all = job.missing().length;
-            TileMaker maker = EngineJob.render(job.contents()).maker();
+            IntFunction<byte[]> maker = EngineJob.makers(job.contents()).get();
             for (int tile = 0; tile < all; tile += 2) {
-                job.put(tile, maker.make(tile), "a");
+                job.put(tile, maker.apply(tile), "a");
             }
         }
         try (EngineJob job = start(checkpoint)) {
             int[] missing = job.missing();
             assertEquals(all / 2, missing.length);
-            TileMaker maker = EngineJob.render(job.contents()).maker();
+            IntFunction<byte[]> maker = EngineJob.makers(job.contents()).get();
             for (int tile : missing) {
                 assertEquals(1, tile % 2);
-                job.put(tile, maker.make(tile), "a");
+                job.put(tile, maker.apply(tile), "a");
             }
             assertSamePicture(job.result());
         }
@@ -74,12 +74,12 @@ class EngineJobTest {
     void aDamagedCheckpointCostsOneTileAndNotTheBytes() throws IOException {
         Path checkpoint = folder.resolve("job.ck");
         int all;
-        TileMaker maker;
+        IntFunction<byte[]> maker;
         try (EngineJob job = start(checkpoint)) {
             all = job.missing().length;
-            maker = EngineJob.render(job.contents()).maker();
+            maker = EngineJob.makers(job.contents()).get();
             for (int tile = 0; tile < all; tile++) {
-                job.put(tile, maker.make(tile), "a");
+                job.put(tile, maker.apply(tile), "a");
             }
         }
         byte[] whole = Files.readAllBytes(checkpoint);
@@ -92,7 +92,7 @@ class EngineJobTest {
                 int[] missing = job.missing();
                 assertEquals(at < first ? 0 : 1, missing.length, "byte " + at);
                 for (int tile : missing) {
-                    job.put(tile, maker.make(tile), "b");
+                    job.put(tile, maker.apply(tile), "b");
                 }
                 assertSamePicture(job.result());
             }
@@ -110,7 +110,7 @@ class EngineJobTest {
                 byte[] changed = contents.get(i).clone();
                 changed[changed.length - 1] ^= 1;
                 contents.set(i, changed);
-                assertThrows(IOException.class, () -> EngineJob.render(contents));
+                assertThrows(IOException.class, () -> EngineJob.makers(contents));
             }
         }
     }

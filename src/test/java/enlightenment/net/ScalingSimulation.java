@@ -1,7 +1,7 @@
 package enlightenment.net;
 
-import enlightenment.render.RenderOutline;
-import enlightenment.render.TilePlan;
+import enlightenment.engine.RenderOutline;
+import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -293,7 +293,7 @@ final class ScalingSimulation {
             double samples = 60 * minutes * RAYS_PER_SECOND / ((double) width * height);
             RenderSettings settings = RenderSettings.of(scene).withSize(width, height);
             return new RenderOutline(
-                            "", settings, new TilePlan(Method.RAYTRACE, 1, samples, "samples"), List.of(), List.of())
+                            "", settings, new RenderPlan(Method.RAYTRACE, 1, samples, "samples"), List.of(), List.of())
                     .tiles();
         }
 

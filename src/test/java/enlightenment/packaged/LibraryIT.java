@@ -46,7 +46,7 @@ class LibraryIT {
                 Packages.JAVA,
                 "-Djava.awt.headless=true",
                 "--limit-modules",
-                "java.desktop,jdk.jfr",
+                "enlightenment",
                 "-p",
                 path(folder.resolve("program"), Packages.LIBRARY, JACKSON),
                 "-m",

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.engine.TileMaker;
+import enlightenment.engine.TiledRender;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;

@@ -3,9 +3,12 @@ package enlightenment.render;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.Film;
+import enlightenment.plan.Planner;
+import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.work.Stopwatch;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -26,7 +29,7 @@ final class ManySeeds {
     }
 
     static Picture render(CompiledScene compiled, RenderSettings settings) {
-        RenderPlan plan = new Planner(compiled, settings, () -> false).plan(System.nanoTime(), 0);
+        RenderPlan plan = new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0);
         return render(compiled, settings, plan);
     }
 
@@ -43,7 +46,7 @@ final class ManySeeds {
             rgb[i] = film.component(x, y, i % 3);
             counts[i / 3] = film.count(x, y);
         }
-        return new Picture(rgb, counts, film, render.report("", List.of()), plan);
+        return new Picture(rgb, counts, film, render.report("", List.of(), 0, 1), plan);
     }
 
     static Picture render(Scene scene, RenderSettings settings) {

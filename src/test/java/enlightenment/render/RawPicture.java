@@ -8,8 +8,10 @@ import enlightenment.film.Film;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
+import enlightenment.plan.Planner;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.work.Stopwatch;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Arrays;
@@ -31,7 +33,7 @@ record RawPicture(int width, double[] rgb, byte[] png) {
         TileRender render = new TileRender(
                 compiled,
                 settings,
-                new Planner(compiled, settings, () -> false).plan(System.nanoTime(), 0),
+                new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0),
                 RenderProgress.NONE,
                 () -> false,
                 null);

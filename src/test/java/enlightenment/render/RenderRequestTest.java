@@ -120,7 +120,7 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"raytrace,4", "raytrace,1", "raytrace,16", "cluster,2", "cluster,8"})
+    @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "RAYTRACE,16", "CLUSTER,2", "CLUSTER,8"})
     void thePassesDoNotChangeABit(Method method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).withShadowSamples(1);
@@ -134,7 +134,7 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"raytrace,4", "raytrace,1", "cluster,4", "cluster,12"})
+    @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,4", "CLUSTER,12"})
     void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(Method method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).withCrop(new RenderSettings.Crop(3, 5, 61, 30));

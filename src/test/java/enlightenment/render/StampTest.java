@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.TiledRender;
 import enlightenment.image.Image;
 import enlightenment.light.Light;
 import enlightenment.material.Material;

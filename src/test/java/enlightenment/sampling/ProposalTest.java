@@ -82,7 +82,8 @@ class ProposalTest {
                     : Quadrature.integral(p::densityAtOffset, at, value, 4);
             // What the rounding of two offsets as doubles makes of the area between them.
             double rounding = 2 * Math.max(Math.ulp(at), Math.ulp(value)) * p.densityAtOffset(value);
-            assertEquals(next - u, part, 5e-13 + rounding, c + " between " + u + " and " + next);
+            double from = u;
+            assertEquals(next - from, part, 5e-13 + rounding, () -> c + " between " + from + " and " + next);
             at = value;
             u = next;
         }
@@ -95,12 +96,12 @@ class ProposalTest {
         for (int i = 0; i < 500; i++) {
             double u = i == 0 ? 0 : i == 1 ? Math.nextDown(1.0) : Hash.unit(Hash.of(11, i));
             double x = p.sample(u);
-            assertTrue(x >= c.low && x <= c.high, c + ": " + x);
+            assertTrue(x >= c.low && x <= c.high, () -> c + ": " + x);
             double offset = p.offset(u);
             double density = p.densityAtOffset(offset);
-            assertTrue(density > 0 && density < Double.POSITIVE_INFINITY, c + " at " + u + ": " + density);
+            assertTrue(density > 0 && density < Double.POSITIVE_INFINITY, () -> c + " at " + u + ": " + density);
             double ofValue = p.density(x);
-            assertTrue(ofValue > 0 && ofValue < Double.POSITIVE_INFINITY, c + " at " + u + ": " + ofValue);
+            assertTrue(ofValue > 0 && ofValue < Double.POSITIVE_INFINITY, () -> c + " at " + u + ": " + ofValue);
             assertEquals(x, p.sample(u), "the same bits again");
             assertEquals(density, p.densityAtOffset(p.offset(u)));
         }

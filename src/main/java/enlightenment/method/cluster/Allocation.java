@@ -2,7 +2,7 @@ package enlightenment.method.cluster;
 
 /**
  * How many samples a pixel gets. If the variance of a mean of n well-distributed samples is a n^−γ, spending a given number
- * of them where the whole picture's error falls most means n = (γ a · effort)^(1/(γ + 1)) with the same effort everywhere;
+ * of them where they reduce the whole picture's error most means n = (γ a · effort)^(1/(γ + 1)) with the same effort everywhere;
  * here as the nearest power of two, since these are the numbers for which the points are best distributed.
  */
 final class Allocation {
@@ -49,7 +49,7 @@ final class Allocation {
     }
 
     /**
-     * Binary logarithm of the number of samples for a pixel that needs so much ({@link SampleDemand}); one sample where nothing is
+     * Binary logarithm of the number of samples for a pixel of this demand ({@link SampleDemand}); one sample where nothing is
      * needed at all, which is known of empty blocks only.
      *
      * @param dither the pixel's threshold, 0..1

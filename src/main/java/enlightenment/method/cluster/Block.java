@@ -1,5 +1,7 @@
 package enlightenment.method.cluster;
 
+import enlightenment.film.FilmTile;
+
 /**
  * A rectangle of pixels that is sampled as one: 8 × 8, fixed by the picture and never by threads or crops; smaller at its
  * right and lower border.
@@ -10,7 +12,7 @@ package enlightenment.method.cluster;
  * @param height rows, 1..8
  */
 record Block(int x, int y, int width, int height) {
-    static final int SIDE = 8;
+    static final int SIDE = FilmTile.BLOCK_SIDE;
 
     /** The block that a pixel of a picture belongs to. */
     static Block around(int column, int row, int pictureWidth, int pictureHeight) {

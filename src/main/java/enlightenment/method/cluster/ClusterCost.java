@@ -19,7 +19,7 @@ public final class ClusterCost {
 
     private static final double LEAST_EFFORT = 1;
 
-    /** Binary logarithm of the greatest effort: variances below the rounding of pixels are worth nothing. */
+    /** Binary logarithm of the largest effort: variances below the rounding of pixels are worth nothing. */
     private static final int MOST_EFFORT = 64;
 
     /** Halvings of the interval of logarithms: where all pixels need the same, a step of samples is crossed within 1/64 of it. */
@@ -49,7 +49,7 @@ public final class ClusterCost {
         counters = new RayCounters(scene.kindNames.size());
     }
 
-    /** Judges by so many blocks or a few times as many, or by all if there are not more. */
+    /** Judges by {@code blocks} blocks or a few times as many, or by all if there are no more. */
     public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks) {
         return of(scene, settings, blocks, () -> false);
     }
@@ -57,7 +57,7 @@ public final class ClusterCost {
     /**
      * The same, unless it is cancelled.
      *
-     * @param cancelled once true, what is surveyed has to do: whoever asks for the effort then gets some number
+     * @param cancelled once true, nothing more is surveyed, and the effort is one that the blocks surveyed so far suggest
      */
     public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks, BooleanSupplier cancelled) {
         return new ClusterCost(scene, settings, blocks, cancelled);
@@ -92,7 +92,7 @@ public final class ClusterCost {
     }
 
     /**
-     * The greatest effort that costs no more than so many samples per pixel, as far as the blocks tell; at least the least one,
+     * The largest effort that costs at most this many samples per pixel, as far as the blocks tell; at least the smallest one,
      * whatever it costs. Blocks that learn are taken as they are with the effort that would be right if they did not.
      */
     public double effort(double samples) {

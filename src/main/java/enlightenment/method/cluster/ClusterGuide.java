@@ -14,9 +14,9 @@ import java.util.List;
 final class ClusterGuide implements LightGuide {
     private final Distribution family;
     private final RayCounters counters;
-    private final List<RayCluster> pool = new ArrayList<>();
+    private final List<ClusterProposal> pool = new ArrayList<>();
     private int size;
-    private RayCluster current;
+    private ClusterProposal current;
     private boolean proposing;
     private double gain;
 
@@ -28,7 +28,7 @@ final class ClusterGuide implements LightGuide {
     private double middleX;
 
     private double middleY;
-    private RayCluster aimed;
+    private ClusterProposal aimed;
     private double p;
     private double q;
     private double weight;
@@ -68,7 +68,7 @@ final class ClusterGuide implements LightGuide {
         double before = 0;
         double after = 0;
         for (int k = 0; k < size; k++) {
-            RayCluster c = pool.get(k);
+            ClusterProposal c = pool.get(k);
             if (c.fit()) {
                 any = true;
                 counters.clusters++;
@@ -82,7 +82,7 @@ final class ClusterGuide implements LightGuide {
 
     /** The same of one cluster; 1 if it proposes nothing. */
     double gain(int surface, int light, int bounce) {
-        RayCluster c = find(surface, light, bounce);
+        ClusterProposal c = find(surface, light, bounce);
         return c == null ? 1 : c.judgedGain();
     }
 
@@ -129,9 +129,9 @@ final class ClusterGuide implements LightGuide {
         return true;
     }
 
-    private RayCluster find(int surface, int light, int bounce) {
+    private ClusterProposal find(int surface, int light, int bounce) {
         for (int k = 0; k < size; k++) {
-            RayCluster c = pool.get(k);
+            ClusterProposal c = pool.get(k);
             if (c.is(surface, light, bounce)) {
                 return c;
             }
@@ -139,11 +139,11 @@ final class ClusterGuide implements LightGuide {
         return null;
     }
 
-    private RayCluster add(int surface, int light, int bounce) {
+    private ClusterProposal add(int surface, int light, int bounce) {
         if (size == pool.size()) {
-            pool.add(new RayCluster(family));
+            pool.add(new ClusterProposal(family));
         }
-        RayCluster c = pool.get(size++);
+        ClusterProposal c = pool.get(size++);
         c.begin(surface, light, bounce);
         return c;
     }

@@ -16,25 +16,26 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * The paper's ray clusters: evenly spaced rays show where samples are needed and where lights are partly hidden; samples
- * go there, and clusters of rays that met the same surface and light propose further ones. See docs/cluster-sampler.md.
+ * The paper's ray clusters: a survey of evenly spaced rays shows where samples are needed and where lights are partly hidden;
+ * samples are allocated accordingly, the survey's interpolated colours are their control variate, and clusters of rays that met
+ * the same surface and light propose further light points. See docs/cluster-sampler.md.
  *
  * <p>Unbiased, because every decision about a pixel is made before and without its own samples: numbers of samples from the
  * survey, proposals from the survey and the pixels before it.
  */
 public final class ClusterMethod implements TileMethod {
-    /** Learning looks at more light points; the block must be going to take so many times as many. */
-    private static final double PATIENCE = 1;
+    /** A block is surveyed again, with more light points, if it will take at least this many times as many of them itself. */
+    private static final double LEAST_USE_OF_SECOND_SURVEY = 1;
 
-    /** Points of the rarer kind that make a good fit, and how often to look for them. */
+    /** Points of the rarer kind (visible or hidden) that make a good fit, and how many surveys to take at most to find them. */
     private static final int ENOUGH_TO_LEARN = 96;
 
     private static final int MOST_LOOKS = 4;
 
-    /** A share of points above this leaves little to gain by seeking them. */
+    /** Where the rarer kind of points has a larger share than this, proposals gain little. */
     private static final double RARE = 0.2;
 
-    /** More first samples than this, as a binary logarithm, tell the others no more that is worth keeping. */
+    /** Binary logarithm of the largest number of first samples that are kept as evidence; more would tell little more. */
     static final int MOST_FIRST = 2;
 
     private static final int PIXELS = Block.SIDE * Block.SIDE;
@@ -57,7 +58,7 @@ public final class ClusterMethod implements TileMethod {
 
     private final Evidence evidence = new Evidence();
 
-    /** Binary logarithm of how many samples of each pixel tell about the others, and their colours, one after another. */
+    /** Binary logarithm of how many samples of each pixel are evidence about the others; and their colours, one after another. */
     private final int firstSamples;
 
     private final double[] first = new double[3 * PIXELS << MOST_FIRST];
@@ -95,7 +96,7 @@ public final class ClusterMethod implements TileMethod {
             Distribution proposal,
             double effort,
             double samples,
-            Consumer<List<ClusterRecord>> clusters) {
+            Consumer<List<ClusterStatistics>> clusters) {
         this.scene = scene;
         this.settings = settings;
         allocation = new Allocation(effort, samples);
@@ -107,7 +108,11 @@ public final class ClusterMethod implements TileMethod {
         guide = new ClusterGuide(proposal, counters);
     }
 
-    /** Binary logarithm of how many samples of each pixel tell about the others, if so many are spent in the mean. */
+    /**
+     * Binary logarithm of how many samples of each pixel are evidence about the others.
+     *
+     * @param samples how many are spent per pixel in the mean
+     */
     static int firstSamples(double samples) {
         return Math.min(Allocation.leastSamples(samples), MOST_FIRST);
     }
@@ -138,7 +143,7 @@ public final class ClusterMethod implements TileMethod {
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 boolean wanted = tile.contains(block.x() + i, block.y() + j);
-                // The pixels before a pixel teach its proposals, whether they are wanted or not.
+                // Proposals learn from the pixels before, also from those that are not part of the tile.
                 if (wanted || guided) {
                     renderPixel(block, i, j, wanted ? tile : null);
                 }
@@ -184,13 +189,13 @@ public final class ClusterMethod implements TileMethod {
         return needs;
     }
 
-    /** Whether the block is one that learns if enough is to be spent on it. */
+    /** Whether the block learns proposals if enough samples are spent on it. */
     boolean mayLearn() {
         double rare = survey.rareShare();
         return rare > 0 && rare <= RARE;
     }
 
-    /** Whether it has looked at more light points with what is to be spent on it. */
+    /** Whether it was surveyed again, given what is spent on it. */
     boolean hasLookedMore() {
         return lookedMore;
     }
@@ -199,7 +204,7 @@ public final class ClusterMethod implements TileMethod {
         return survey.rays();
     }
 
-    /** Whether the block is going to ask so often about lights of which so little is seen or hidden. */
+    /** Whether the block will take enough light points, of lights that are little hidden or little seen, to repay a second survey. */
     private boolean isWorthLearning(Block block) {
         if (!mayLearn()) {
             return false;
@@ -210,7 +215,7 @@ public final class ClusterMethod implements TileMethod {
                 points += 1L << allocation.lightPoints(needs.light[Block.SIDE * j + i]);
             }
         }
-        return points >= PATIENCE * survey.pointsOfMore();
+        return points >= LEAST_USE_OF_SECOND_SURVEY * survey.pointsOfMore();
     }
 
     /**
@@ -292,7 +297,7 @@ public final class ClusterMethod implements TileMethod {
         }
     }
 
-    /** Sets the colour of a sample minus what the corners let expect there. */
+    /** Sets the colour of a sample minus the control variate: the interpolation of the corners there. */
     private void sample(int x, int y, int i, int j, int index) {
         address.sample(index);
         double dx = address.filmX();
@@ -329,7 +334,7 @@ public final class ClusterMethod implements TileMethod {
         }
     }
 
-    /** The mean of the interpolation over the pixel. */
+    /** The mean of the control variate over the pixel, in closed form. */
     private double mean(int c) {
         int k = 4 * c;
         return corners[k] + (corners[k + 1] + corners[k + 2]) / 2 + corners[k + 3] / 4;

@@ -9,12 +9,12 @@ import java.util.function.Consumer;
 
 /** Keeps the nine distributions of each cluster of a block, if somebody wants to see them. */
 final class ClusterRecorder implements LightObserver {
-    private final Consumer<List<ClusterRecord>> sink;
-    private final double[] points = new double[ClusterRecord.COORDINATES];
-    private List<ClusterRecord> records = new ArrayList<>();
+    private final Consumer<List<ClusterStatistics>> sink;
+    private final double[] points = new double[ClusterStatistics.COORDINATES];
+    private List<ClusterStatistics> records = new ArrayList<>();
     private Block block;
 
-    ClusterRecorder(Consumer<List<ClusterRecord>> sink) {
+    ClusterRecorder(Consumer<List<ClusterStatistics>> sink) {
         this.sink = sink;
     }
 
@@ -25,7 +25,7 @@ final class ClusterRecorder implements LightObserver {
 
     /** Hands over what was recorded of the block. */
     void end(ClusterGuide guide) {
-        for (ClusterRecord r : records) {
+        for (ClusterStatistics r : records) {
             r.gain(guide == null ? 1 : guide.gain(r.surface, r.light, r.bounces));
         }
         sink.accept(records);
@@ -49,7 +49,7 @@ final class ClusterRecorder implements LightObserver {
             double dz,
             double distance,
             boolean blocked) {
-        ClusterRecord record = find(surface, light, bounce);
+        ClusterStatistics record = find(surface, light, bounce);
         if (blocked) {
             record.reject();
             return;
@@ -63,13 +63,13 @@ final class ClusterRecorder implements LightObserver {
         record.accept(points);
     }
 
-    private ClusterRecord find(int surface, int light, int bounce) {
-        for (ClusterRecord r : records) {
+    private ClusterStatistics find(int surface, int light, int bounce) {
+        for (ClusterStatistics r : records) {
             if (r.is(surface, light, bounce)) {
                 return r;
             }
         }
-        ClusterRecord r = new ClusterRecord(block, surface, light, bounce);
+        ClusterStatistics r = new ClusterStatistics(block, surface, light, bounce);
         records.add(r);
         return r;
     }

@@ -1,8 +1,8 @@
 package enlightenment.method.cluster;
 
 /**
- * What the first samples of a block's pixels met that its corners had not shown: a sign that other pixels hide as much. What a
- * pixel's need learns comes from the samples of the others only, so that its own may still be used.
+ * What the first samples of a block's pixels met that its corners had not shown: evidence that other pixels hide as much. A
+ * pixel's demand is raised by the samples of the others only, so that its own stay unbiased.
  *
  * <p>Pixels whose corners met the same and pixels whose corners did not are judged apart: beside the outline of a large thing the
  * former hide nothing, between wires thinner than a pixel they hide as much as the latter. The shares were chosen for the least
@@ -38,7 +38,7 @@ final class Evidence {
     }
 
     /**
-     * How much of a surprise a sample is.
+     * What a sample shows that the corners had not: its squared difference from the control variate, less the noise expected.
      *
      * @param color the sample minus what the corners let expect
      * @param samePath whether it met what all the corners of its pixel met
@@ -46,14 +46,14 @@ final class Evidence {
      */
     static double of(double[] color, boolean samePath, SampleDemand needs, int pixel, int lightPoints) {
         double squared = (color[0] * color[0] + color[1] * color[1] + color[2] * color[2]) / 3;
-        // Where lights are partly hidden their noise is no news.
+        // Where lights are partly hidden, their noise is expected.
         if (!samePath) {
             return squared - needs.light[pixel] / lightPoints;
         }
         return needs.light[pixel] > 0 ? 0 : OF_SAME_PATH * (squared - needs.film[pixel]);
     }
 
-    /** Tells the mean surprise of the first samples of a pixel, and whether its corners met the same. */
+    /** Takes note of the mean surprise of the first samples of a pixel, and whether its corners met the same. */
     void tell(int pixel, boolean isQuiet, double mean) {
         quiet[pixel] = isQuiet;
         surprise[pixel] = mean;

@@ -1,7 +1,7 @@
 package enlightenment.method.cluster;
 
 /**
- * How much each pixel of a block needs samples, as the survey shows it: the expected variance of a single sample, once from
+ * How many samples each pixel of a block needs, as the survey shows it: the expected variance of a single sample, once from
  * where in the pixel it lies, once from which light point it takes.
  *
  * <p>An edge (corners whose rays met different things) makes a sample vary as much as the corners do; without one, what the
@@ -39,7 +39,7 @@ final class SampleDemand {
 
     final double[] light = new double[Block.SIDE * Block.SIDE];
 
-    /** Whether no pixel's light is in doubt. */
+    /** Whether no pixel has variance from its light points. */
     boolean lightIsSettled;
 
     /** Works out the needs of a block from its survey. */
@@ -57,14 +57,14 @@ final class SampleDemand {
         }
     }
 
-    /** Takes into account that proposals make the variance from light points so many times smaller. */
+    /** Takes into account that proposals divide the variance from light points by {@code gain}. */
     void guided(double gain) {
         for (int k = 0; k < light.length; k++) {
             light[k] /= gain;
         }
     }
 
-    /** The share of a pixel's expected variance that comes from so many light points per sample. */
+    /** The share of a pixel's expected variance that is due to its light points, if each sample takes this many. */
     double ofLight(int pixel, int points) {
         double ofPoints = light[pixel] / points;
         double all = film[pixel] + edge[pixel] + ofPoints;

@@ -8,8 +8,9 @@ import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
 
 /**
- * The paper's evenly spaced rays: one through each corner of the block's pixels. They are no samples of the pixels; they say
- * where samples are needed, and between them the colour is interpolated, so that samples need only tell the difference.
+ * The paper's evenly spaced rays: one through each corner of the block's pixels. They are no samples of the pixels; they show
+ * where samples are needed, and the colour that is interpolated between them is a control variate: samples estimate only the
+ * difference.
  *
  * <p>A corner's ray is a pure function of scene, seed and corner, so that neighbouring blocks see the same at their border.
  */
@@ -23,7 +24,10 @@ final class Survey {
 
     private static final int MANY = 16;
 
-    /** The points around a pixel alone would miss what is rare; those of the block blur what is sharp. */
+    /**
+     * The points around a pixel alone would miss what is rare, those of the block alone would blur what is sharp: the block counts like
+     * this many points.
+     */
     private static final int BLOCK_POINTS = 32;
 
     /** Keeps the survey's random numbers apart from those of pixels, which have the same places. */
@@ -47,7 +51,7 @@ final class Survey {
     final long[] keys = new long[NODES];
     private final int[] asked = new int[NODES];
     private final int[] blocked = new int[NODES];
-    private final double[] energy = new double[NODES];
+    private final double[] contrast = new double[NODES];
     private final double[] spread = new double[NODES];
     private boolean spreads;
     private boolean empty;
@@ -64,7 +68,7 @@ final class Survey {
         seed = Hash.of(settings.seed(), PURPOSE);
     }
 
-    /** Looks through all corners of a block. */
+    /** Follows a ray through each corner of the pixels of a block. */
     void take(Block target) {
         block = target;
         rays = 0;
@@ -84,7 +88,7 @@ final class Survey {
         }
     }
 
-    /** Where there is only the background, one corner stands for all. */
+    /** Where there is only the background, the ray of one corner stands for all. */
     private void lookForAll() {
         look(0, 0, 0);
         for (int k = 1; k < NODES; k++) {
@@ -92,12 +96,16 @@ final class Survey {
             keys[k] = keys[0];
             asked[k] = 0;
             blocked[k] = 0;
-            energy[k] = 0;
+            contrast[k] = 0;
             spread[k] = 0;
         }
     }
 
-    /** Looks again, at more points of the lights, through the corners where something may hide a light; round 1, 2, … */
+    /**
+     * Follows the rays again, with more light points, through the corners where something may hide a light.
+     *
+     * @param round 1, 2, …: each has random numbers of its own
+     */
     void takeMore(ClusterGuide observer, int round) {
         shader.lightPoints(MANY);
         shader.guide(observer);
@@ -134,7 +142,7 @@ final class Survey {
         keys[k] = shader.pathKey();
         asked[k] += points;
         blocked[k] += shader.blockedShadowRays();
-        energy[k] = shader.visibilityContrast();
+        contrast[k] = shader.visibilityContrast();
         spread[k] = shader.colorVariance();
         spreads |= spread[k] > 0;
         askedInAll += points;
@@ -187,8 +195,8 @@ final class Survey {
 
     /**
      * The variance of the colour of one sample in pixel (i, j) that comes from the choice of its light point, if it takes
-     * one: that of its cosine, and the energy at stake times p (1 − p), where p is the share of hidden points around the pixel, with that of the
-     * block counted in as so many more points.
+     * one: that of its cosine, and the contrast of visibility times p (1 − p), where p is the share of hidden points around the
+     * pixel, towards which that of the block counts like {@link #BLOCK_POINTS} points.
      */
     double lightVariance(int i, int j) {
         int points = 0;
@@ -199,7 +207,7 @@ final class Survey {
             int node = node(i + (k & 1), j + (k >> 1));
             points += asked[node];
             hidden += blocked[node];
-            stake = Math.max(stake, energy[node]);
+            stake = Math.max(stake, contrast[node]);
             ofCosine += spread[node] / 4;
         }
         if (stake == 0) {
@@ -212,10 +220,10 @@ final class Survey {
 
     /** The variance of a corner's own colour for the same reason. */
     double lightNoise(int node) {
-        if (energy[node] == 0 || blocked[node] == 0 || blocked[node] == asked[node]) {
+        if (contrast[node] == 0 || blocked[node] == 0 || blocked[node] == asked[node]) {
             return 0;
         }
         double p = (double) blocked[node] / asked[node];
-        return energy[node] * p * (1 - p) / asked[node];
+        return contrast[node] * p * (1 - p) / asked[node];
     }
 }

@@ -1,0 +1,177 @@
+package enlightenment.plan;
+
+import enlightenment.film.ErrorEstimate;
+import enlightenment.film.FilmTile;
+import enlightenment.picture.Rounding;
+import enlightenment.scene.RenderSettings;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Finds out by trials how many samples per pixel an error takes. What is sought is the number for which the upper end of the
+ * interval that the finished picture will give itself is as asked, rounding included. All trials together take at most about half
+ * of what the render will: what they miss, the finished picture tells ({@link Rounds}).
+ */
+final class ErrorTrials {
+    /** A trial renders a sixteenth of the blocks, or {@link #LEAST_BLOCKS} of them if that is more, but at most an eighth. */
+    private static final double SHARE = 1.0 / 16;
+
+    private static final double MOST_SHARE = 1.0 / 8;
+    private static final double LEAST_BLOCKS = 320;
+
+    /** Where an eighth of the blocks is not even this many, they tell nothing of the others. */
+    private static final double TOO_FEW_BLOCKS = 16;
+
+    /** What is aimed at, as a share of the error asked for: the trial has seen only some of the picture. */
+    private static final double AIM = 0.97;
+
+    private static final int MOST_TRIALS = 7;
+
+    /** The cost of all trials, as a share of the render that they propose. */
+    private static final double MOST_COST = 0.5;
+
+    /** Rounding that takes this share of the error leaves nothing that could be reached. */
+    private static final double HOPELESS = 0.99;
+
+    /** Renders blocks with a number of samples per pixel. */
+    @FunctionalInterface
+    interface Sampler {
+        void render(double samples, List<FilmTile> blocks);
+    }
+
+    private final double asked;
+    private final int depth;
+    private final Sampler sampler;
+    private final BooleanSupplier stop;
+    private final TrialBlocks blocks;
+    private final double share;
+
+    /** What was spent, in samples per pixel of the whole render. */
+    private double work;
+
+    private double rounding;
+
+    /** The trial that the present answer comes from. */
+    private List<FilmTile> answered;
+
+    /** @param stop once true, nothing more is tried */
+    ErrorTrials(RenderSettings settings, Sampler sampler, BooleanSupplier stop) {
+        asked = settings.budget().error().orElseThrow();
+        depth = settings.budget().depth();
+        this.sampler = sampler;
+        this.stop = stop;
+        blocks = new TrialBlocks(settings);
+        share = Math.max(SHARE, Math.min(MOST_SHARE, LEAST_BLOCKS / blocks.count()));
+    }
+
+    /** Whether what is rendered is so small that trials tell nothing: then the picture itself is the cheapest trial. */
+    boolean areTooFew() {
+        return blocks.count() * MOST_SHARE < TOO_FEW_BLOCKS;
+    }
+
+    /** Whether rounding alone makes the error as large as it may be; known after a search. */
+    boolean isHopeless() {
+        return rounding >= HOPELESS * asked;
+    }
+
+    /** The root mean square of what rounding to the file's depth changes, as far as trials tell. */
+    double rounding() {
+        return rounding;
+    }
+
+    /** What all trials have cost, in samples per pixel of the whole render. */
+    double work() {
+        return work;
+    }
+
+    /**
+     * The number of samples for which the error is as asked, if it lies between {@code least} and {@code most}; if not, the latter.
+     *
+     * @param first the number to begin with
+     * @param planning what it costs to plan for another number, beside the trial, in samples per pixel of the whole render
+     * @return infinite where even the largest number seems not to be enough, or it was stopped before it could be known
+     */
+    double search(double least, double first, double most, double planning) {
+        ErrorSearch search = new ErrorSearch(asked, least, most);
+        double n = Math.min(Math.max(first, least), most);
+        for (int k = 0; k < MOST_TRIALS; k++) {
+            work += planning;
+            List<FilmTile> tiles = trial(n, 0);
+            double e = stop.getAsBoolean() ? 0 : figure(tiles);
+            if (stop.getAsBoolean() || isHopeless()) {
+                return Double.POSITIVE_INFINITY;
+            }
+            search.found(n, e);
+            answered = search.answer() == n ? tiles : answered;
+            if (search.isOver()) {
+                break;
+            }
+            n = Math.min(Math.max(Tidy.of(search.next()), least), most);
+            if (work + planning + share * n > MOST_COST * n) {
+                return search.isFound() ? search.answer() : n < most ? n : Double.POSITIVE_INFINITY;
+            }
+        }
+        if (!search.isFound()) {
+            return search.answer() < most ? Tidy.of(search.answer()) : Double.POSITIVE_INFINITY;
+        }
+        return confirmed(search.answer(), most);
+    }
+
+    /** The answer, or more where twice as many blocks say so. */
+    private double confirmed(double n, double most) {
+        List<FilmTile> both = new ArrayList<>(answered);
+        both.addAll(trial(n, 1));
+        if (stop.getAsBoolean()) {
+            return n;
+        }
+        double e = figure(both);
+        if (isHopeless()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double more = e <= asked ? n : Tidy.of(n * StrictMath.pow(e / asked, 1 / ErrorSearch.USUAL_SLOPE));
+        return more <= most ? more : Double.POSITIVE_INFINITY;
+    }
+
+    private List<FilmTile> trial(double samples, int phase) {
+        List<FilmTile> tiles = blocks.phase(phase, share);
+        sampler.render(samples, tiles);
+        work += samples * tiles.size() / blocks.count();
+        return tiles;
+    }
+
+    /**
+     * What is compared with the error asked for. The interval is between that of the trial, which knows what it may have missed,
+     * and that of a whole picture like it, in which chance is less.
+     */
+    private double figure(List<FilmTile> tiles) {
+        double square = squaredRounding(tiles);
+        rounding = Math.sqrt(square);
+        if (isHopeless()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        List<FilmTile> whole = new ArrayList<>();
+        for (long k = Math.max(blocks.count() / tiles.size(), 1); k > 0; k--) {
+            whole.addAll(tiles);
+        }
+        double high = Math.sqrt(
+                ErrorEstimate.of(tiles).high() * ErrorEstimate.of(whole).high());
+        return high / AIM * asked / Math.sqrt(asked * asked - square);
+    }
+
+    private double squaredRounding(List<FilmTile> tiles) {
+        double sum = 0;
+        long components = 0;
+        for (FilmTile tile : tiles) {
+            for (int y = tile.y; y < tile.y + tile.height; y++) {
+                for (int x = tile.x; x < tile.x + tile.width; x++) {
+                    for (int c = 0; c < 3; c++) {
+                        sum += Rounding.square((float) tile.mean(x, y, c), depth);
+                    }
+                    components += 3;
+                }
+            }
+        }
+        return sum / components;
+    }
+}

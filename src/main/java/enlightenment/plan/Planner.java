@@ -1,0 +1,88 @@
+package enlightenment.plan;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
+import enlightenment.work.Stopwatch;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Turns a budget into a number of samples per pixel before the first tile is rendered, by trials on some blocks of what is
+ * rendered, with random numbers of their own: nothing that is decided depends on the samples that it is decided about. Every
+ * budget becomes a number, whatever it asks; where that cannot keep it, {@link #notes} says so.
+ */
+public final class Planner {
+    private final RenderSettings settings;
+    private final BooleanSupplier cancelled;
+    private final SamplePlans plans;
+    private final Trial trial;
+    private final List<String> notes = new ArrayList<>();
+
+    /** @param cancelled asked from several threads at once; once true, a plan is made in haste */
+    public Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        this.settings = settings;
+        this.cancelled = cancelled;
+        plans = new SamplePlans(scene, settings, cancelled);
+        trial = new Trial(scene, settings, plans);
+    }
+
+    /**
+     * The plan for the settings' budget.
+     *
+     * @param time since the render began
+     * @param previewed the share of the samples that is spent on previews, and not on the picture
+     * @throws enlightenment.math.InvalidValueException if rounding to the depth of the budget is a greater error than asked for, and
+     *     nothing else limits the render
+     */
+    public RenderPlan plan(Stopwatch time, double previewed) {
+        Budget budget = settings.budget();
+        if (budget.isNone()) {
+            return plans.ofAntialias();
+        }
+        double samples = budget.samples().orElse(Budget.MAX_SAMPLES);
+        String by = "samples";
+        if (budget.error().isPresent()) {
+            double n = new ErrorPlanner(settings, plans, trial, endOfErrorTrials(time), notes::add).samples(samples);
+            by = n < samples ? "error" : by;
+            samples = Math.min(samples, n);
+        }
+        if (budget.seconds().isPresent()) {
+            double n = new TimePlanner(settings, plans, trial, cancelled, notes::add)
+                    .samples(budget.seconds().getAsDouble(), time, 1 + previewed);
+            by = n < samples ? "time" : by;
+            samples = Math.min(samples, n);
+        }
+        return plans.of(samples, by);
+    }
+
+    /** When to stop looking for the samples that an error takes: where there is not much time, time decides. */
+    private BooleanSupplier endOfErrorTrials(Stopwatch time) {
+        if (settings.budget().seconds().isEmpty()) {
+            return cancelled;
+        }
+        double longest = Pace.LEAST_TRIAL_TIME * settings.budget().seconds().getAsDouble();
+        return () -> cancelled.getAsBoolean() || time.seconds() > longest;
+    }
+
+    /** What cannot be kept of the budget, or only at a price, in plain words; known when it is planned. */
+    public List<String> notes() {
+        return List.copyOf(notes);
+    }
+
+    /** The plan for a preview with this many samples per pixel; empty if the method cannot do with so few. */
+    public Optional<RenderPlan> preview(double samples) {
+        return plans.isPossible(samples) ? Optional.of(plans.of(samples, "preview")) : Optional.empty();
+    }
+
+    /**
+     * The plan for this many samples per pixel.
+     *
+     * @param by which part of the budget was decisive
+     */
+    public RenderPlan withSamples(double samples, String by) {
+        return plans.of(samples, by);
+    }
+}

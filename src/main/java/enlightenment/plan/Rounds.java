@@ -1,0 +1,137 @@
+package enlightenment.plan;
+
+import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
+import java.math.BigDecimal;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/**
+ * Decides whether a finished picture is as exact as its budget asks, and with how many samples to render it again if not. A round
+ * starts from nothing: so its picture is that of {@code --samples} with its number, whatever rounds there were before
+ * (docs/decisions/0008). Each takes at least a quarter more than the one before, so all of them together take at most five times
+ * as much as the last; as a rule there are one or two.
+ */
+public final class Rounds {
+    /** What is aimed at, as a share of the error asked for: another round costs more than a few samples too many. */
+    private static final double AIM = 0.95;
+
+    /** The smallest and the largest factor from one round to the next. */
+    private static final double LEAST_FACTOR = 1.25;
+
+    private static final double MOST_FACTOR = 8;
+
+    /** The error falls at least as n^−½ and at best as 1/n with the number of samples. */
+    private static final double LEAST_SLOPE = 0.5;
+
+    private static final double MOST_SLOPE = 1;
+
+    /** The share of the time that is left that is planned with; a round that could take less more than that is not worth it. */
+    private static final double PLANNED_TIME = 0.93;
+
+    private static final double LEAST_WORTH = 1.1;
+
+    private final Budget budget;
+    private double samples;
+    private double error;
+    private boolean isLimited;
+
+    /**
+     * What a finished picture was made with, and what became of it.
+     *
+     * @param asked the method of the settings
+     * @param used the method that made the samples
+     * @param samples the samples per pixel that were planned
+     * @param errorHigh the upper end of the interval that is to hold the error
+     * @param rounding the error of rounding to the depth of the file
+     */
+    public record Outcome(Method asked, Method used, double samples, double errorHigh, double rounding) {
+        /** The error that is to be counted on. */
+        private double error() {
+            return Math.hypot(errorHigh, rounding);
+        }
+    }
+
+    /** The rounds of one render with this budget. */
+    public Rounds(Budget budget) {
+        this.budget = budget;
+    }
+
+    /**
+     * The number of samples for the next round; empty if the picture is exact enough, or nothing more can be done.
+     *
+     * @param outcome of the round that is over
+     * @param took seconds that its rendering took
+     * @param now seconds since the budget began
+     */
+    public OptionalDouble next(Outcome outcome, double took, double now) {
+        double n = outcome.samples;
+        double most = budget.samples().orElse(Budget.MAX_SAMPLES);
+        double aim = aim(outcome.rounding);
+        // What cannot be reached is come as near to as other limits allow.
+        boolean isEndless =
+                !(aim > 0) && budget.samples().isEmpty() && budget.seconds().isEmpty();
+        if (isMet(outcome) || !(n < most) || isEndless) {
+            return OptionalDouble.empty();
+        }
+        double next = samplesFor(n, outcome.errorHigh, aim);
+        if (outcome.used == Method.RAYTRACE && outcome.asked == Method.CLUSTER) {
+            // The error of evenly spaced rays tells little of that of surveyed ones: it may be far smaller.
+            next = Math.min(next, SamplePlans.FIRST_OF_CLUSTER);
+        }
+        samples = n;
+        error = outcome.errorHigh;
+        if (budget.seconds().isPresent()) {
+            double left = PLANNED_TIME * (budget.seconds().getAsDouble() - now);
+            double affordable = n * left / took;
+            isLimited = affordable < next;
+            // In this order what is no number ends it.
+            if (!(Math.min(affordable, next) >= LEAST_WORTH * n)) {
+                return OptionalDouble.empty();
+            }
+            next = Math.min(affordable, next);
+        }
+        return OptionalDouble.of(Math.min(Tidy.of(next), most));
+    }
+
+    /** What decided about the last number: error, samples or time. */
+    public String decidedBy(double next) {
+        return isLimited ? "time" : next < budget.samples().orElse(Budget.MAX_SAMPLES) ? "error" : "samples";
+    }
+
+    /** What is said of a picture that another one follows. */
+    public String note(Outcome outcome, double next) {
+        return String.format(
+                Locale.ROOT,
+                "error up to %.3g with %s samples per pixel, more than %s: once more with %s",
+                outcome.error(),
+                number(outcome.samples),
+                number(budget.error().orElse(0)),
+                number(next));
+    }
+
+    /** A number with as many digits as it has, and no exponent. */
+    static String number(double value) {
+        return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+    }
+
+    private boolean isMet(Outcome outcome) {
+        return budget.error().isEmpty() || outcome.error() <= budget.error().getAsDouble();
+    }
+
+    /** The error that the samples may leave. */
+    private double aim(double rounding) {
+        double asked = budget.error().orElse(0);
+        return AIM * Math.sqrt(Math.max(asked * asked - rounding * rounding, 0));
+    }
+
+    private double samplesFor(double n, double e, double aim) {
+        double slope = ErrorSearch.USUAL_SLOPE;
+        if (samples > 0 && n > samples) {
+            double seen = StrictMath.log(error / e) / StrictMath.log(n / samples);
+            slope = seen > LEAST_SLOPE ? Math.min(seen, MOST_SLOPE) : LEAST_SLOPE;
+        }
+        double factor = StrictMath.pow(e / aim, 1 / slope);
+        return n * (factor > LEAST_FACTOR ? Math.min(factor, MOST_FACTOR) : LEAST_FACTOR);
+    }
+}

@@ -1,0 +1,77 @@
+package enlightenment.plan;
+
+import enlightenment.film.FilmTile;
+import enlightenment.scene.RenderSettings;
+import enlightenment.work.Stopwatch;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/** The number of samples that a time is enough for, as far as trials tell. */
+final class TimePlanner {
+    /** A trial has this share of the blocks, or this many of them if that is more. */
+    private static final double SHARE = 1.0 / 16;
+
+    private static final double FEWEST_BLOCKS = 64;
+
+    private final RenderSettings settings;
+    private final SamplePlans plans;
+    private final Trial trial;
+    private final BooleanSupplier cancelled;
+    private final Consumer<String> notes;
+
+    /** @param notes hears what cannot be kept */
+    TimePlanner(
+            RenderSettings settings,
+            SamplePlans plans,
+            Trial trial,
+            BooleanSupplier cancelled,
+            Consumer<String> notes) {
+        this.settings = settings;
+        this.plans = plans;
+        this.trial = trial;
+        this.cancelled = cancelled;
+        this.notes = notes;
+    }
+
+    /**
+     * The number of samples that take this time: that of the fastest trials, and 1 where there is no time for any.
+     *
+     * @param seconds the budget
+     * @param time since the budget began
+     * @param passes how much time the render takes, in multiples of what its samples take
+     */
+    double samples(double seconds, Stopwatch time, double passes) {
+        TrialBlocks blocks = new TrialBlocks(settings);
+        double share = Math.max(SHARE, FEWEST_BLOCKS / blocks.count());
+        RenderSettings.Crop region = settings.region();
+        int trialPixels = blocks.phase(0, share).stream()
+                .mapToInt(b -> b.width * b.height)
+                .sum();
+        Pace pace = new Pace(seconds, (double) region.width() * region.height() * passes, trialPixels);
+        BooleanSupplier over = () -> cancelled.getAsBoolean() || time.seconds() >= seconds;
+        boolean surveyed = false;
+        do {
+            double n = pace.next();
+            if (plans.isSurveyed(n) != surveyed) {
+                surveyed = !surveyed;
+                pace.otherRays();
+                // What is worked out only once must not count as part of a trial.
+                plans.prepareSurveyed();
+            }
+            List<FilmTile> tiles = blocks.phase(0, share);
+            double before = time.seconds();
+            trial.render(n, tiles, over);
+            double now = time.seconds();
+            if (!over.getAsBoolean()) {
+                pace.tried(n, now - before, now);
+            }
+        } while (!over.getAsBoolean() && pace.isWorthTrying());
+        double planned = pace.planned(time.seconds());
+        if (planned < 1 && !cancelled.getAsBoolean()) {
+            notes.accept(
+                    "time " + Rounds.number(seconds) + " s is too short: the least is taken, one sample per pixel");
+        }
+        return plans.isSurveyed(planned) && !surveyed ? SamplePlans.MOST_WITHOUT_SURVEY : Tidy.of(planned);
+    }
+}

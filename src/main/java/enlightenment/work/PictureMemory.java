@@ -1,0 +1,43 @@
+package enlightenment.work;
+
+import enlightenment.check.Check;
+import enlightenment.scene.RenderSettings;
+
+/** The memory that a picture takes while it is rendered. */
+public final class PictureMemory {
+    /** A film keeps three doubles, two floats and a count per pixel, the finished picture three floats. */
+    private static final long BYTES_PER_PIXEL = 3 * (8 + 4) + 3 * 4;
+
+    /** Another image as large as the picture. */
+    private static final long BYTES_PER_IMAGE_PIXEL = 3 * 4;
+
+    private PictureMemory() {}
+
+    /** Bytes for the film and the finished picture. */
+    public static long bytes(RenderSettings settings) {
+        return pixels(settings) * BYTES_PER_PIXEL;
+    }
+
+    /**
+     * Refuses a picture that cannot fit, before anything is allocated.
+     *
+     * @param moreImages how many other images as large as the picture are needed
+     * @throws enlightenment.math.InvalidValueException if there is less memory
+     */
+    public static void check(RenderSettings settings, int moreImages) {
+        RenderSettings.Crop region = settings.region();
+        long needed = bytes(settings) + moreImages * BYTES_PER_IMAGE_PIXEL * pixels(settings);
+        long available = Runtime.getRuntime().maxMemory();
+        boolean fits = needed <= available && 3 * pixels(settings) <= Integer.MAX_VALUE - 8;
+        Check.that(
+                fits,
+                "size",
+                "a picture of " + region.width() + "x" + region.height() + " pixels needs " + needed
+                        + " bytes of memory; at most " + available + " are there (java -Xmx sets the limit)");
+    }
+
+    private static long pixels(RenderSettings settings) {
+        RenderSettings.Crop region = settings.region();
+        return (long) region.width() * region.height();
+    }
+}

@@ -1,0 +1,159 @@
+package enlightenment.plan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.render.RenderReport;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Pictures whose errors are known functions of the number of samples. */
+class RoundsTest {
+    private static final RenderSettings SETTINGS =
+            RenderSettings.of(TestScenes.whiteFireAndIce().build());
+
+    private static RenderReport report(Budget budget, double samples, double error, double rounding) {
+        RenderReport.Sampling sampling = new RenderReport.Sampling(
+                Method.RAYTRACE, "error", samples, samples, error / 1.2, error / 1.44, error, 0, 0, 0, rounding, 1);
+        return new RenderReport(
+                "",
+                SETTINGS.withBudget(budget),
+                List.of(),
+                Map.of(),
+                0,
+                0,
+                sampling,
+                Map.of(),
+                Map.of(),
+                0,
+                List.of(),
+                0,
+                0);
+    }
+
+    private static Rounds.Outcome outcome(RenderReport report) {
+        RenderReport.Sampling s = report.sampling();
+        return new Rounds.Outcome(
+                report.settings().method(), s.method(), s.plannedSamples(), s.errorHigh(), s.rounding());
+    }
+
+    /** What all rounds took, and the number of the last. */
+    private record End(double last, double all, int rounds, RenderReport report, String by) {}
+
+    private static End render(Budget budget, double first, DoubleUnaryOperator error, double rounding) {
+        return render(budget, first, error, rounding, 0);
+    }
+
+    private static End render(Budget budget, double first, DoubleUnaryOperator error, double rounding, double cost) {
+        Rounds rounds = new Rounds(budget);
+        double n = first;
+        double all = 0;
+        String by = "trial";
+        for (int k = 1; ; k++) {
+            assertTrue(k < 200, "there is no end to it");
+            all += n;
+            RenderReport report = report(budget, n, error.applyAsDouble(n), rounding);
+            OptionalDouble next = rounds.next(outcome(report), cost * n, cost * all);
+            if (next.isEmpty()) {
+                return new End(n, all, k, report, by);
+            }
+            assertTrue(next.getAsDouble() > n, "no more than before");
+            by = rounds.decidedBy(next.getAsDouble());
+            n = next.getAsDouble();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.5, 0.6, 0.75, 1})
+    void theErrorIsKeptInAFewRoundsAndNotWastefully(double slope) {
+        for (double asked = 0.2; asked > 1e-3; asked *= 0.77) {
+            for (double first : new double[] {1, 2.44, 30}) {
+                DoubleUnaryOperator error = n -> 0.3 * Math.pow(n, -slope);
+                End end = render(Budget.NONE.withError(asked), first, error, 0);
+                assertTrue(end.report.isErrorMet());
+                double needed = Math.max(Math.pow(0.3 / asked, 1 / slope), first);
+                assertTrue(end.last <= 2 * needed, end + " where " + needed + " are needed");
+                assertTrue(end.all <= 4 * needed, end + " where " + needed + " are needed");
+            }
+        }
+    }
+
+    @Test
+    void whateverTheErrorIsItEnds() {
+        List<DoubleUnaryOperator> errors = List.of(
+                n -> 0.1,
+                n -> 0.1 * n,
+                n -> Double.POSITIVE_INFINITY,
+                n -> Double.NaN,
+                n -> n % 2 == 0 ? 0.02 : 1e300,
+                n -> 0.1 + 1e-9 / n);
+        for (DoubleUnaryOperator error : errors) {
+            for (double asked : new double[] {Double.MIN_VALUE, 1e-300, 1e-7, 0.01}) {
+                for (double rounding : new double[] {0, 1e-9, 0.0011, 0.01, 1, Double.NaN}) {
+                    for (double first : new double[] {1, 2.45, Budget.MAX_SAMPLES}) {
+                        Budget budget = Budget.NONE.withError(asked);
+                        assertFalse(
+                                render(budget, first, error, rounding).report.isErrorMet());
+                        render(budget.withSamples(57.3), Math.min(first, 57.3), error, rounding);
+                        for (double cost : new double[] {0, Double.MIN_VALUE, 1e-3, 1e9, Double.NaN}) {
+                            render(budget.withSeconds(2), first, error, rounding, cost);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void theSamplesThatAreAllowedAreAllTriedAndNotExceeded() {
+        DoubleUnaryOperator error = n -> 1 / Math.sqrt(n);
+        End end = render(Budget.NONE.withError(0.01).withSamples(123.4), 1, error, 0);
+        assertEquals(123.4, end.last);
+        assertEquals("samples", end.by);
+        assertFalse(end.report.isErrorMet());
+        assertTrue(end.report.samplesForError().getAsDouble() > 123.4);
+        assertEquals(1, render(Budget.NONE.withError(0.01).withSamples(1), 1, error, 0).rounds);
+    }
+
+    @Test
+    void theTimeIsNotExceeded() {
+        for (double seconds = 0.01; seconds < 1000; seconds *= 1.9) {
+            End end = render(Budget.NONE.withError(1e-4).withSeconds(seconds), 1, n -> 1 / Math.sqrt(n), 0, 0.001);
+            assertTrue(end.all * 0.001 <= seconds, end + " in " + seconds + " s");
+            assertTrue(end.rounds == 1 || end.by.equals("time") || end.by.equals("error"), end.by);
+        }
+    }
+
+    /** What rounding takes of the error, samples must make up for. */
+    @Test
+    void roundingIsPartOfTheErrorAndEndsItWhereItIsAllOfIt() {
+        DoubleUnaryOperator error = n -> 0.1 / Math.sqrt(n);
+        End plain = render(Budget.NONE.withError(0.002), 1, error, 0);
+        End rounded = render(Budget.NONE.withError(0.002), 1, error, 0.0015);
+        assertTrue(rounded.last > 2 * plain.last);
+        assertTrue(Math.hypot(error.applyAsDouble(rounded.last), 0.0015) <= 0.002);
+        assertEquals(1, render(Budget.NONE.withError(0.0014), 1, error, 0.0015).rounds);
+        // Another limit ends it, too, and the picture is as good as that allows.
+        assertEquals(77.7, render(Budget.NONE.withError(0.0014).withSamples(77.7), 1, error, 0.0015).last);
+    }
+
+    @Test
+    void anIntervalThatReachesBeyondTheErrorIsNotMet() {
+        Budget budget = Budget.NONE.withError(0.01);
+        assertTrue(report(budget, 4, 0.0099, 0).isErrorMet());
+        assertTrue(report(budget, 4, 0.0099, 0.0011).isErrorMet());
+        assertFalse(report(budget, 4, 0.0099, 0.0015).isErrorMet());
+        // The estimate alone would be 0.0084.
+        assertFalse(report(budget, 4, 0.0101, 0).isErrorMet());
+    }
+}

@@ -1,0 +1,56 @@
+package enlightenment.plan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.work.Stopwatch;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Plans for a time, by a clock that ticks each time it is read: on one thread they do not depend on the machine. */
+class TimePlannerTest {
+    private static final Scene SCENE = TestScenes.whiteFireAndIce().build();
+
+    private static RenderPlan plan(Planner planner, long nanosPerReading) {
+        AtomicLong clock = new AtomicLong();
+        return planner.plan(new Stopwatch(() -> clock.getAndAdd(nanosPerReading)), 0);
+    }
+
+    private static Planner planner(Method method, double seconds) {
+        RenderSettings settings = RenderSettings.of(SCENE)
+                .withMethod(method)
+                .withSize(64, 32)
+                .withThreads(1)
+                .withBudget(Budget.NONE.withSeconds(seconds));
+        CompiledScene compiled = SceneCompiler.compile(SCENE, settings);
+        return new Planner(compiled, settings, () -> false);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Method.class)
+    void theSameClockGivesTheSamePlanAndAFasterMachineMoreSamples(Method method) {
+        RenderPlan plan = plan(planner(method, 1), 100_000);
+        assertEquals("time", plan.decidedBy());
+        assertEquals(plan, plan(planner(method, 1), 100_000));
+        assertTrue(plan.samples() > 1, plan.toString());
+        assertTrue(plan(planner(method, 1), 10_000).samples() > plan.samples(), plan.toString());
+    }
+
+    @Test
+    void whereThereIsNoTimeTheLeastIsTakenAndSaid() {
+        Planner planner = planner(Method.RAYTRACE, 1);
+        RenderPlan plan = plan(planner, 2_000_000_000L);
+        assertEquals(1, plan.samples());
+        assertEquals(1, planner.notes().size());
+        assertTrue(planner.notes().get(0).contains("too short"), planner.notes().get(0));
+    }
+}

@@ -93,9 +93,9 @@ final class TradeJson {
     }
 
     private static void equalTime(JsonGenerator json, EqualTimeComparison comparison) {
+        double variance = comparison.referenceVariance();
         json.writeBooleanProperty("equal", comparison.isEqual());
         comparison.sentence().ifPresent(s -> json.writeStringProperty("equalTimeSentence", s));
-        double variance = comparison.referenceVariance();
         json.writeArrayPropertyStart("equalTime");
         for (EqualTimePicture e : comparison.pictures()) {
             json.writeStartObject();

@@ -111,7 +111,7 @@ class FineScenesTest {
     @ParameterizedTest
     @CsvSource({"wires, 5", "wires, 16", "slats, 12"})
     void clusterAndRaytraceMeanTheSamePicture(String name, double samples) {
-        assertSame(name, samples, 32);
+        assertSame(name, samples, 16);
     }
 
     @ParameterizedTest

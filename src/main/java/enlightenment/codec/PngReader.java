@@ -169,7 +169,7 @@ final class PngReader {
         if (isPalette() && palette == null) {
             throw new IOException("its palette is missing");
         }
-        // Before anything of the picture's size is allocated: can so little data hold so many pixels?
+        // Before anything of the picture's size is allocated: can this much data hold that many pixels?
         long compressed = data.stream().mapToLong(ByteBuffer::remaining).sum();
         long bits = (long) channels() * depth * width * height;
         if (bits / 8 / MAXIMUM_EXPANSION > compressed) {

@@ -71,7 +71,7 @@ public final class ClusterMethod implements TileMethod {
     private boolean lookedMore;
 
     /**
-     * @param effort how much is spent: the inverse of the variance that is worth one more sample
+     * @param effort how much is spent: the inverse of the smallest reduction of variance for which one more sample is taken
      * @param samples the camera rays per pixel that this is expected to take: a share of them goes everywhere
      */
     public ClusterMethod(

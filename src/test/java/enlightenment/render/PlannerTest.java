@@ -67,7 +67,8 @@ class PlannerTest {
     void theTrueErrorStaysBelowWhatWasAsked(String name, Method method) {
         Scene scene = ManySeeds.shipped(name);
         double asked = 0.03;
-        double[] truth = reference(scene, method, 72, 36, asked / 8);
+        // A quarter: what the reference errs itself adds 3 % to the distance, on the side of caution.
+        double[] truth = reference(scene, method, 72, 36, asked / 4);
         RenderSettings s = settings(scene, method, 72, 36).withBudget(Budget.NONE.withError(asked));
         int over = 0;
         int runs = 6;
@@ -81,12 +82,24 @@ class PlannerTest {
 
     /** With a survey the error of these scenes is at once a twentieth of what it is without. */
     @ParameterizedTest
-    @CsvSource({"cylinders, 0.01", "cylinders, 0.005", "cone, 0.01", "cone, 0.005"})
+    @CsvSource({"cylinders, 0.01", "cone, 0.01"})
     void theJumpOfTheErrorWhereSurveysBeginDoesNotMisleadTheSearch(String name, double asked) {
+        assertNotMisled(name, asked, asked / 4, 2);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @CsvSource({"cylinders, 0.01", "cylinders, 0.005", "cone, 0.01", "cone, 0.005"})
+    void norIsItMisledWhereLessErrorIsAskedFor(String name, double asked) {
+        assertNotMisled(name, asked, asked / 10, 3);
+    }
+
+    /** @param of the error of the reference, which adds to what is measured: a large one is no help to pass */
+    private static void assertNotMisled(String name, double asked, double of, int seeds) {
         Scene scene = ManySeeds.shipped(name);
-        double[] truth = reference(scene, Method.CLUSTER, 200, 100, asked / 10);
+        double[] truth = reference(scene, Method.CLUSTER, 200, 100, of);
         RenderSettings s = settings(scene, Method.CLUSTER, 200, 100).withBudget(Budget.NONE.withError(asked));
-        for (int seed = 0; seed < 3; seed++) {
+        for (int seed = 0; seed < seeds; seed++) {
             RenderResult p = render(scene, s.withSeed(seed));
             double error = distance(p, truth);
             RenderReport.Sampling sampling = p.report().sampling();
@@ -154,11 +167,11 @@ class PlannerTest {
         for (Method method : Method.values()) {
             for (Budget budget : List.of(
                     Budget.NONE.withError(0.02),
-                    Budget.NONE.withSeconds(0.3),
+                    Budget.NONE.withSeconds(0.1),
                     Budget.NONE.withError(0.02).withSamples(5.5),
                     Budget.NONE.withError(1e-5).withSamples(12.341),
                     Budget.NONE.withError(0.04).withSeconds(5))) {
-                RenderSettings s = settings(scene, method, 64, 32).withBudget(budget);
+                RenderSettings s = settings(scene, method, 48, 24).withBudget(budget);
                 RenderResult planned = render(scene, s);
                 double samples = planned.report().sampling().plannedSamples();
                 RenderResult again = render(scene, s.withBudget(budget.replayable(samples)));
@@ -169,7 +182,7 @@ class PlannerTest {
     }
 
     @ParameterizedTest
-    @ValueSource(doubles = {1, 12.341, 12.36, 40})
+    @ValueSource(doubles = {1, 12.341})
     void aNumberOfSamplesIsDecisiveWhereTheErrorCannotBeReached(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
         for (Method method : Method.values()) {
@@ -180,6 +193,13 @@ class PlannerTest {
             assertEquals(samples, p.sampling().plannedSamples(), method.word());
             assertFalse(p.isErrorMet());
         }
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @ValueSource(doubles = {12.36, 40})
+    void soAreOtherNumbersOfSamples(double samples) {
+        aNumberOfSamplesIsDecisiveWhereTheErrorCannotBeReached(samples);
     }
 
     /** What a survey takes would be missing elsewhere: no method may lose to its own rays, evenly spaced. */
@@ -213,7 +233,7 @@ class PlannerTest {
 
     /** What is asked for is what the report shows was spent, whoever decided about it. */
     @ParameterizedTest
-    @ValueSource(doubles = {1, 1.37, 2.44, 2.5, 5, 12.3, 48})
+    @ValueSource(doubles = {1.37, 2.5, 12.3})
     void raytraceTakesTheSamplesThatItMayTake(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
         RenderSettings s = settings(scene, Method.RAYTRACE, 96, 48).withShadowSamples(1);
@@ -228,10 +248,17 @@ class PlannerTest {
         }
     }
 
+    @ParameterizedTest
+    @Tag("full")
+    @ValueSource(doubles = {1, 2.44, 5, 48})
+    void norDoesRaytraceTakeMoreOrLessOfOtherNumbers(double samples) {
+        raytraceTakesTheSamplesThatItMayTake(samples);
+    }
+
     @Test
     void whatIsPlannedForAnErrorOrATimeIsSpent() {
         Scene scene = ManySeeds.shipped("glass");
-        for (Budget budget : List.of(Budget.NONE.withError(0.02), Budget.NONE.withSeconds(0.3))) {
+        for (Budget budget : List.of(Budget.NONE.withError(0.02), Budget.NONE.withSeconds(0.15))) {
             RenderReport.Sampling sampling = render(
                             scene, settings(scene, Method.RAYTRACE, 160, 80).withBudget(budget))
                     .report()
@@ -240,18 +267,23 @@ class PlannerTest {
         }
     }
 
-    @Test
-    void clusterTakesAboutTheSamplesThatItMayTake() {
-        for (String name : List.of("fire-and-ice", "keyhole", "glass")) {
-            Scene scene = ManySeeds.shipped(name);
-            for (double samples : new double[] {4, 30}) {
-                RenderSettings s = settings(scene, Method.CLUSTER, 96, 48).withBudget(Budget.NONE.withSamples(samples));
-                double taken = ManySeeds.render(scene, s).sampling().samplesPerPixel();
-                // All 72 blocks were surveyed to plan it, but with other samples; and where clusters learn they
-                // take more survey rays than was planned.
-                double chance = name.equals("fire-and-ice") ? 0.03 : 0.1;
-                assertEquals(1, taken / samples, chance, name + ": " + taken + " for " + samples);
-            }
-        }
+    @ParameterizedTest
+    @CsvSource({"fire-and-ice, 4", "keyhole, 30"})
+    void clusterTakesAboutTheSamplesThatItMayTake(String name, double samples) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings s = settings(scene, Method.CLUSTER, 96, 48).withBudget(Budget.NONE.withSamples(samples));
+        double taken = ManySeeds.render(scene, s).sampling().samplesPerPixel();
+        // All 72 blocks were surveyed to plan it, but with other samples; and where clusters learn they take more
+        // survey
+        // rays than was planned.
+        double chance = name.equals("fire-and-ice") ? 0.03 : 0.1;
+        assertEquals(1, taken / samples, chance, name + ": " + taken + " for " + samples);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @CsvSource({"fire-and-ice, 30", "keyhole, 4", "glass, 4", "glass, 30"})
+    void soItDoesInMoreScenes(String name, double samples) {
+        clusterTakesAboutTheSamplesThatItMayTake(name, samples);
     }
 }

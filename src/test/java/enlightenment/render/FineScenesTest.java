@@ -110,10 +110,11 @@ class FineScenesTest {
         assertTrue(least > samples / 8, samples + " samples, at least " + least);
     }
 
-    private void assertSame(String name, double samples, int seeds) {
+    /** @param lightPoints for each ray of the pictures that are compared with */
+    private void assertSame(String name, double samples, int seeds, int lightPoints) {
         Scene scene = FineScenes.of(name, directory);
         RenderSettings traced =
-                settings(scene, Method.RAYTRACE, 16).withSize(48, 36).withShadowSamples(4);
+                settings(scene, Method.RAYTRACE, 16).withSize(48, 36).withShadowSamples(lightPoints);
         List<double[]> expected = rgb(ManySeeds.render(scene, traced, APART, seeds));
         RenderSettings clustered = settings(scene, Method.CLUSTER, samples).withSize(48, 36);
         List<double[]> actual = rgb(ManySeeds.render(scene, clustered, 0, seeds));
@@ -129,7 +130,8 @@ class FineScenesTest {
     @ParameterizedTest
     @CsvSource({"wires, 5", "slats, 12"})
     void clusterAndRaytraceMeanTheSamePicture(String name, double samples) {
-        assertSame(name, samples, 16);
+        // The penumbras of the small sun add next to nothing to the noise of 16 rays for each pixel.
+        assertSame(name, samples, 16, 1);
     }
 
     @ParameterizedTest
@@ -149,6 +151,6 @@ class FineScenesTest {
         "spot, 5"
     })
     void norDoesItWithMoreSeeds(String name, double samples) {
-        assertSame(name, samples, 128);
+        assertSame(name, samples, 128, 4);
     }
 }

@@ -19,10 +19,7 @@ class IntervalTest {
     private static final int WIDTH = 48;
     private static final int HEIGHT = 40;
 
-    /** Points across a pixel for the truth. */
-    private static final int GRID = 24;
-
-    private static final double[] SAMPLES = {1, 1.5, 2, 3, 4, 6, 8, -9, 16};
+    private static final double[] SAMPLES = {1, 1.5, 3, 4, -9};
     private static final double[] MORE = {1, 1.25, 1.5, 2, 2.5, 3, 4, 6, 8, 12, 16, 32, 64, -9, -25, -36, -49};
 
     private static Map<String, Function> functions() {
@@ -78,14 +75,15 @@ class IntervalTest {
         return held;
     }
 
-    private static void check(double[] numbers, int pictures, int leastOfEach) {
+    /** @param grid points across a pixel for the truth */
+    private static void check(double[] numbers, int pictures, int leastOfEach, int grid) {
         StringBuilder table = new StringBuilder();
         int all = 0;
         int cells = 0;
         boolean each = true;
         for (Map.Entry<String, Function> f : functions().entrySet()) {
             table.append(String.format("%n%-26s", f.getKey()));
-            double[] truth = SampledPicture.truth(f.getValue(), WIDTH, HEIGHT, GRID);
+            double[] truth = SampledPicture.truth(f.getValue(), WIDTH, HEIGHT, grid);
             for (double samples : numbers) {
                 int held = held(f.getValue(), truth, samples, pictures, table);
                 each &= held >= leastOfEach;
@@ -101,12 +99,15 @@ class IntervalTest {
     void theIntervalHoldsTheErrorOfEveryKindOfPictureAtEveryNumberOfSamples() {
         // 20 pictures of 95 %: 16 or fewer are held with a probability of 1.6 %, if the interval is no wider than it
         // needs to be.
-        check(SAMPLES, 20, 17);
+        // At edges an even grid of g × g errs like 1/g^1.5 and 3 × 3 samples like 1/3^1.5 at best: 16 points across add
+        // 1/300
+        // of the square of the error.
+        check(SAMPLES, 20, 17, 16);
     }
 
     @Test
     @Tag("full")
     void theIntervalHoldsTheErrorOfVeryManyPictures() {
-        check(MORE, 200, 184);
+        check(MORE, 200, 184, 24);
     }
 }

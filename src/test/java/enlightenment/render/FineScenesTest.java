@@ -59,8 +59,16 @@ class FineScenesTest {
 
     /** Of 16 samples 1.27 are the survey; before its samples went everywhere these were 1.3 to 2.8. */
     @ParameterizedTest
-    @CsvSource({"wires, 1.15", "slats, 1.1", "grid, 1.1"})
+    @CsvSource({"wires, 1.15", "slats, 1.1"})
     void clusterIsNotFarBehindWhereEverythingIsFinerThanAPixel(String name, double most) {
+        double ratio = ratio(name, 16, 48, 36, 2, 128);
+        assertTrue(ratio < most, name + ": " + ratio);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @CsvSource({"wires, 1.15", "slats, 1.1", "grid, 1.1"})
+    void norIsItInLargerPictures(String name, double most) {
         double ratio = ratio(name, 16, 64, 48, 2, 128);
         assertTrue(ratio < most, name + ": " + ratio);
     }
@@ -82,20 +90,31 @@ class FineScenesTest {
 
     /** A pixel with a single sample that meets a white wire is white. */
     @ParameterizedTest
-    @ValueSource(strings = {"wires", "slats", "spot"})
-    void everyPixelGetsAShareOfTheSamples(String name) {
-        Scene scene = FineScenes.of(name, directory);
-        for (double samples : new double[] {9, 40}) {
-            RenderSettings s = settings(scene, Method.CLUSTER, samples).withSize(64, 48);
-            int least = Arrays.stream(ManySeeds.render(scene, s).counts()).min().orElseThrow();
-            assertTrue(least > samples / 8, samples + " samples, at least " + least);
-        }
+    @CsvSource({"wires, 9", "spot, 40"})
+    void everyPixelGetsAShareOfTheSamples(String name, double samples) {
+        assertShare(name, samples, 48, 36);
     }
 
-    private void assertSame(String name, double samples, int seeds) {
+    @ParameterizedTest
+    @Tag("full")
+    @ValueSource(strings = {"wires", "slats", "spot"})
+    void soItDoesInLargerPictures(String name) {
+        assertShare(name, 9, 64, 48);
+        assertShare(name, 40, 64, 48);
+    }
+
+    private void assertShare(String name, double samples, int width, int height) {
+        Scene scene = FineScenes.of(name, directory);
+        RenderSettings s = settings(scene, Method.CLUSTER, samples).withSize(width, height);
+        int least = Arrays.stream(ManySeeds.render(scene, s).counts()).min().orElseThrow();
+        assertTrue(least > samples / 8, samples + " samples, at least " + least);
+    }
+
+    /** @param lightPoints for each ray of the pictures that are compared with */
+    private void assertSame(String name, double samples, int seeds, int lightPoints) {
         Scene scene = FineScenes.of(name, directory);
         RenderSettings traced =
-                settings(scene, Method.RAYTRACE, 16).withSize(48, 36).withShadowSamples(4);
+                settings(scene, Method.RAYTRACE, 16).withSize(48, 36).withShadowSamples(lightPoints);
         List<double[]> expected = rgb(ManySeeds.render(scene, traced, APART, seeds));
         RenderSettings clustered = settings(scene, Method.CLUSTER, samples).withSize(48, 36);
         List<double[]> actual = rgb(ManySeeds.render(scene, clustered, 0, seeds));
@@ -109,16 +128,20 @@ class FineScenesTest {
 
     /** Pixels learn from the samples of others; were it their own, a wire that is met would count too little. */
     @ParameterizedTest
-    @CsvSource({"wires, 5", "wires, 16", "slats, 12"})
+    @CsvSource("wires, 5")
     void clusterAndRaytraceMeanTheSamePicture(String name, double samples) {
-        assertSame(name, samples, 16);
+        // The penumbras of the small sun add next to nothing to the noise of 16 rays for each pixel.
+        assertSame(name, samples, 16, 1);
     }
 
     @ParameterizedTest
     @Tag("full")
     @CsvSource({
+        "wires, 5",
         "wires, 8",
+        "wires, 16",
         "slats, 3",
+        "slats, 12",
         "slats, 30",
         "grid, 4",
         "grid, 18",
@@ -128,6 +151,6 @@ class FineScenesTest {
         "spot, 5"
     })
     void norDoesItWithMoreSeeds(String name, double samples) {
-        assertSame(name, samples, 128);
+        assertSame(name, samples, 128, 4);
     }
 }

@@ -62,13 +62,17 @@ class PlannerTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"fire-and-ice, CLUSTER", "cylinders, CLUSTER", "glass, CLUSTER", "keyhole, CLUSTER", "keyhole, RAYTRACE"
-    })
+    @CsvSource({"cylinders, CLUSTER", "glass, CLUSTER", "keyhole, CLUSTER", "keyhole, RAYTRACE"})
     void theTrueErrorStaysBelowWhatWasAsked(String name, Method method) {
+        assertBelow(name, method, 48, 24);
+    }
+
+    private static void assertBelow(String name, Method method, int width, int height) {
         Scene scene = ManySeeds.shipped(name);
         double asked = 0.03;
-        double[] truth = reference(scene, method, 72, 36, asked / 8);
-        RenderSettings s = settings(scene, method, 72, 36).withBudget(Budget.NONE.withError(asked));
+        // A quarter: what the reference errs itself adds 3 % to the distance, on the side of caution.
+        double[] truth = reference(scene, method, width, height, asked / 4);
+        RenderSettings s = settings(scene, method, width, height).withBudget(Budget.NONE.withError(asked));
         int over = 0;
         int runs = 6;
         for (int seed = 0; seed < runs; seed++) {
@@ -81,12 +85,24 @@ class PlannerTest {
 
     /** With a survey the error of these scenes is at once a twentieth of what it is without. */
     @ParameterizedTest
-    @CsvSource({"cylinders, 0.01", "cylinders, 0.005", "cone, 0.01", "cone, 0.005"})
+    @CsvSource({"cylinders, 0.01", "cone, 0.01"})
     void theJumpOfTheErrorWhereSurveysBeginDoesNotMisleadTheSearch(String name, double asked) {
+        assertNotMisled(name, asked, asked / 4, 2);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @CsvSource({"cylinders, 0.01", "cylinders, 0.005", "cone, 0.01", "cone, 0.005"})
+    void norIsItMisledWhereLessErrorIsAskedFor(String name, double asked) {
+        assertNotMisled(name, asked, asked / 10, 3);
+    }
+
+    /** @param of the error of the reference, which adds to what is measured: a large one is no help to pass */
+    private static void assertNotMisled(String name, double asked, double of, int seeds) {
         Scene scene = ManySeeds.shipped(name);
-        double[] truth = reference(scene, Method.CLUSTER, 200, 100, asked / 10);
+        double[] truth = reference(scene, Method.CLUSTER, 200, 100, of);
         RenderSettings s = settings(scene, Method.CLUSTER, 200, 100).withBudget(Budget.NONE.withError(asked));
-        for (int seed = 0; seed < 3; seed++) {
+        for (int seed = 0; seed < seeds; seed++) {
             RenderResult p = render(scene, s.withSeed(seed));
             double error = distance(p, truth);
             RenderReport.Sampling sampling = p.report().sampling();
@@ -148,28 +164,50 @@ class PlannerTest {
         assertTrue(failures.isEmpty(), String.join("\n", failures));
     }
 
-    @Test
-    void whatWasPlannedMakesTheSamePictureAsANumberOfSamples() {
+    private static void assertReplayed(Method method, int width, int height, List<Budget> budgets) {
         Scene scene = ManySeeds.shipped("keyhole");
-        for (Method method : Method.values()) {
-            for (Budget budget : List.of(
-                    Budget.NONE.withError(0.02),
-                    Budget.NONE.withSeconds(0.3),
-                    Budget.NONE.withError(0.02).withSamples(5.5),
-                    Budget.NONE.withError(1e-5).withSamples(12.341),
-                    Budget.NONE.withError(0.04).withSeconds(5))) {
-                RenderSettings s = settings(scene, method, 64, 32).withBudget(budget);
-                RenderResult planned = render(scene, s);
-                double samples = planned.report().sampling().plannedSamples();
-                RenderResult again = render(scene, s.withBudget(budget.replayable(samples)));
-                assertArrayEquals(planned.image().toArray(), again.image().toArray(), method + " with " + budget);
-                assertEquals(planned.report().raysByKind(), again.report().raysByKind());
-            }
+        for (Budget budget : budgets) {
+            RenderSettings s = settings(scene, method, width, height).withBudget(budget);
+            RenderResult planned = render(scene, s);
+            double samples = planned.report().sampling().plannedSamples();
+            RenderResult again = render(scene, s.withBudget(budget.replayable(samples)));
+            assertArrayEquals(planned.image().toArray(), again.image().toArray(), method + " with " + budget);
+            assertEquals(planned.report().raysByKind(), again.report().raysByKind());
         }
     }
 
+    /** Of each method one plan for an error and one for a time, and one for a number that decides before the error. */
+    @Test
+    void whatWasPlannedMakesTheSamePictureAsANumberOfSamples() {
+        assertReplayed(Method.RAYTRACE, 32, 16, List.of(Budget.NONE.withError(0.04), Budget.NONE.withSeconds(0.05)));
+        assertReplayed(
+                Method.CLUSTER,
+                32,
+                16,
+                List.of(
+                        Budget.NONE.withError(0.04).withSeconds(5),
+                        Budget.NONE.withSeconds(0.05),
+                        Budget.NONE.withError(1e-5).withSamples(12.341)));
+    }
+
     @ParameterizedTest
-    @ValueSource(doubles = {1, 12.341, 12.36, 40})
+    @Tag("full")
+    @EnumSource(Method.class)
+    void soItDoesWithMoreBudgets(Method method) {
+        assertReplayed(
+                method,
+                64,
+                32,
+                List.of(
+                        Budget.NONE.withError(0.02),
+                        Budget.NONE.withSeconds(0.3),
+                        Budget.NONE.withError(0.02).withSamples(5.5),
+                        Budget.NONE.withError(1e-5).withSamples(12.341),
+                        Budget.NONE.withError(0.04).withSeconds(5)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 12.341})
     void aNumberOfSamplesIsDecisiveWhereTheErrorCannotBeReached(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
         for (Method method : Method.values()) {
@@ -182,12 +220,29 @@ class PlannerTest {
         }
     }
 
-    /** What a survey takes would be missing elsewhere: no method may lose to its own rays, evenly spaced. */
     @ParameterizedTest
+    @Tag("full")
+    @ValueSource(doubles = {12.36, 40})
+    void soAreOtherNumbersOfSamples(double samples) {
+        aNumberOfSamplesIsDecisiveWhereTheErrorCannotBeReached(samples);
+    }
+
+    /** What a survey takes would be missing elsewhere: no method may lose to its own rays, evenly spaced. */
+    @Test
+    void withTooFewSamplesForASurveyTheClusterMethodIsTheRayTracerToTheLastBit() {
+        assertSurveyedFrom245("keyhole", 1, 2.44, 2.45);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
     @ValueSource(strings = {"fire-and-ice", "keyhole"})
-    void withTooFewSamplesForASurveyTheClusterMethodIsTheRayTracerToTheLastBit(String name) {
+    void soItIsInMoreScenes(String name) {
+        assertSurveyedFrom245(name, 1, 1.7, 2.44, 2.45, 4);
+    }
+
+    private static void assertSurveyedFrom245(String name, double... numbers) {
         Scene scene = ManySeeds.shipped(name);
-        for (double samples : new double[] {1, 1.7, 2.44, 2.45, 4}) {
+        for (double samples : numbers) {
             Budget budget = Budget.NONE.withSamples(samples);
             Picture cluster = ManySeeds.render(
                     scene, settings(scene, Method.CLUSTER, 64, 32).withBudget(budget));
@@ -198,6 +253,14 @@ class PlannerTest {
                     cluster.sampling().method());
             assertEquals(samples < 2.45, Arrays.equals(raytrace.rgb(), cluster.rgb()), samples + " samples");
         }
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @CsvSource({"fire-and-ice, CLUSTER", "cylinders, CLUSTER", "glass, CLUSTER", "keyhole, CLUSTER", "keyhole, RAYTRACE"
+    })
+    void norIsTheTrueErrorAboveWhatWasAskedInLargerPictures(String name, Method method) {
+        assertBelow(name, method, 72, 36);
     }
 
     @Test
@@ -213,7 +276,7 @@ class PlannerTest {
 
     /** What is asked for is what the report shows was spent, whoever decided about it. */
     @ParameterizedTest
-    @ValueSource(doubles = {1, 1.37, 2.44, 2.5, 5, 12.3, 48})
+    @ValueSource(doubles = {1.37, 2.5, 12.3})
     void raytraceTakesTheSamplesThatItMayTake(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
         RenderSettings s = settings(scene, Method.RAYTRACE, 96, 48).withShadowSamples(1);
@@ -228,10 +291,17 @@ class PlannerTest {
         }
     }
 
+    @ParameterizedTest
+    @Tag("full")
+    @ValueSource(doubles = {1, 2.44, 5, 48})
+    void norDoesRaytraceTakeMoreOrLessOfOtherNumbers(double samples) {
+        raytraceTakesTheSamplesThatItMayTake(samples);
+    }
+
     @Test
     void whatIsPlannedForAnErrorOrATimeIsSpent() {
         Scene scene = ManySeeds.shipped("glass");
-        for (Budget budget : List.of(Budget.NONE.withError(0.02), Budget.NONE.withSeconds(0.3))) {
+        for (Budget budget : List.of(Budget.NONE.withError(0.02), Budget.NONE.withSeconds(0.15))) {
             RenderReport.Sampling sampling = render(
                             scene, settings(scene, Method.RAYTRACE, 160, 80).withBudget(budget))
                     .report()
@@ -240,18 +310,23 @@ class PlannerTest {
         }
     }
 
-    @Test
-    void clusterTakesAboutTheSamplesThatItMayTake() {
-        for (String name : List.of("fire-and-ice", "keyhole", "glass")) {
-            Scene scene = ManySeeds.shipped(name);
-            for (double samples : new double[] {4, 30}) {
-                RenderSettings s = settings(scene, Method.CLUSTER, 96, 48).withBudget(Budget.NONE.withSamples(samples));
-                double taken = ManySeeds.render(scene, s).sampling().samplesPerPixel();
-                // All 72 blocks were surveyed to plan it, but with other samples; and where clusters learn they
-                // take more survey rays than was planned.
-                double chance = name.equals("fire-and-ice") ? 0.03 : 0.1;
-                assertEquals(1, taken / samples, chance, name + ": " + taken + " for " + samples);
-            }
-        }
+    @ParameterizedTest
+    @CsvSource({"fire-and-ice, 4", "keyhole, 30"})
+    void clusterTakesAboutTheSamplesThatItMayTake(String name, double samples) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings s = settings(scene, Method.CLUSTER, 96, 48).withBudget(Budget.NONE.withSamples(samples));
+        double taken = ManySeeds.render(scene, s).sampling().samplesPerPixel();
+        // All 72 blocks were surveyed to plan it, but with other samples; and where clusters learn they take more
+        // survey
+        // rays than was planned.
+        double chance = name.equals("fire-and-ice") ? 0.03 : 0.1;
+        assertEquals(1, taken / samples, chance, name + ": " + taken + " for " + samples);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @CsvSource({"fire-and-ice, 30", "keyhole, 4", "glass, 4", "glass, 30"})
+    void soItDoesInMoreScenes(String name, double samples) {
+        clusterTakesAboutTheSamplesThatItMayTake(name, samples);
     }
 }

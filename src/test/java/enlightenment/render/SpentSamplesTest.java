@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -55,17 +56,12 @@ class SpentSamplesTest {
         return Math.sqrt(Welch.variance(costs, mean) * left) / p.sampling().samplesPerPixel();
     }
 
-    static Stream<Arguments> pictures() {
-        return Stream.of("wires", "slats", "grid", "keyhole", "fire-and-ice")
-                .flatMap(name -> Stream.of(2.45, 16.0).map(n -> Arguments.of(name, n)));
-    }
-
     private Scene scene(String name) {
         return FineScenes.NAMES.contains(name) ? FineScenes.of(name, directory) : ManySeeds.shipped(name);
     }
 
     @ParameterizedTest
-    @MethodSource("pictures")
+    @CsvSource({"wires, 2.45", "wires, 16", "slats, 2.45", "keyhole, 16", "fire-and-ice, 2.45"})
     void whatIsAskedForIsSpent(String name, double samples) {
         Scene scene = scene(name);
         assertEquals(1, spent(scene, RenderSettings.of(scene).withSize(80, 60), samples), CHANCE);
@@ -87,6 +83,13 @@ class SpentSamplesTest {
                         Stream.of(
                                 "fire-and-ice", "keyhole", "torus", "cylinders", "glass", "primitives", "cone", "cube"))
                 .flatMap(name -> Stream.of(2.45, 4.0, 16.0, 64.0).map(n -> Arguments.of(name, n)));
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @CsvSource({"slats, 16", "grid, 2.45", "grid, 16", "keyhole, 2.45", "fire-and-ice, 16"})
+    void inMoreSmallPicturesToo(String name, double samples) {
+        whatIsAskedForIsSpent(name, samples);
     }
 
     @ParameterizedTest

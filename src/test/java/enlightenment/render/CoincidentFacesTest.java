@@ -23,10 +23,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Surfaces that lie in one another (numerics, N22): no speckle, and the order of objects does not matter. */
 class CoincidentFacesTest {
+    private static final int SIDE = 96;
     private static final Shape FLOOR = TestScenes.rectangle(-9, 0.1, -9, -9, 0.1, 9, 9, 0.1, 9, 9, 0.1, -9);
     private static final Material RED = TestScenes.matte(0.9, 0.2, 0.1);
     private static final Material BLUE = TestScenes.matte(0.1, 0.2, 0.9);
@@ -39,9 +41,9 @@ class CoincidentFacesTest {
         return SceneObject.of(shape, material);
     }
 
-    private static DoublePicture picture(List<SceneObject> objects, boolean lit) {
+    private static DoublePicture picture(List<SceneObject> objects, boolean lit, int side) {
         SceneBuilder b = Scene.builder()
-                .size(96, 96)
+                .size(side, side)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(1.31, 2.47, -4.13), ExactPoint.of(0.3, 0.4, 0), Vec3.Y, 40))
                 .shading(new ClassicShading(lit ? 0.25 : 1, 0.25, new DisplayRgb(0.4, 0.6, 0.8), 100));
@@ -54,17 +56,21 @@ class CoincidentFacesTest {
 
     /** Renders in all rotations of the order and asserts that the bits are the same. */
     private static DoublePicture inAnyOrder(boolean lit, SceneObject... objects) {
+        return inAnyOrder(SIDE, lit, objects);
+    }
+
+    private static DoublePicture inAnyOrder(int side, boolean lit, SceneObject... objects) {
         List<SceneObject> list = new ArrayList<>(List.of(objects));
-        DoublePicture first = picture(list, lit);
+        DoublePicture first = picture(list, lit, side);
         assertTrue(first.isFinite() && first.least() >= 0);
         for (int i = 1; i < objects.length; i++) {
             Collections.rotate(list, 1);
-            assertArrayEquals(first.toArray(), picture(list, lit).toArray());
+            assertArrayEquals(first.toArray(), picture(list, lit, side).toArray());
         }
         if (objects.length > 2) {
             // The rotations of two are all their orders.
             Collections.reverse(list);
-            assertArrayEquals(first.toArray(), picture(list, lit).toArray());
+            assertArrayEquals(first.toArray(), picture(list, lit, side).toArray());
         }
         return first;
     }
@@ -134,17 +140,29 @@ class CoincidentFacesTest {
         assertEquals(0, touching.speckles(overlapping));
     }
 
+    /** Bits are compared, so that every pixel counts by itself: a quarter of them is enough to see a face that wins. */
     @Test
     void identicalShapesShowOneOfTheirMaterialsEverywhere() {
+        identicalShapes(SIDE / 2);
+    }
+
+    @Test
+    @Tag("full")
+    void identicalShapesShowOneOfTheirMaterialsInLargerPicturesToo() {
+        identicalShapes(SIDE);
+    }
+
+    private static void identicalShapes(int side) {
         Material[] materials = {RED, BLUE, TestScenes.mirror(0.9), glass(0.9, 1, 0.9), glass(1, 0.8, 0.9)};
         for (Shape shape : Solids.all().values()) {
             for (boolean lit : new boolean[] {false, true}) {
                 List<DoublePicture> alone = Arrays.stream(materials)
-                        .map(m -> picture(List.of(object(shape, m)), lit))
+                        .map(m -> picture(List.of(object(shape, m)), lit, side))
                         .toList();
                 for (int i = 0; i < materials.length; i++) {
                     for (int j = 0; j < i; j++) {
-                        DoublePicture both = inAnyOrder(lit, object(shape, materials[i]), object(shape, materials[j]));
+                        DoublePicture both =
+                                inAnyOrder(side, lit, object(shape, materials[i]), object(shape, materials[j]));
                         double difference = Math.min(both.difference(alone.get(i)), both.difference(alone.get(j)));
                         assertEquals(0, difference, shape.type() + " " + i + " " + j);
                     }
@@ -155,9 +173,19 @@ class CoincidentFacesTest {
 
     @Test
     void whatIsOpaqueHidesGlassOfTheSameShape() {
+        whatIsOpaque(SIDE / 2);
+    }
+
+    @Test
+    @Tag("full")
+    void whatIsOpaqueHidesGlassOfTheSameShapeInLargerPicturesToo() {
+        whatIsOpaque(SIDE);
+    }
+
+    private static void whatIsOpaque(int side) {
         for (Shape shape : Solids.all().values()) {
-            DoublePicture opaque = inAnyOrder(true, object(shape, RED));
-            DoublePicture both = inAnyOrder(true, object(shape, glass(0.5, 0.5, 0.5)), object(shape, RED));
+            DoublePicture opaque = inAnyOrder(side, true, object(shape, RED));
+            DoublePicture both = inAnyOrder(side, true, object(shape, glass(0.5, 0.5, 0.5)), object(shape, RED));
             assertEquals(0, both.difference(opaque), shape.type());
         }
     }

@@ -86,7 +86,10 @@ class HardIntervalTest {
     void theIntervalHoldsTheErrorOfHardScenes() {
         // What was told as noise, as edges, and as the error of all from that of few, was wrong on each of these.
         for (String name : List.of("noise", "tiles", "floor", "spot", "wires")) {
-            judge(name, new double[] {1, 2, 3, 4, 8}, 8, 6, 256);
+            // What is taken for the truth has a sixth of the error of four samples: differences from it are 1.5 %
+            // larger.
+            // 7.6 of 8 expected; 5 or fewer have a probability of 0.6 %.
+            judge(name, new double[] {1, 2, 4}, 8, 6, 128);
         }
         check();
     }

@@ -241,13 +241,19 @@ class AxialPrimitiveTest {
             Hit hit = new Hit();
             boolean met = p.intersect(Ray.of(o, d), hit);
             boolean contained = p.contains(o.x(), o.y(), o.z());
-            if (ExactSolid.of(p).distance(o) > 1e-9 * (size + o.maxAbs())) {
-                assertEquals(contained, met && hit.side == Ray.INSIDE);
-                decided++;
+            boolean agrees = contained == (met && hit.side == Ray.INSIDE);
+            // The decimal distance is dear: it is needed where they disagree, and to see that few starts are at the
+            // surface.
+            if (!agrees || i % 10 == 0) {
+                boolean clear = ExactSolid.of(p).distance(o) > 1e-9 * (size + o.maxAbs());
+                assertTrue(
+                        agrees || !clear,
+                        () -> "contained: " + contained + ", by crossings otherwise: " + o + " in " + p);
+                decided += clear ? 1 : 0;
             }
             inside += contained ? 1 : 0;
         }
-        assertTrue(decided > 3000, decided + " decided");
+        assertTrue(decided > 300, decided + " of 400 decided");
         assertTrue(inside > 500 && inside < 3500, inside + " inside");
     }
 

@@ -33,9 +33,20 @@ class ErrorTablesTest {
     @ParameterizedTest
     @FieldSource("KINDS")
     void oursIsRightWhereverRaysStart(String kind) {
+        checkGenerated(kind, 12);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @FieldSource("KINDS")
+    void oursIsRightWhereverManyRaysStart(String kind) {
+        checkGenerated(kind, 30);
+    }
+
+    private static void checkGenerated(String kind, int rays) {
         int naive = 0;
         for (ErrorTables.Scenario scenario : ErrorTables.SCENARIOS) {
-            ErrorTally tally = ErrorTables.generated(kind, scenario, 30);
+            ErrorTally tally = ErrorTables.generated(kind, scenario, rays);
             checkOurs(tally, kind + ", " + scenario.name());
             naive += tally.wrong[ErrorTally.NAIVE] + (tally.ulps[ErrorTally.NAIVE] > 8 ? 1 : 0);
         }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.math.Vec3;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
@@ -77,8 +78,19 @@ class RoundLadderTest {
     @ParameterizedTest
     @ValueSource(strings = {"sphere", "cylinder", "cone", "frustum"})
     void aSubnormalDirectionStillHitsTheSurface(String kind) {
+        hitBySubnormals(kind, 100);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @ValueSource(strings = {"sphere", "cylinder", "cone", "frustum"})
+    void manySubnormalDirectionsStillHitTheSurface(String kind) {
+        hitBySubnormals(kind, 500);
+    }
+
+    private static void hitBySubnormals(String kind, int rays) {
         RoundSamples s = new RoundSamples(11);
-        for (int i = 0; i < 500; i++) {
+        for (int i = 0; i < rays; i++) {
             Primitive p = s.primitive(kind, 1, 3);
             Vec3 o = RoundSamples.center(p).plus(s.direction().times(s.uniform(3, 20)));
             Vec3 d = RoundSamples.center(p).minus(o).times(1e-310);
@@ -93,15 +105,28 @@ class RoundLadderTest {
     @ParameterizedTest
     @ValueSource(strings = {"sphere", "cylinder", "cone", "frustum", "flare"})
     void aLineIsHitIfAndOnlyIfItsClearanceSaysSo(String kind) {
+        climbClearances(kind, 8);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @ValueSource(strings = {"sphere", "cylinder", "cone", "frustum", "flare"})
+    void manyLinesAreHitIfAndOnlyIfTheirClearanceSaysSo(String kind) {
+        climbClearances(kind, 16);
+    }
+
+    private static void climbClearances(String kind, int lines) {
         RoundSamples s = new RoundSamples(12);
         List<String> wrong = new ArrayList<>();
+        int tried = 0;
         for (int k = 1; k <= 14; k++) {
-            for (int i = 0; i < 16; i++) {
+            for (int i = 0; i < lines; i++) {
                 Primitive p = s.primitive(kind, 1, 1);
                 Hit at = s.surfacePoint(p);
                 if (at.face != AxialPrimitive.LATERAL) {
                     continue;
                 }
+                tried++;
                 double clearance = (i % 2 == 0 ? 1 : -1) * Math.pow(10, -k) * 0.5;
                 // Along a generator the line would run along the whole surface; any other tangent touches it.
                 Vec3 d = s.leaning(at.normal(), 0);
@@ -114,15 +139,27 @@ class RoundLadderTest {
             }
         }
         assertEquals(List.of(), wrong);
+        assertTrue(tried > 14 * lines / 4, tried + " lines");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"sphere", "cylinder", "cone", "frustum", "flare"})
     void aUnitPrimitiveSeenFromFarAwayIsHitAsExactly(String kind) {
+        hitFromAfar(kind, 20);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @ValueSource(strings = {"sphere", "cylinder", "cone", "frustum", "flare"})
+    void aUnitPrimitiveSeenFromFarAwayIsHitByManyRaysAsExactly(String kind) {
+        hitFromAfar(kind, 60);
+    }
+
+    private static void hitFromAfar(String kind, int rays) {
         RoundSamples s = new RoundSamples(13);
         for (double far : new double[] {1e3, 1e6, 1e9, 1e12}) {
             int hits = 0;
-            for (int i = 0; i < 60; i++) {
+            for (int i = 0; i < rays; i++) {
                 Primitive p = s.primitive(kind, 1, 0.5);
                 Vec3 target = s.surfacePoint(p).point();
                 Vec3 o = target.plus(s.direction().times(far));
@@ -140,7 +177,7 @@ class RoundLadderTest {
                 double away = hit.point().minus(o).cross(d).length() / d.length();
                 assertTrue(away <= 0x1p-51 * far, away + " off the ray from " + far);
             }
-            assertTrue(hits > 20, hits + " hits");
+            assertTrue(hits > rays / 3, hits + " hits");
         }
     }
 

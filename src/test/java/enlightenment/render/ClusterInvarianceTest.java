@@ -19,6 +19,7 @@ import enlightenment.scene.RenderSettings.Crop;
 import enlightenment.scene.Scene;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -29,7 +30,23 @@ class ClusterInvarianceTest {
     private static final int WIDTH = 60;
     private static final int HEIGHT = 30;
 
+    private static final int[][] WAYS = {{2, 64}, {7, 5}};
+    private static final int[][] MORE_WAYS = {{2, 8}, {7, 8}, {2, 64}, {7, 5}};
+    private static final List<Crop> CROPS = List.of(new Crop(19, 5, 23, 17), new Crop(59, 29, 1, 1));
+    private static final List<Crop> MORE_CROPS =
+            List.of(new Crop(0, 0, 8, 8), new Crop(19, 5, 23, 17), new Crop(59, 29, 1, 1));
+
+    /** No budget, and each kind of budget. */
     static Stream<Arguments> pictures() {
+        return Stream.of(
+                Arguments.of("keyhole", Budget.NONE),
+                Arguments.of("keyhole", Budget.NONE.withSamples(9.7)),
+                Arguments.of("keyhole", Budget.NONE.withError(0.001).withSamples(30)),
+                Arguments.of("fire-and-ice", Budget.NONE.withSamples(9.7)),
+                Arguments.of("fire-and-ice", Budget.NONE.withError(0.02)));
+    }
+
+    static Stream<Arguments> morePictures() {
         return Stream.of("keyhole", "fire-and-ice").flatMap(name -> Stream.of(
                         Budget.NONE,
                         Budget.NONE.withSamples(9.7),
@@ -49,6 +66,17 @@ class ClusterInvarianceTest {
     @ParameterizedTest
     @MethodSource("pictures")
     void threadsAndTilesChangeNoBit(String name, Budget budget) {
+        compareWays(name, budget, WAYS);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @MethodSource("morePictures")
+    void threadsAndTilesChangeNoBitOfMorePictures(String name, Budget budget) {
+        compareWays(name, budget, MORE_WAYS);
+    }
+
+    private static void compareWays(String name, Budget budget, int[][] ways) {
         Scene scene = ManySeeds.shipped(name);
         RenderSettings settings = settings(scene, budget);
         Picture one = ManySeeds.render(scene, settings);
@@ -58,7 +86,6 @@ class ClusterInvarianceTest {
                 && budget.error().isEmpty()) {
             assertTrue(one.sampling().clusters() > 0, "no light points were proposed");
         }
-        int[][] ways = {{2, 8}, {7, 8}, {2, 64}, {7, 5}};
         for (int[] way : ways) {
             Picture other = ManySeeds.render(scene, settings.withThreads(way[0]).withTileSize(way[1]));
             String what = way[0] + " threads, tiles of " + way[1];
@@ -71,10 +98,21 @@ class ClusterInvarianceTest {
     @ParameterizedTest
     @MethodSource("pictures")
     void aCropShowsThePixelsOfTheWhole(String name, Budget budget) {
+        compareCrops(name, budget, CROPS);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @MethodSource("morePictures")
+    void moreCropsShowThePixelsOfTheWhole(String name, Budget budget) {
+        compareCrops(name, budget, MORE_CROPS);
+    }
+
+    private static void compareCrops(String name, Budget budget, List<Crop> crops) {
         Scene scene = ManySeeds.shipped(name);
         RenderSettings settings = settings(scene, budget);
         Picture whole = ManySeeds.render(scene, settings);
-        for (Crop crop : List.of(new Crop(0, 0, 8, 8), new Crop(19, 5, 23, 17), new Crop(59, 29, 1, 1))) {
+        for (Crop crop : crops) {
             Picture part = ManySeeds.render(scene, settings.withCrop(crop));
             for (int k = 0; k < part.rgb().length; k++) {
                 int x = crop.x() + k / 3 % crop.width();
@@ -91,6 +129,17 @@ class ClusterInvarianceTest {
     @ParameterizedTest
     @MethodSource("pictures")
     void theEstimatedErrorIsThatOfThePictureAndNotOfItsTiles(String name, Budget budget) {
+        compareErrors(name, budget);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @MethodSource("morePictures")
+    void theEstimatedErrorIsThatOfThePictureWhateverTheBudget(String name, Budget budget) {
+        compareErrors(name, budget);
+    }
+
+    private static void compareErrors(String name, Budget budget) {
         Scene scene = ManySeeds.shipped(name);
         RenderSettings settings = settings(scene, budget);
         double standard = ManySeeds.render(scene, settings).sampling().estimatedError();

@@ -20,8 +20,9 @@ class ExtremeScenesTest {
 
     @Test
     void extremeScenesAreRefusedOrRendered() {
-        run(1, 1_000);
-        assertTrue(refused > 250 && rendered > 250, refused + " refused, " + rendered + " rendered");
+        // About a quarter are refused: 80 of 400 is three standard deviations below.
+        run(1, 400);
+        assertTrue(refused > 80 && rendered > 80, refused + " refused, " + rendered + " rendered");
     }
 
     @Test

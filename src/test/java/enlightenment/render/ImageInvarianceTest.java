@@ -27,9 +27,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** A picture depends neither on the unit of its scene nor on where the scene lies, nor on how the work is done (N01–N05). */
 class ImageInvarianceTest {
-    private static final int[] POWERS_OF_TWO = {-900, -60, 1, 900};
+    private static final int[] POWERS_OF_TWO = {-899, 900};
     private static final int[] MORE_POWERS_OF_TWO = {-900, -300, -60, -1, 1, 60, 300, 900};
-    private static final int[] POWERS_OF_TEN = {-150, -6, 1, 9, 150};
+    private static final int[] POWERS_OF_TEN = {-150, 1, 150};
     private static final int[] MORE_POWERS_OF_TEN = {-150, -9, -6, -3, 1, 3, 6, 9, 150};
     /** What the protocol calls a different pixel. */
     private static final double DIFFERENT = 1e-9;
@@ -71,9 +71,24 @@ class ImageInvarianceTest {
     @ValueSource(strings = {"fire-and-ice.json", "primitives.json", "glass.json", "torus.json"})
     void aShippedSceneTimesAPowerOfTwoOrElsewhereGivesTheSameBits(String name) {
         Scene scene = shipped(name);
-        RenderSettings settings = quick(scene).withSize(64, 36).withAntialias(2).withShadowSamples(3);
+        assertScaledAndMovedIsSame(scene, shippedSettings(scene, 40, 22), -899, 900);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice.json", "primitives.json", "glass.json", "torus.json"})
+    void aLargerPictureOfAShippedSceneScaledOrMovedGivesTheSameBits(String name) {
+        Scene scene = shipped(name);
+        assertScaledAndMovedIsSame(scene, shippedSettings(scene, 64, 36), -900, -1, 900);
+    }
+
+    private static RenderSettings shippedSettings(Scene scene, int width, int height) {
+        return quick(scene).withSize(width, height).withAntialias(2).withShadowSamples(3);
+    }
+
+    private static void assertScaledAndMovedIsSame(Scene scene, RenderSettings settings, int... exponents) {
         RawPicture expected = RawPicture.of(scene, settings);
-        for (int k : new int[] {-900, -1, 900}) {
+        for (int k : exponents) {
             expected.assertSameBits(RawPicture.of(MovedScene.scaledByPowerOfTwo(scene, k), settings), "2^" + k);
         }
         Scene far = MovedScene.translated(scene, new BigDecimal("1e15"));
@@ -99,8 +114,19 @@ class ImageInvarianceTest {
      * that of squares of lengths, which doubles hold down to 2^-1074.
      */
     @ParameterizedTest
-    @ValueSource(ints = {5, 20, 40, 100, 200, 300, 400})
+    @ValueSource(ints = {20, 40, 400})
     void aSpeckFarBehindTheViewerChangesNoBit(int exponent) {
+        assertSpeckChangesNoBit(exponent);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @ValueSource(ints = {5, 20, 40, 100, 200, 300, 400})
+    void aSpeckAtMoreDistancesBehindTheViewerChangesNoBit(int exponent) {
+        assertSpeckChangesNoBit(exponent);
+    }
+
+    private static void assertSpeckChangesNoBit(int exponent) {
         for (ReferenceScene reference : ReferenceScene.seenBy(ReferenceScene.GENERIC, ReferenceScene.ON_GRID)) {
             Scene scene = reference.scene();
             assertSpeckChangesNoBit(quick(reference), scene, quick(scene), exponent, reference.toString());
@@ -111,9 +137,20 @@ class ImageInvarianceTest {
     @ValueSource(strings = {"fire-and-ice.json", "primitives.json", "glass.json", "torus.json"})
     void aSpeckFarBehindTheViewerOfAShippedSceneChangesNoBit(String name) {
         Scene scene = shipped(name);
-        RenderSettings settings = quick(scene).withSize(64, 36).withAntialias(2).withShadowSamples(3);
+        assertSpecksChangeNoBit(name, scene, shippedSettings(scene, 40, 22), 400);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice.json", "primitives.json", "glass.json", "torus.json"})
+    void aSpeckBehindTheViewerOfALargerShippedSceneChangesNoBit(String name) {
+        Scene scene = shipped(name);
+        assertSpecksChangeNoBit(name, scene, shippedSettings(scene, 64, 36), 20, 400);
+    }
+
+    private static void assertSpecksChangeNoBit(String name, Scene scene, RenderSettings settings, int... exponents) {
         RawPicture expected = RawPicture.of(scene, settings);
-        for (int exponent : new int[] {20, 400}) {
+        for (int exponent : exponents) {
             assertSpeckChangesNoBit(expected, scene, settings, exponent, name);
         }
     }
@@ -169,7 +206,7 @@ class ImageInvarianceTest {
     // N03
 
     @ParameterizedTest
-    @ValueSource(strings = {"1e3", "1e6", "1e9", "1e15", "-1234567.000000000000000000000000000000891"})
+    @ValueSource(strings = {"1e3", "1e15", "-1234567.000000000000000000000000000000891"})
     void aSceneMovedByADecimalInItsTextGivesTheSameBits(String t) {
         for (ReferenceScene reference : ReferenceScene.all()) {
             Scene moved = reference.translated(new BigDecimal(t));
@@ -193,8 +230,19 @@ class ImageInvarianceTest {
     // N04
 
     @ParameterizedTest
-    @ValueSource(ints = {10, 20, 30})
+    @ValueSource(ints = {10, 30})
     void dyadicCoordinatesMovedInDoublesGiveTheSameBits(int k) {
+        assertDyadicIsSame(k);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @ValueSource(ints = {10, 15, 20, 25, 30})
+    void dyadicCoordinatesMovedFurtherAndFurtherGiveTheSameBits(int k) {
+        assertDyadicIsSame(k);
+    }
+
+    private static void assertDyadicIsSame(int k) {
         for (ReferenceScene reference : ReferenceScene.all()) {
             Scene scene = MovedScene.rounded(reference.scene(), 20);
             Scene moved = MovedScene.translatedInDoubles(scene, Math.scalb(1.0, k));
@@ -223,10 +271,20 @@ class ImageInvarianceTest {
 
     @Test
     void theOrderOfObjectsChangesNoBit() {
+        assertOrderChangesNoBit(1);
+    }
+
+    @Test
+    @Tag("full")
+    void moreOrdersOfObjectsChangeNoBit() {
+        assertOrderChangesNoBit(10);
+    }
+
+    private static void assertOrderChangesNoBit(int orders) {
         for (ReferenceScene reference : ReferenceScene.all()) {
             Scene scene = reference.scene();
             RawPicture expected = quick(reference);
-            for (int seed = 0; seed < 3; seed++) {
+            for (int seed = 0; seed < orders; seed++) {
                 List<SceneObject> objects = new ArrayList<>(scene.objects());
                 Collections.shuffle(objects, new Random(seed));
                 Scene shuffled = withObjects(scene, objects);
@@ -264,10 +322,20 @@ class ImageInvarianceTest {
 
     @Test
     void threadsAndTilesChangeNoBit() {
+        assertWaysChangeNoBit(new int[][] {{1, 64}, {7, 5}});
+    }
+
+    @Test
+    @Tag("full")
+    void moreThreadsAndTilesChangeNoBit() {
+        assertWaysChangeNoBit(new int[][] {{1, 64}, {2, 1}, {2, 16}, {7, 5}});
+    }
+
+    private static void assertWaysChangeNoBit(int[][] ways) {
         for (ReferenceScene reference : ReferenceScene.all()) {
             Scene scene = reference.scene();
             RawPicture expected = quick(reference);
-            for (int[] way : new int[][] {{1, 64}, {2, 1}, {2, 16}, {7, 5}}) {
+            for (int[] way : ways) {
                 RenderSettings settings = quick(scene).withThreads(way[0]).withTileSize(way[1]);
                 expected.assertSameBits(RawPicture.of(scene, settings), way[0] + " threads, tiles of " + way[1]);
             }

@@ -19,6 +19,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -162,6 +163,30 @@ class CommandFilesTest {
     @ParameterizedTest
     @EnumSource(names = "TRADE", mode = EnumSource.Mode.EXCLUDE)
     void noOutputWritesOverAnInput(CommandLines line) throws IOException {
+        checkNoOutputOverAnInput(line, false);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @EnumSource(names = {"RENDER", "SERVER"})
+    void noOutputOfManyWritesOverAnInputByAnyName(CommandLines line) throws IOException {
+        checkNoOutputOverAnInput(line, true);
+    }
+
+    /** Of the names of a file all, or of a command with many files three at a time, in turn, so that each has several turns. */
+    private static List<Path> some(List<Path> names, CommandLines line, boolean all, int turn) {
+        if (all || line != CommandLines.RENDER && line != CommandLines.SERVER) {
+            return names;
+        }
+        int n = names.size();
+        return Stream.of(3 * turn, 3 * turn + 1, 3 * turn + 2)
+                .map(i -> names.get(i % n))
+                .distinct()
+                .toList();
+    }
+
+    private void checkNoOutputOverAnInput(CommandLines line, boolean all) throws IOException {
+        int turn = 0;
         for (String output : line.outputs) {
             for (String victim : line.inputs) {
                 if (output.equals("--tls") && victim.startsWith("--tls")) {
@@ -169,7 +194,8 @@ class CommandFilesTest {
                 }
                 empty();
                 Map<String, Path> inputs = inputs(line, victim, "victim" + line.extension(output));
-                for (Path name : names(inputs.get(victim), line.extension(output))) {
+                List<Path> names = names(inputs.get(victim), line.extension(output));
+                for (Path name : some(names, line, all, turn++)) {
                     Map<String, Path> files = new LinkedHashMap<>(inputs);
                     files.put(output, name);
                     assertRefused(line, files, output + " onto " + victim, output + " ", " would write over ");
@@ -181,6 +207,18 @@ class CommandFilesTest {
     @ParameterizedTest
     @EnumSource(names = "TRADE", mode = EnumSource.Mode.EXCLUDE)
     void noTwoOutputsAreOneFile(CommandLines line) throws IOException {
+        checkNoTwoOutputsAreOne(line, false);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @EnumSource(names = {"RENDER", "SERVER"})
+    void noTwoOutputsOfManyAreOneFileByAnyName(CommandLines line) throws IOException {
+        checkNoTwoOutputsAreOne(line, true);
+    }
+
+    private void checkNoTwoOutputsAreOne(CommandLines line, boolean all) throws IOException {
+        int turn = 0;
         for (String first : line.outputs) {
             for (String second : line.outputs) {
                 if (first.equals(second) || Set.of(first, second).equals(Set.of("-o", "--aov"))) {
@@ -193,8 +231,9 @@ class CommandFilesTest {
                     if (exists) {
                         Files.writeString(file, "precious");
                     }
-                    for (Path name :
-                            exists ? names(file, line.extension(second)) : newNames(file, line.extension(second))) {
+                    List<Path> names =
+                            exists ? names(file, line.extension(second)) : newNames(file, line.extension(second));
+                    for (Path name : some(names, line, all, turn++)) {
                         Map<String, Path> files = new LinkedHashMap<>(inputs);
                         files.put(first, file);
                         files.put(second, name);

@@ -25,10 +25,12 @@ import org.junit.jupiter.api.io.TempDir;
 /** Server and workers as processes of their own, which are killed as {@code kill -9} does. */
 @Timeout(180)
 class ServerProcessTest {
-    private static final String SIZE = "\"width\": 160, \"height\": 120";
+    private static final String SIZE = "\"width\": 96, \"height\": 72";
 
-    /** About three seconds of one processor: long enough to be interrupted after the first line of progress. */
-    private static final List<Object> WORK = List.of("--antialias", 16, "--shadow-samples", 20);
+    private static final List<Object> WORK = List.of("--antialias", 2, "--shadow-samples", 2);
+
+    /** What the first worker may say: some of the 108 tiles, which have 64 pixels of three numbers at least. */
+    private static final int SOME_TILES = 108 * 64 * 3 * Double.BYTES / 3;
 
     @TempDir
     static Path common;
@@ -42,6 +44,7 @@ class ServerProcessTest {
     private Path scene;
     private Path picture;
     private int port;
+    private Relay relay;
 
     /** What one process makes of the scene. */
     @BeforeAll
@@ -61,10 +64,12 @@ class ServerProcessTest {
         try (ServerSocket free = new ServerSocket(0)) {
             port = free.getLocalPort();
         }
+        relay = new Relay(port, SOME_TILES);
     }
 
     @AfterEach
-    void endAll() throws InterruptedException {
+    void endAll() throws IOException, InterruptedException {
+        relay.close();
         for (Process process : started) {
             process.destroyForcibly().waitFor();
         }
@@ -74,6 +79,8 @@ class ServerProcessTest {
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx256m",
+                "-XX:TieredStopAtLevel=1",
+                "-XX:+UseSerialGC",
                 "-cp",
                 System.getProperty("java.class.path"),
                 "enlightenment.cli.Main"));
@@ -96,8 +103,8 @@ class ServerProcessTest {
         return start(log, args.toArray());
     }
 
-    private Process worker(String log, Object... more) throws IOException {
-        List<Object> args = new ArrayList<>(List.of("worker", "127.0.0.1:" + port, "--threads", 1));
+    private Process worker(String log, int at, Object... more) throws IOException {
+        List<Object> args = new ArrayList<>(List.of("worker", "127.0.0.1:" + at, "--threads", 1));
         args.addAll(List.of(more));
         return start(log, args.toArray());
     }
@@ -130,6 +137,16 @@ class ServerProcessTest {
         }
     }
 
+    /** Waits until half of what the relay passes on is kept; more than that the server does not get until the relay is freed. */
+    private void awaitSomeTiles(Path checkpoint) throws IOException, InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+        while (!Files.exists(checkpoint) || Files.size(checkpoint) < SOME_TILES / 2) {
+            assertTrue(System.nanoTime() - end < 0, "waited in vain for tiles: " + log("server"));
+            Thread.sleep(10);
+        }
+        assertFalse(Files.exists(picture));
+    }
+
     private void assertEnds(Process process, int code, String log) throws InterruptedException {
         assertTrue(process.waitFor(90, TimeUnit.SECONDS), () -> log + " does not end: " + log(log));
         assertEquals(code, process.exitValue(), () -> log(log));
@@ -137,12 +154,13 @@ class ServerProcessTest {
 
     @Test
     void killedWorkersCostNothingButTime() throws Exception {
-        Process server = server("server");
-        Process first = worker("first");
-        await("server", "% done");
+        Path checkpoint = folder.resolve("checkpoint");
+        Process server = server("server", "--checkpoint", checkpoint);
+        Process first = worker("first", relay.port());
+        awaitSomeTiles(checkpoint);
         first.destroyForcibly().waitFor();
         await("server", "left:");
-        Process second = worker("second");
+        Process second = worker("second", port);
         assertEnds(server, 0, "server");
         assertEnds(second, 0, "second");
         assertTrue(log("second").contains("the picture is done"), log("second"));
@@ -155,10 +173,11 @@ class ServerProcessTest {
         Path token = folder.resolve("token");
         Object[] kept = {"--checkpoint", checkpoint, "--token-file", token, "--tls", folder.resolve("tls.pem")};
         Process server = server("server", kept);
-        Process worker = worker("worker", "--token-file", token, "--pin", pin("server"));
-        await("server", "% done");
+        Process worker = worker("worker", relay.port(), "--token-file", token, "--pin", pin("server"));
+        awaitSomeTiles(checkpoint);
         server.destroyForcibly().waitFor();
         assertFalse(Files.exists(picture));
+        relay.free();
         Object[] more = Arrays.copyOf(kept, kept.length + 2);
         System.arraycopy(new Object[] {"--status-port", 0}, 0, more, kept.length, 2);
         Process again = server("again", more);
@@ -171,12 +190,13 @@ class ServerProcessTest {
 
     @Test
     void aServerThatIsAskedToEndWritesWhatItHas() throws Exception {
-        Process server = server("server", "--checkpoint", folder.resolve("checkpoint"));
-        Process worker = worker("worker");
-        await("server", "% done");
+        Path checkpoint = folder.resolve("checkpoint");
+        Process server = server("server", "--checkpoint", checkpoint);
+        Process worker = worker("worker", relay.port());
+        awaitSomeTiles(checkpoint);
         server.destroy();
         assertEnds(server, 143, "server");
-        assertTrue(log("server").contains("stopped: "), log("server"));
+        assertTrue(log("server").matches("(?s).*stopped: .* holds [1-9]\\d? % of the picture.*"), log("server"));
         assertTrue(Files.size(picture) > 0);
         worker.destroy();
         assertEnds(worker, 143, "worker");

@@ -37,6 +37,8 @@ class ShutdownSignalTest {
         Path err = folder.resolve("err.txt");
         Process process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-XX:TieredStopAtLevel=1",
+                        "-XX:+UseSerialGC",
                         "-cp",
                         System.getProperty("java.class.path"),
                         "enlightenment.cli.Main",
@@ -48,6 +50,8 @@ class ShutdownSignalTest {
                         "16",
                         "--shadow-samples",
                         "1000",
+                        "--threads",
+                        "1",
                         "--progress",
                         "plain")
                 .redirectError(err.toFile())

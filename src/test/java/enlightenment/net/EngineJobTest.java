@@ -24,12 +24,17 @@ import org.junit.jupiter.api.io.TempDir;
 class EngineJobTest {
     private static final Path SCENE = Path.of(System.getProperty("project.directory"), "scenes", "fire-and-ice.json");
 
+    private static final Scene FIRE_AND_ICE = SceneReader.read(SCENE);
+    private static final RenderSettings SETTINGS = RenderSettings.of(FIRE_AND_ICE)
+            .withSize(24, 16)
+            .withAntialias(1)
+            .withShadowSamples(4)
+            .withThreads(1);
+
+    private static final RenderResult ONE = Renderer.render(FIRE_AND_ICE, SETTINGS, RenderProgress.NONE, () -> false);
+
     @TempDir
     Path folder;
-
-    private final Scene scene = SceneReader.read(SCENE);
-    private final RenderSettings settings =
-            RenderSettings.of(scene).withSize(40, 24).withAntialias(1).withThreads(1);
 
     @Test
     void tilesMadeFromTheContentsAloneMakeThePictureOfOneProcess() throws IOException {
@@ -83,9 +88,10 @@ class EngineJobTest {
             }
         }
         byte[] whole = Files.readAllBytes(checkpoint);
+        // CheckpointJournalTest has every byte.
         // Two headers of 56 bytes each come before the records.
         int first = 2 * 56;
-        for (int at : new int[] {0, 60, first + 9, whole.length / 2, whole.length - 1}) {
+        for (int at : new int[] {60, first + 9, whole.length - 1}) {
             byte[] damaged = whole.clone();
             damaged[at] ^= 16;
             Files.write(checkpoint, damaged);
@@ -130,20 +136,19 @@ class EngineJobTest {
 
     @Test
     void aCheckpointOfWhatIsPlannedByTheClockIsRefused() {
-        RenderSettings byTime = settings.withBudget(Budget.NONE.withSeconds(1));
+        RenderSettings byTime = SETTINGS.withBudget(Budget.NONE.withSeconds(1));
         assertThrows(
                 IllegalArgumentException.class,
-                () -> EngineJob.start(scene, byTime, folder.resolve("t.ck"), s -> {}, () -> false));
+                () -> EngineJob.start(FIRE_AND_ICE, byTime, folder.resolve("t.ck"), s -> {}, () -> false));
     }
 
     private EngineJob start(Path checkpoint) throws IOException {
-        return EngineJob.start(scene, settings, checkpoint, s -> {}, () -> false);
+        return EngineJob.start(FIRE_AND_ICE, SETTINGS, checkpoint, s -> {}, () -> false);
     }
 
     private void assertSamePicture(RenderResult result) {
-        RenderResult one = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
         assertTrue(result.complete());
-        assertEquals(one.report().lightSamples(), result.report().lightSamples());
-        assertArrayEquals(one.image().toArray(), result.image().toArray());
+        assertEquals(ONE.report().lightSamples(), result.report().lightSamples());
+        assertArrayEquals(ONE.image().toArray(), result.image().toArray());
     }
 }

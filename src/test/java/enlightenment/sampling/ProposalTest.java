@@ -9,6 +9,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -170,10 +171,20 @@ class ProposalTest {
     @ParameterizedTest
     @ValueSource(strings = {"normal", "zeta", "linear"})
     void offsetsAroundABillionWithADeviationOfATenMillionthOfAMillionthStayDistinct(String family) {
+        checkDistinctOffsets(family, 50_000);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @ValueSource(strings = {"normal", "zeta", "linear"})
+    void aHundredThousandOffsetsAroundABillionStayDistinct(String family) {
+        checkDistinctOffsets(family, 100_000);
+    }
+
+    private static void checkDistinctOffsets(String family, int n) {
         // N38.
         Proposal p = new Proposal(Distribution.of(family));
         p.set(1e9, 1e-8, 1e9 - 1, 1e9 + 1);
-        int n = 100_000;
         Set<Double> distinct = new HashSet<>();
         RunningStatistics statistics = new RunningStatistics();
         for (int i = 0; i < n; i++) {
@@ -224,8 +235,19 @@ class ProposalTest {
     @ParameterizedTest
     @MethodSource("chiSquareCases")
     void samplesFollowTheDensityByChiSquare(Case c) {
+        checkChiSquare(c, 50_000, 50);
+    }
+
+    @ParameterizedTest
+    @Tag("full")
+    @MethodSource("chiSquareCases")
+    void twoHundredThousandSamplesFollowTheDensityByChiSquare(Case c) {
+        checkChiSquare(c, 200_000, 200);
+    }
+
+    /** All cases of one size together fail by chance once in a hundred, whatever the size. */
+    private static void checkChiSquare(Case c, int n, int panels) {
         Proposal p = c.proposal();
-        int n = 200_000;
         int[] counts = new int[BINS];
         for (int i = 0; i < n; i++) {
             double x = p.sample(Hash.unit(Hash.of(2024, i)));
@@ -236,7 +258,7 @@ class ProposalTest {
         int rareCount = 0;
         int freedom = -1;
         for (int k = 0; k < BINS; k++) {
-            double expected = n * massOfBin(p, c, k);
+            double expected = n * massOfBin(p, c, k, panels);
             rareExpected += expected;
             rareCount += counts[k];
             // Bins of fewer than ten are counted together with the next ones.
@@ -252,11 +274,13 @@ class ProposalTest {
         assertTrue(upperTail(chi2, freedom) > alpha, c + ": chi² " + chi2 + " of " + freedom);
     }
 
-    private static double massOfBin(Proposal p, Case c, int k) {
+    private static double massOfBin(Proposal p, Case c, int k, int panels) {
         double a = c.low + (c.high - c.low) * k / BINS;
         double b = c.low + (c.high - c.low) * (k + 1) / BINS;
-        // Fine enough for the kinks at the mean and at the ends of the linear one: 1e-6 of a bin.
-        return Quadrature.integral(p::density, a, b, 200);
+        // Fine enough for the kinks at the mean and at the ends of the linear one: 1e-6 of a bin with 200 panels, and
+        // as
+        // the square of their width, 2e-5 with 50. Chance makes more than a hundredth of a bin's count.
+        return Quadrature.integral(p::density, a, b, panels);
     }
 
     /** The probability of a larger chi²; of one degree less if their number is odd, which is stricter. */

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -126,9 +127,20 @@ class CheckpointJournalTest {
 
     @Test
     void aFlippedBitAnywhereCostsTheRecordThatItIsInAndNoOther() throws IOException {
+        checkFlippedBits(4);
+    }
+
+    @Test
+    @Tag("full")
+    void eachFlippedBitCostsTheRecordThatItIsInAndNoOther() throws IOException {
+        checkFlippedBits(1);
+    }
+
+    /** Every byte, and of its bits one in so many; the next byte begins with another one. */
+    private void checkFlippedBits(int step) throws IOException {
         byte[] whole = write();
         for (int at = 0; at < whole.length; at++) {
-            for (int bit = 0; bit < 8; bit++) {
+            for (int bit = at % step; bit < 8; bit += step) {
                 byte[] damaged = whole.clone();
                 damaged[at] ^= (byte) (1 << bit);
                 Files.write(file, damaged);
@@ -150,9 +162,19 @@ class CheckpointJournalTest {
 
     @Test
     void bytesThatAreMissingOrOverwrittenCostTheRecordsThatTheyWereIn() throws IOException {
+        checkMissing(7, 64);
+    }
+
+    @Test
+    @Tag("full")
+    void anyNumberOfBytesThatAreMissingOrOverwrittenCostsTheRecordsThatTheyWereIn() throws IOException {
+        checkMissing(1, 7, 30, 64);
+    }
+
+    private void checkMissing(int... lengths) throws IOException {
         byte[] whole = write();
         for (int at = JournalFormat.START; at < whole.length; at++) {
-            for (int length : new int[] {1, 7, 30, 64}) {
+            for (int length : lengths) {
                 int end = Math.min(at + length, whole.length);
                 byte[] overwritten = whole.clone();
                 for (int i = at; i < end; i++) {

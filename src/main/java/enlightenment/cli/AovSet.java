@@ -27,7 +27,7 @@ record AovSet(Set<Auxiliary> kinds) {
     }
 
     /** One of the words. */
-    static final class Words extends Vocabulary<Auxiliary> {
+    static final class Words extends WordOption<Auxiliary> {
         Words() {
             super(List.of(Auxiliary.values()));
         }

@@ -112,7 +112,7 @@ final class PictureOutput {
     }
 
     /** The formats that can be written. */
-    static final class Formats extends Vocabulary<ImageFormat> {
+    static final class Formats extends WordOption<ImageFormat> {
         Formats() {
             super(ImageFormat.written());
         }
@@ -124,7 +124,7 @@ final class PictureOutput {
     }
 
     /** The depths of PNG files. */
-    static final class Depths extends Vocabulary<Integer> {
+    static final class Depths extends WordOption<Integer> {
         Depths() {
             super(ImageFormat.PNG.depths());
         }

@@ -18,7 +18,7 @@ enum ProgressKind {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    static final class Words extends Vocabulary<ProgressKind> {
+    static final class Words extends WordOption<ProgressKind> {
         Words() {
             super(List.of(values()));
         }

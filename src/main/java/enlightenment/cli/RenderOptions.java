@@ -99,7 +99,7 @@ final class RenderOptions {
         return SettingsLine.replayable(s, plannedSamples, settings.frame());
     }
 
-    static final class Methods extends Vocabulary<Method> {
+    static final class Methods extends WordOption<Method> {
         Methods() {
             super(List.of(Method.values()));
         }

@@ -161,7 +161,7 @@ final class SettingsOptions {
         }
     }
 
-    static final class Proposals extends Vocabulary<String> {
+    static final class Proposals extends WordOption<String> {
         Proposals() {
             super(Distribution.NAMES);
         }

@@ -97,7 +97,7 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
 
     /** Processor, system, Java, and how busy this machine is now, by label: what any time depends on. */
     public static Map<String, String> machine() {
-        return Machine.facts();
+        return MachineDescription.facts();
     }
 
     private static double seconds(long since) {

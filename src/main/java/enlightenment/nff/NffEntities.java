@@ -32,7 +32,7 @@ final class NffEntities {
     }
 
     void readNext() throws NffSyntaxException {
-        Token key = tokens.take();
+        NffToken key = tokens.take();
         switch (key.text()) {
             case "v" -> view(key);
             case "b" -> scene.background(color("the background's"));
@@ -57,7 +57,7 @@ final class NffEntities {
     }
 
     private double unit(String what) throws NffSyntaxException {
-        Token t = tokens.peek();
+        NffToken t = tokens.peek();
         double v = tokens.number(what);
         if (v < 0 || v > 1) {
             throw new NffSyntaxException(t, "expected " + what + " in 0..1, not " + t.quoted());
@@ -66,7 +66,7 @@ final class NffEntities {
     }
 
     private double notNegative(String what) throws NffSyntaxException {
-        Token t = tokens.peek();
+        NffToken t = tokens.peek();
         double v = tokens.number(what);
         if (v < 0) {
             throw new NffSyntaxException(t, "expected " + what + " of at least 0, not " + t.quoted());
@@ -74,7 +74,7 @@ final class NffEntities {
         return v;
     }
 
-    private void light(Token key) throws NffSyntaxException {
+    private void light(NffToken key) throws NffSyntaxException {
         ExactPoint position = tokens.point("the light's");
         if (!tokens.peek().startsLikeNumber()) {
             scene.light(key, position, new Vec3(1, 1, 1));
@@ -85,7 +85,7 @@ final class NffEntities {
         scene.light(key, position, new Vec3(r, g, notNegative("the light's blue")));
     }
 
-    private void fill(Token key) throws NffSyntaxException {
+    private void fill(NffToken key) throws NffSyntaxException {
         DisplayRgb color = color("the fill's");
         double diffuse = notNegative("Kd");
         double specular = notNegative("Ks");
@@ -95,7 +95,7 @@ final class NffEntities {
         scene.fill(key, new NffFill(color, diffuse, specular, transmittance, index));
     }
 
-    private void cone(Token key) throws NffSyntaxException {
+    private void cone(NffToken key) throws NffSyntaxException {
         ExactPoint base = tokens.point("the base's centre");
         double baseRadius = tokens.number("the base's radius");
         ExactPoint apex = tokens.point("the apex's centre");
@@ -109,7 +109,7 @@ final class NffEntities {
         scene.cone(key, base, baseRadius, apex, apexRadius);
     }
 
-    private void polygon(Token key, boolean patch) throws NffSyntaxException {
+    private void polygon(NffToken key, boolean patch) throws NffSyntaxException {
         int n = tokens.count("the number of vertices", 3, MAX_VERTICES);
         List<ExactPoint> vertices = new ArrayList<>();
         for (int i = 1; i <= n; i++) {
@@ -121,7 +121,7 @@ final class NffEntities {
         scene.polygon(key, vertices, patch);
     }
 
-    private void view(Token key) throws NffSyntaxException {
+    private void view(NffToken key) throws NffSyntaxException {
         if (scene.hasView()) {
             throw new NffSyntaxException(key, "expected only one view in the file");
         }
@@ -134,7 +134,7 @@ final class NffEntities {
         int height = 0;
         Set<String> seen = new HashSet<>();
         while (VIEW_KEYS.contains(tokens.peek().text())) {
-            Token k = tokens.take();
+            NffToken k = tokens.take();
             if (!seen.add(k.text())) {
                 throw new NffSyntaxException(k, "expected \"" + k.text() + "\" only once in a view");
             }
@@ -157,14 +157,14 @@ final class NffEntities {
     private void requireAll(Set<String> seen) throws NffSyntaxException {
         for (String required : List.of("from", "at", "up", "angle", "resolution")) {
             if (!seen.contains(required)) {
-                Token next = tokens.peek();
+                NffToken next = tokens.peek();
                 throw new NffSyntaxException(next, "expected \"" + required + "\" in the view, not " + next.quoted());
             }
         }
     }
 
     private double angle() throws NffSyntaxException {
-        Token t = tokens.peek();
+        NffToken t = tokens.peek();
         double v = tokens.number("the view's angle");
         if (!(v > 0 && v < 180)) {
             throw new NffSyntaxException(t, "expected the view's angle between 0 and 180 degrees, not " + t.quoted());

@@ -18,7 +18,7 @@ record NffFill(DisplayRgb color, double diffuse, double specular, double transmi
     static final NffFill DEFAULT = new NffFill(DisplayRgb.WHITE, 1, 0, 0, 1);
 
     /** Glass where light passes, a mirror where nothing is diffuse but something is reflected, otherwise matte. */
-    Material material(Token at, Notes notes) {
+    Material material(NffToken at, Notes notes) {
         Texture texture = Texture.of(color);
         if (transmittance > 0) {
             return glass(texture, at, notes);
@@ -38,7 +38,7 @@ record NffFill(DisplayRgb color, double diffuse, double specular, double transmi
         return Material.Matte.of(texture);
     }
 
-    private Material glass(Texture texture, Token at, Notes notes) {
+    private Material glass(Texture texture, NffToken at, Notes notes) {
         if (transmittance > 1) {
             notes.add(at, "T " + show(transmittance) + " is taken as 1");
         }

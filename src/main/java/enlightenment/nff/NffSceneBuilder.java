@@ -25,7 +25,7 @@ final class NffSceneBuilder {
     private final Notes notes = new Notes();
     private final Map<Material, Material> materials = new HashMap<>();
     private NffFill fill;
-    private Token fillToken;
+    private NffToken fillToken;
     private Material material;
     private boolean hasView;
 
@@ -37,7 +37,7 @@ final class NffSceneBuilder {
         return hasView;
     }
 
-    void view(Token at, NffView view) throws NffSyntaxException {
+    void view(NffToken at, NffView view) throws NffSyntaxException {
         Camera camera;
         try {
             camera = view.window();
@@ -60,7 +60,7 @@ final class NffSceneBuilder {
     }
 
     /** The format does not say how bright a light of colour 1 is, so only its hue has to be kept. */
-    void light(Token at, ExactPoint position, Vec3 color) {
+    void light(NffToken at, ExactPoint position, Vec3 color) {
         double largest = color.maxAbs();
         Vec3 shown = color;
         if (largest > 1) {
@@ -70,13 +70,13 @@ final class NffSceneBuilder {
         scene.light(new Light.Point(position, new DisplayRgb(shown.x(), shown.y(), shown.z())));
     }
 
-    void fill(Token at, NffFill value) {
+    void fill(NffToken at, NffFill value) {
         fill = value;
         fillToken = at;
         material = null;
     }
 
-    void sphere(Token at, ExactPoint center, double radius) {
+    void sphere(NffToken at, ExactPoint center, double radius) {
         if (radius == 0) {
             notes.add(at, "a sphere of radius 0 is left out");
             return;
@@ -87,7 +87,7 @@ final class NffSceneBuilder {
         add(at, Sphere.of(center, Math.abs(radius)));
     }
 
-    void cone(Token at, ExactPoint base, double baseRadius, ExactPoint apex, double apexRadius) {
+    void cone(NffToken at, ExactPoint base, double baseRadius, ExactPoint apex, double apexRadius) {
         double r = Math.abs(baseRadius);
         double top = Math.abs(apexRadius);
         if (r == 0 && top == 0) {
@@ -106,7 +106,7 @@ final class NffSceneBuilder {
         }
     }
 
-    void polygon(Token at, List<ExactPoint> vertices, boolean patch) throws NffSyntaxException {
+    void polygon(NffToken at, List<ExactPoint> vertices, boolean patch) throws NffSyntaxException {
         if (patch) {
             notes.add(at, "the normals of a patch are not used: it is shown flat");
         }
@@ -122,11 +122,11 @@ final class NffSceneBuilder {
         }
     }
 
-    private void noteInside(Token at) {
+    private void noteInside(NffToken at) {
         notes.add(at, "a negative radius shows the inside only; here both sides are seen");
     }
 
-    private void add(Token at, Shape shape) {
+    private void add(NffToken at, Shape shape) {
         if (material == null) {
             material = nameMaterial(at);
         }
@@ -134,7 +134,7 @@ final class NffSceneBuilder {
     }
 
     /** Equal fills are one material, and fills that nothing uses are none. */
-    private Material nameMaterial(Token at) {
+    private Material nameMaterial(NffToken at) {
         if (fill == null) {
             notes.add(at, "no fill (f) comes before this; it is shown white");
         }

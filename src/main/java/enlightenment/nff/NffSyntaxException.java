@@ -7,7 +7,7 @@ final class NffSyntaxException extends Exception {
     private final int line;
     private final int column;
 
-    NffSyntaxException(Token at, String message) {
+    NffSyntaxException(NffToken at, String message) {
         super(message, null, false, false);
         line = at.line();
         column = at.column();

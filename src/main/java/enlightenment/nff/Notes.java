@@ -12,7 +12,7 @@ final class Notes {
 
     private final Map<String, List<Integer>> linesByMessage = new LinkedHashMap<>();
 
-    void add(Token at, String message) {
+    void add(NffToken at, String message) {
         linesByMessage.computeIfAbsent(message, m -> new ArrayList<>()).add(at.line());
     }
 

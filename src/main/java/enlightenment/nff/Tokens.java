@@ -19,7 +19,7 @@ final class Tokens {
     private int position;
     private int line = 1;
     private int lineStart;
-    private Token next;
+    private NffToken next;
 
     Tokens(String text) {
         this.text = text;
@@ -27,13 +27,13 @@ final class Tokens {
     }
 
     /** The next word, which stays. */
-    Token peek() {
+    NffToken peek() {
         return next;
     }
 
     /** The next word, which is consumed. */
-    Token take() {
-        Token t = next;
+    NffToken take() {
+        NffToken t = next;
         advance();
         return t;
     }
@@ -44,7 +44,7 @@ final class Tokens {
         while (position < text.length() && !isBlank(text.charAt(position)) && text.charAt(position) != '#') {
             position++;
         }
-        next = new Token(text.substring(start, position), line, start - lineStart + 1);
+        next = new NffToken(text.substring(start, position), line, start - lineStart + 1);
     }
 
     private void skipBlanks() {
@@ -71,7 +71,7 @@ final class Tokens {
 
     /** An exact decimal. */
     BigDecimal decimal(String what) throws NffSyntaxException {
-        Token t = take();
+        NffToken t = take();
         if (t.text().length() > MAX_NUMBER_LENGTH) {
             throw new NffSyntaxException(
                     t, "expected " + what + ", not a word of " + t.text().length() + " characters");
@@ -108,7 +108,7 @@ final class Tokens {
 
     /** A whole number between lo and hi. */
     int count(String what, int lo, int hi) throws NffSyntaxException {
-        Token t = peek();
+        NffToken t = peek();
         BigDecimal value = decimal(what);
         BigDecimal whole = value.stripTrailingZeros();
         boolean inside = whole.scale() <= 0

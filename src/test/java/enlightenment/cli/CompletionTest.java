@@ -59,7 +59,7 @@ class CompletionTest {
     @MethodSource("commands")
     void noVocabularyIsForgotten(String command) {
         for (OptionSpec option : options(command)) {
-            if (option.converters().length > 0 && option.converters()[0] instanceof Vocabulary<?> words) {
+            if (option.converters().length > 0 && option.converters()[0] instanceof WordOption<?> words) {
                 assertNotNull(option.completionCandidates(), option.longestName());
                 List<String> candidates = new ArrayList<>();
                 option.completionCandidates().forEach(candidates::add);

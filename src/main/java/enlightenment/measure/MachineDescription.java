@@ -11,11 +11,11 @@ import java.util.Locale;
 import java.util.Map;
 
 /** The machine that is measured on. */
-final class Machine {
+final class MachineDescription {
     private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
     private static final double MEBI = 1 << 20;
 
-    private Machine() {}
+    private MachineDescription() {}
 
     /** Processor, system, Java, and how busy the machine is now, by label. */
     static Map<String, String> facts() {

@@ -7,7 +7,7 @@ package enlightenment.nff;
  * @param line its line, counted from 1
  * @param column its first character, counted from 1
  */
-record Token(String text, int line, int column) {
+record NffToken(String text, int line, int column) {
 
     boolean isEnd() {
         return text.isEmpty();

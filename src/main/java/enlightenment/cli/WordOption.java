@@ -6,10 +6,10 @@ import java.util.List;
 import picocli.CommandLine.ITypeConverter;
 
 /** An option's values where there are only a few, each with a word: converts the words, and lists them for completion. */
-abstract class Vocabulary<T> implements ITypeConverter<T>, Iterable<String> {
+abstract class WordOption<T> implements ITypeConverter<T>, Iterable<String> {
     private final List<T> values;
 
-    Vocabulary(List<T> values) {
+    WordOption(List<T> values) {
         this.values = values;
     }
 

@@ -13,8 +13,8 @@ import java.util.HexFormat;
 import java.util.TreeSet;
 
 /** What this machine is called. */
-public final class Machine {
-    private Machine() {}
+public final class HostName {
+    private HostName() {}
 
     /** For people; asks no network. */
     public static String name() {

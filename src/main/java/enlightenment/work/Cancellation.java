@@ -7,6 +7,9 @@ public final class Cancellation implements BooleanSupplier {
     private final Thread caller = Thread.currentThread();
     private final BooleanSupplier asked;
 
+    /** An interrupt once seen stays seen: waiting for helpers takes it from the caller's thread for a moment. */
+    private volatile boolean interrupted;
+
     private Cancellation(BooleanSupplier asked) {
         this.asked = asked;
     }
@@ -18,6 +21,9 @@ public final class Cancellation implements BooleanSupplier {
 
     @Override
     public boolean getAsBoolean() {
-        return caller.isInterrupted() || asked.getAsBoolean();
+        if (caller.isInterrupted()) {
+            interrupted = true;
+        }
+        return interrupted || asked.getAsBoolean();
     }
 }

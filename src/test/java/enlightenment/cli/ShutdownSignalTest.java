@@ -67,8 +67,8 @@ class ShutdownSignalTest {
         } finally {
             process.destroyForcibly();
         }
-        assertEquals(SIGTERM_EXIT, process.exitValue());
         String said = Files.readString(err);
+        assertEquals(SIGTERM_EXIT, process.exitValue(), said);
         String last = "enlightenment: stopped: \\Q" + picture + "\\E holds \\d+ % of the picture\n";
         assertTrue(said.matches("(?s)\\d+ % done.*\n" + last), said);
         BufferedImage image = ImageIO.read(picture.toFile());

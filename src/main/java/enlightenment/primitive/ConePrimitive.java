@@ -2,7 +2,6 @@ package enlightenment.primitive;
 
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
-import enlightenment.numeric.Scale;
 
 /**
  * A circular cone or frustum, of any two radii, equal ones included.
@@ -125,9 +124,9 @@ public final class ConePrimitive extends AxialPrimitive {
         return new ConePrimitive(
                 base().scaledBy(k),
                 top().scaledBy(k),
-                towardsTop().scaledBy(k),
-                Scale.scalb(baseRadius(), k),
-                Scale.scalb(topRadius(), k),
+                Sizes.scaled(towardsTop(), k),
+                Sizes.scaled(baseRadius(), k),
+                Sizes.scaled(topRadius(), k),
                 isCapped());
     }
 }

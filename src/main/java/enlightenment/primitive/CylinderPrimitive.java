@@ -2,7 +2,6 @@ package enlightenment.primitive;
 
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
-import enlightenment.numeric.Scale;
 
 /**
  * A circular cylinder: with u = d × A and μ = F·u, the line's distance from the axis is |μ|/|u|, and the
@@ -82,8 +81,8 @@ public final class CylinderPrimitive extends AxialPrimitive {
         return new CylinderPrimitive(
                 base().scaledBy(k),
                 top().scaledBy(k),
-                towardsTop().scaledBy(k),
-                Scale.scalb(baseRadius(), k),
+                Sizes.scaled(towardsTop(), k),
+                Sizes.scaled(baseRadius(), k),
                 isCapped());
     }
 }

@@ -1,6 +1,8 @@
 package enlightenment.primitive;
 
 import enlightenment.frame.SceneFrame;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
 
 /** Lengths in a frame, where the extent of the scene is about 1. */
 public final class Sizes {
@@ -17,5 +19,15 @@ public final class Sizes {
      */
     public static double inFrame(double length, SceneFrame frame) {
         return Math.max(frame.toFrame(length), MIN_LENGTH);
+    }
+
+    /** A length times a power of two; one that is not 0 does not become 0 however far a ray comes from. */
+    static double scaled(double length, int k) {
+        return length == 0 ? 0 : Math.max(Scale.scalb(length, k), MIN_LENGTH);
+    }
+
+    /** A vector other than 0 times a power of two: it keeps its direction however far a ray comes from. */
+    static Vec3 scaled(Vec3 v, int k) {
+        return v.scaledBy(Math.max(k, MIN_EXPONENT - v.exponent()));
     }
 }

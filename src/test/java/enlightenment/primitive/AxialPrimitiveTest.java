@@ -59,6 +59,22 @@ class AxialPrimitiveTest {
         assertEquals(Primitive.MISS, cone.nearest(Ray.of(new Vec3(0.5, 1, 0), along), Double.MAX_VALUE));
     }
 
+    /** Beside the distance, length and radius of the solid are below the smallest double: it must not lose its axis. */
+    @Test
+    void aRayFromBeyondTheRangeOfDoublesPassesATinySolid() {
+        double tiny = 0x1p-740;
+        double far = 0x1p400;
+        for (Primitive p : List.of(
+                Primitives.place(
+                        new Cone(ExactPoint.ORIGIN, ExactPoint.of(0, tiny, 0), tiny, 0, true), SceneFrame.WORLD),
+                Primitives.place(
+                        new Cylinder(ExactPoint.ORIGIN, ExactPoint.of(0, tiny, 0), tiny, true), SceneFrame.WORLD))) {
+            Hit hit = new Hit();
+            assertFalse(p.intersect(Ray.of(new Vec3(0, 0, far), new Vec3(0, 0.25, -1)), hit), p + " is beside the ray");
+            assertFalse(p.intersect(Ray.of(new Vec3(0, 0, far), new Vec3(0, 0, 1)), hit), p + " is behind the ray");
+        }
+    }
+
     @Test
     void normalsAreFiniteUpToTheApex() {
         int hits = 0;

@@ -6,7 +6,7 @@ import enlightenment.net.job.Build;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Timing;
 import enlightenment.net.secure.Token;
-import enlightenment.net.worker.HostName;
+import enlightenment.net.worker.MachineIdentity;
 import enlightenment.net.worker.RenderPool;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -62,7 +62,7 @@ public final class WorkerOptions {
         private double reconnectSeconds = 60;
         private Consumer<String> log = line -> {};
         private String version = Build.number();
-        private byte[] machine = HostName.secret();
+        private byte[] machine = MachineIdentity.secret();
         private Timing timing = Timing.DEFAULT;
         private RenderPool.Tamper tamper = (tile, bytes) -> bytes;
 

@@ -12,7 +12,7 @@ import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.Peers;
 import enlightenment.net.secure.Token;
-import enlightenment.net.worker.HostName;
+import enlightenment.net.worker.MachineIdentity;
 import enlightenment.net.worker.RenderPool;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -85,7 +85,7 @@ class ServerDoorsTest {
                         return bytes;
                     }));
             Farm.until(() -> farm.logHas("joined"), "the honest one is there");
-            for (String name : new String[] {HostName.name(), "local", "this process"}) {
+            for (String name : new String[] {MachineIdentity.name(), "local", "this process"}) {
                 try (RawPeer peer = new RawPeer(farm.server.port())) {
                     peer.join(name, Token.NONE);
                     peer.send(new Message.Heartbeat(List.of()));

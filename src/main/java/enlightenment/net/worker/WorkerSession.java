@@ -49,7 +49,7 @@ public final class WorkerSession {
      * @param version of this program
      * @param threads number of tiles that it renders at once
      * @param process a secret of this process, the same over all its connections
-     * @param machine a secret of this machine, see {@link HostName#secret}
+     * @param machine a secret of this machine, see {@link MachineIdentity#secret}
      */
     public record Identity(String version, int threads, byte[] process, byte[] machine) {}
 
@@ -164,7 +164,7 @@ public final class WorkerSession {
                 Message.PROTOCOL,
                 Message.PROTOCOL,
                 identity.version(),
-                HostName.name(),
+                MachineIdentity.name(),
                 identity.threads(),
                 Canary.hash(),
                 nonce);

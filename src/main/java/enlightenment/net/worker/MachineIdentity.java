@@ -12,9 +12,9 @@ import java.util.Collections;
 import java.util.HexFormat;
 import java.util.TreeSet;
 
-/** What this machine is called. */
-public final class HostName {
-    private HostName() {}
+/** What tells this machine from others: a name for people, and a secret of its processes. */
+public final class MachineIdentity {
+    private MachineIdentity() {}
 
     /** For people; asks no network. */
     public static String name() {

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.render.Auxiliary;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
@@ -10,6 +11,14 @@ import picocli.CommandLine.ITypeConverter;
 /** The further pictures that are asked for beside the picture, in the order of {@link Auxiliary}. */
 record AovSet(Set<Auxiliary> kinds) {
     static final AovSet EMPTY = new AovSet(Set.of());
+
+    /** As it is typed. picocli asks for it at each start, and Java would take longer to make a record's own. */
+    @Override
+    public String toString() {
+        List<String> words = new ArrayList<>();
+        kinds.forEach(kind -> words.add(kind.word()));
+        return String.join(",", words);
+    }
 
     /** Reads words with commas between them. */
     static final class Converter implements ITypeConverter<AovSet> {

@@ -1,7 +1,9 @@
 package enlightenment.cli;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.ITypeConverter;
 
@@ -11,6 +13,14 @@ record SpeedShares(Map<String, Double> byHost) {
     private static final double MAX = 1000;
 
     static final SpeedShares NONE = new SpeedShares(Map.of());
+
+    /** As it is typed; like that of {@link AovSet}, because picocli asks for it at each start. */
+    @Override
+    public String toString() {
+        List<String> shares = new ArrayList<>();
+        byHost.forEach((host, weight) -> shares.add(host + "=" + DecimalNumber.plain(weight)));
+        return String.join(",", shares);
+    }
 
     /** Reads {@code HOST=WEIGHT,...}. */
     static final class Converter implements ITypeConverter<SpeedShares> {

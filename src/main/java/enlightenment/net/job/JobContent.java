@@ -4,6 +4,7 @@ import enlightenment.engine.RenderOutline;
 import enlightenment.file.ContentHash;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
 import enlightenment.net.protocol.Limits;
 import enlightenment.plan.RenderPlan;
@@ -26,6 +27,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -37,8 +39,6 @@ import java.util.Set;
  */
 public final class JobContent {
     private static final String MAGIC = "enlightenment job 2";
-    private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
-
     private final Map<ContentHash, byte[]> contents;
 
     private JobContent(Map<ContentHash, byte[]> contents) {
@@ -93,8 +93,7 @@ public final class JobContent {
     private static byte[] read(Path file) {
         try {
             byte[] bytes = Files.readAllBytes(file);
-            boolean isPng = bytes.length >= PNG.length && java.util.Arrays.equals(PNG, 0, 4, bytes, 0, 4);
-            if (isPng) {
+            if (ImageFormat.ofContent(bytes).equals(Optional.of(ImageFormat.PNG))) {
                 return bytes;
             }
             Image image = ImageFiles.read(file);

@@ -20,23 +20,15 @@ import org.junit.jupiter.api.Test;
 /** The table of packages in docs/architecture.md is that of the sources, in an order in which each uses only those above it. */
 class ArchitecturePageTest {
     private static final Path SOURCES = Path.of("src/main/java/enlightenment");
-    private static final Pattern NAME = Pattern.compile("`([a-z.]+)`");
     private static final Pattern COMMENT = Pattern.compile("(?s)/\\*.*?\\*/");
     private static final Pattern USE = Pattern.compile("\\benlightenment\\.([a-z]+(?:\\.[a-z]+)*)\\.[A-Z]");
 
-    /** Packages with the number of their row. */
+    /** Packages with a number for their row, which increases. */
     private static Map<String, Integer> rows() throws IOException {
         Map<String, Integer> rows = new TreeMap<>();
-        int row = 0;
-        for (String line : Files.readAllLines(Path.of("docs/architecture.md"))) {
-            String[] cells = line.split("\\|");
-            if (cells.length == 4 && cells[1].strip().startsWith("`")) {
-                row++;
-                Matcher names = NAME.matcher(cells[1]);
-                while (names.find()) {
-                    rows.put(names.group(1), row);
-                }
-            }
+        for (PackageTable.Row row : PackageTable.rows(Path.of(""))) {
+            int number = rows.size() + 1;
+            row.names().forEach(name -> rows.put(name, number));
         }
         return rows;
     }

@@ -3,6 +3,7 @@ package enlightenment.packaged;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.docs.PackageTable;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -17,8 +18,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.jar.JarFile;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -135,13 +134,9 @@ class LibraryIT {
     /** The rows of the table of packages whose second column says yes. */
     private static Set<String> documentedExports() throws IOException {
         Set<String> names = new TreeSet<>();
-        for (String line : Files.readAllLines(Packages.PROJECT.resolve("docs/architecture.md"))) {
-            String[] cells = line.split("\\|");
-            if (cells.length > 3 && cells[2].strip().equals("yes")) {
-                Matcher name = Pattern.compile("`([a-z.]+)`").matcher(cells[1]);
-                while (name.find()) {
-                    names.add(name.group(1));
-                }
+        for (PackageTable.Row row : PackageTable.rows(Packages.PROJECT)) {
+            if (row.exported()) {
+                names.addAll(row.names());
             }
         }
         return names;

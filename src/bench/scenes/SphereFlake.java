@@ -66,7 +66,8 @@ public final class SphereFlake {
     }
 
     private void enlightenment(PrintStream out) {
-        out.println("""
+        out.println(
+                """
                 { "name": "Sphere flake", "image": { "width": 800, "height": 600 },
                   "camera": { "type": "perspective", "eye": [2.1, 1.3, 1.7], "lookAt": [0, 0, 0], "up": [0, 0, 1], "fieldOfView": 30 },
                   "shading": { "model": "classic", "ambient": 0.1, "shadow": 0, "background": "#14385b" },
@@ -88,7 +89,8 @@ public final class SphereFlake {
     }
 
     private void mitsuba(PrintStream out) {
-        out.println("""
+        out.println(
+                """
                 <scene version="3.0.0">
                   <integrator type="direct"><integer name="emitter_samples" value="1"/><integer name="bsdf_samples" value="0"/></integrator>
                   <sensor type="perspective"><string name="fov_axis" value="x"/><float name="fov" value="30"/>
@@ -115,8 +117,10 @@ public final class SphereFlake {
     }
 
     private void povray(PrintStream out) {
-        // The same right-handed axes: POV-Ray's are left-handed, so its "right" vector is turned round. angle is that of the width.
-        out.println("""
+        // The same right-handed axes: POV-Ray's are left-handed, so its "right" vector is turned round. angle is that
+        // of the width.
+        out.println(
+                """
                 #version 3.7; global_settings { assumed_gamma 1.0 }
                 camera { perspective location <2.1, 1.3, 1.7> sky z up z right -4/3*x angle 30 look_at <0, 0, 0> }
                 background { rgb <0.08, 0.22, 0.36> }
@@ -125,13 +129,7 @@ public final class SphereFlake {
                 polygon { 5, <12, 12, -0.5>, <-12, 12, -0.5>, <-12, -12, -0.5>, <12, -12, -0.5>, <12, 12, -0.5>
                   pigment { rgb <1, 0.75, 0.33> } finish { ambient 0.1 diffuse 0.9 } }""");
         for (double[] s : balls) {
-            out.printf(
-                    Locale.ROOT,
-                    "sphere { <%.9f, %.9f, %.9f>, %.9f texture { Ball } }%n",
-                    s[0],
-                    s[1],
-                    s[2],
-                    s[3]);
+            out.printf(Locale.ROOT, "sphere { <%.9f, %.9f, %.9f>, %.9f texture { Ball } }%n", s[0], s[1], s[2], s[3]);
         }
     }
 }

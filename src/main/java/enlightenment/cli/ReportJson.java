@@ -1,7 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.json.JsonText;
-import enlightenment.render.RenderReport;
+import enlightenment.report.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;

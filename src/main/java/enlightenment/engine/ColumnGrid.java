@@ -9,7 +9,7 @@ import enlightenment.scene.RenderSettings;
  * blocks of the whole picture, so that a part of it shares its blocks with the whole. Numbered column by column
  * from the left, each from the top.
  */
-final class ColumnGrid {
+final class ColumnGrid implements TileCut {
     /** Width of a tile, and what its first row is a multiple of. */
     private static final int SIDE = FilmTile.BLOCK_SIDE;
 
@@ -54,12 +54,13 @@ final class ColumnGrid {
         return (int) Math.max(FEWEST_TILES, Math.min(MOST_TILES, rays / RAYS_PER_TILE));
     }
 
-    int tiles() {
+    @Override
+    public int tiles() {
         return tiles;
     }
 
-    /** The pixels of a tile, by their place in the whole picture. */
-    RenderSettings.Crop place(int tile) {
+    @Override
+    public RenderSettings.Crop place(int tile) {
         int left = (firstColumn + tile / down) * SIDE;
         int top = firstRow + tile % down * rows;
         return region.intersection(new RenderSettings.Crop(left, top, SIDE, rows));

@@ -6,7 +6,7 @@ import enlightenment.film.Film;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
 import enlightenment.plan.RenderPlan;
-import enlightenment.render.RenderReport;
+import enlightenment.report.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Phases;

@@ -9,7 +9,7 @@ import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
 import enlightenment.plan.TileMethods;
-import enlightenment.render.RenderReport;
+import enlightenment.report.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;

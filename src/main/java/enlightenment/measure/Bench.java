@@ -3,7 +3,7 @@ package enlightenment.measure;
 import enlightenment.check.Check;
 import enlightenment.measure.trade.Spread;
 import enlightenment.render.RenderProgress;
-import enlightenment.render.RenderReport;
+import enlightenment.report.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Method;

@@ -5,7 +5,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.render.RenderProgress;
-import enlightenment.render.RenderReport;
+import enlightenment.report.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;

@@ -30,7 +30,7 @@ final class Trial {
     void render(double samples, List<FilmTile> blocks, BooleanSupplier stop) {
         RenderPlan plan = plans.of(samples, "trial");
         Workers.run(settings.threads(), blocks.size(), stop, () -> {
-            TileMethod method = TileMethods.of(plan, scene, settings, new RayCounters(scene.kindNames.size()));
+            TileMethod method = Integrators.of(plan, scene, settings, new RayCounters(scene.kindNames.size()));
             method.stopWhen(stop);
             return (IntConsumer) i -> method.render(blocks.get(i));
         });

@@ -10,7 +10,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.net.protocol.Timing;
 import enlightenment.render.RenderProgress;
-import enlightenment.render.RenderReport;
+import enlightenment.report.RenderReport;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.render.RenderReport;
+import enlightenment.report.RenderReport;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;

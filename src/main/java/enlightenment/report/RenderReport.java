@@ -1,12 +1,9 @@
-package enlightenment.render;
+package enlightenment.report;
 
-import enlightenment.plan.Rounds;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 
 /**
  * What a render did (the paper's Timekeeper): counts that depend on scene and settings only, and times that do not.
@@ -111,28 +108,9 @@ public record RenderReport(
                 || sampling.errorInFile() <= settings.budget().error().getAsDouble();
     }
 
-    /**
-     * About how many samples per pixel would keep the error that was asked for, whatever other limits there were; empty if it is
-     * kept, or no number of samples would do.
-     */
-    public OptionalDouble samplesForError() {
-        OptionalDouble error = settings.budget().error();
-        return error.isEmpty() ? error : new Rounds(Budget.NONE.withError(error.getAsDouble())).next(outcome(), 0, 0);
-    }
-
     /** The same report for a file with another root mean square of what rounding changes. */
     public RenderReport withRounding(double rounding) {
         return with(sampling.with(rounding));
-    }
-
-    /** What decides whether there is another round. */
-    Rounds.Outcome outcome() {
-        return new Rounds.Outcome(
-                settings.method(),
-                sampling.method(),
-                sampling.plannedSamples(),
-                sampling.errorHigh(),
-                sampling.rounding());
     }
 
     /** The same report with other figures of sampling. */

@@ -4,7 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
@@ -191,7 +191,7 @@ public final class TiledRender {
      */
     public TileMaker maker(BooleanSupplier cancelled) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        TileMethod method = TileMethods.of(plan, compiled, settings, counters);
+        TileIntegrator method = TileMethods.of(plan, compiled, settings, counters);
         method.stopWhen(cancelled);
         return tile -> make(Objects.checkIndex(tile, grid.tiles()), method, counters);
     }
@@ -217,7 +217,7 @@ public final class TiledRender {
         });
     }
 
-    private byte[] make(int tile, TileMethod method, RayCounters counters) {
+    private byte[] make(int tile, TileIntegrator method, RayCounters counters) {
         counters.clear();
         RenderSettings.Crop place = grid.place(tile);
         int kinds = compiled.kindNames.size();

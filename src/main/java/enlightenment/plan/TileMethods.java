@@ -3,7 +3,7 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.method.RayTraceMethod;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.sampling.Distribution;
@@ -16,7 +16,8 @@ public final class TileMethods {
     private TileMethods() {}
 
     /** The planned method, for one thread. */
-    public static TileMethod of(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
+    public static TileIntegrator of(
+            RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return of(plan, scene, settings, counters, null);
     }
 
@@ -25,7 +26,7 @@ public final class TileMethods {
      *
      * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
      */
-    public static TileMethod of(
+    public static TileIntegrator of(
             RenderPlan plan,
             CompiledScene scene,
             RenderSettings settings,

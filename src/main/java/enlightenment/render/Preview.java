@@ -4,7 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.TileMethods;
@@ -71,7 +71,7 @@ final class Preview {
         int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
         long total = (long) region.width() * region.height();
         Workers.run(settings.threads(), grid.count, cancelled, () -> {
-            TileMethod method = TileMethods.of(plan, scene, how, new RayCounters(scene.kindNames.size()));
+            TileIntegrator method = TileMethods.of(plan, scene, how, new RayCounters(scene.kindNames.size()));
             method.stopWhen(cancelled);
             return turn -> {
                 FilmTile tile = grid.tile(turn);
@@ -89,7 +89,7 @@ final class Preview {
     }
 
     /** One sample for each square of pixels; squares are cut from the whole picture's corner and at the tile's border. */
-    private void renderSquares(TileMethod method, FilmTile tile, int side) {
+    private void renderSquares(TileIntegrator method, FilmTile tile, int side) {
         int right = tile.x + tile.width;
         int bottom = tile.y + tile.height;
         for (int y = tile.y; y < bottom; y = (y / side + 1) * side) {

@@ -6,7 +6,7 @@ import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.TileMethods;
@@ -71,13 +71,13 @@ final class TileRender {
         Workers.run(settings.threads(), grid.count, cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
-            TileMethod method = TileMethods.of(plan, scene, settings, mine, clusters == null ? null : this::gather);
+            TileIntegrator method = TileMethods.of(plan, scene, settings, mine, clusters == null ? null : this::gather);
             method.stopWhen(cancelled);
             return turn -> renderTile(method, grid.tile(turn));
         });
     }
 
-    private void renderTile(TileMethod method, FilmTile tile) {
+    private void renderTile(TileIntegrator method, FilmTile tile) {
         TileEvent event = new TileEvent();
         event.begin();
         method.render(tile);

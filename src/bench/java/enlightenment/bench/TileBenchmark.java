@@ -4,7 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.TileMethods;
@@ -43,7 +43,7 @@ public class TileBenchmark {
     @Param({"fire-and-ice", "keyhole"})
     public String scene;
 
-    private TileMethod tileMethod;
+    private TileIntegrator tileMethod;
 
     @Setup
     public void setUp() {

@@ -1,8 +1,8 @@
 package enlightenment.cli;
 
 import enlightenment.json.JsonText;
-import enlightenment.report.RenderReport;
 import enlightenment.render.RenderResult;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;

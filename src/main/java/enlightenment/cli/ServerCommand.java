@@ -93,6 +93,6 @@ final class ServerCommand extends Subcommand {
             throw StoppedRender.after(result, output, "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
-        RequestedError.require(result.report());
+        RequestedError.require(result);
     }
 }

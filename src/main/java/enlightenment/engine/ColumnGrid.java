@@ -16,15 +16,6 @@ final class ColumnGrid implements TileCut {
     /** At least this many tiles, if there are as many blocks: a hundred machines get dozens each. */
     private static final int FEWEST_TILES = 1 << 12;
 
-    /** More tiles than these cost the server more than they give. */
-    private static final int MOST_TILES = 1 << 18;
-
-    /**
-     * A render that is worth many machines is cut into tiles of this many camera rays, half a second of one processor or more: with
-     * shorter ones a thousand workers would be more than a server can listen to.
-     */
-    private static final double RAYS_PER_TILE = 1 << 21;
-
     /** A tile of this many rows is half a megabyte. */
     private static final int MOST_ROWS = 2048;
 
@@ -51,7 +42,7 @@ final class ColumnGrid implements TileCut {
     /** How many tiles to cut; there may be fewer blocks. */
     private static int tilesFor(RenderSettings.Crop region, RenderPlan plan) {
         double rays = (double) region.width() * region.height() * plan.samples();
-        return (int) Math.max(FEWEST_TILES, Math.min(MOST_TILES, rays / RAYS_PER_TILE));
+        return (int) Math.max(FEWEST_TILES, Math.min(WorkUnits.MOST_UNITS, rays / WorkUnits.RAYS_PER_UNIT));
     }
 
     @Override

@@ -53,7 +53,9 @@ final class PassForm extends ResultForm {
             }
             int samples = in.getInt();
             for (double sum : sums) {
-                if (samples < 1 || !(Math.abs(sum) <= TileForm.BRIGHTEST * samples)) {
+                if (samples < 1
+                        || samples > Integer.MAX_VALUE / units.passes()
+                        || !(Math.abs(sum) <= TileForm.BRIGHTEST * samples)) {
                     return Optional.of("at pixel " + (place.x() + pixel % place.width()) + ","
                             + (place.y() + pixel / place.width()) + " a sum of " + samples + " samples is " + sum);
                 }

@@ -21,8 +21,15 @@ public abstract class PictureFilm {
     }
 
     /** A picture of which nothing is there yet. */
-    public static PictureFilm of(WorkUnits units, RenderSettings settings) {
-        return new TilePicture(units, settings);
+    public static PictureFilm of(WorkUnits units, RenderOutline outline) {
+        return of(units, outline, false);
+    }
+
+    /** @param isKept whether units can be taken out again */
+    static PictureFilm of(WorkUnits units, RenderOutline outline, boolean isKept) {
+        return units.areBatches()
+                ? new SplatPicture(units, outline)
+                : new TilePicture(units, outline.settings(), isKept);
     }
 
     /**
@@ -92,6 +99,9 @@ public abstract class PictureFilm {
 
     /** How far the samples say that the pixels are from the truth. */
     public abstract ErrorEstimate error();
+
+    /** Says whether the samples of pixels are differences from something known, by what there is now. */
+    void samplesAreDifferences(boolean are) {}
 
     /** The picture so far; what is missing is black. */
     public abstract Image image();

@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.scene.RenderSettings;
 import java.nio.ByteBuffer;
 import java.util.Optional;
 
@@ -14,8 +15,13 @@ abstract class ResultForm {
         this.kinds = kinds;
     }
 
-    /** The form for these units. */
-    static ResultForm of(WorkUnits units, int kinds) {
+    /** The form for the units of this render. */
+    static ResultForm of(WorkUnits units, RenderOutline outline) {
+        int kinds = outline.kinds().size();
+        if (units.areBatches()) {
+            RenderSettings.Crop region = outline.settings().region();
+            return new BatchForm(units, kinds, Math.multiplyExact(region.width(), region.height()));
+        }
         return units.passes() > 1 ? new PassForm(units, kinds) : new TileForm(units, kinds);
     }
 

@@ -25,10 +25,6 @@ public final class TilePicture extends PictureFilm {
     private long pixelPasses;
     private long finished;
 
-    TilePicture(WorkUnits units, RenderSettings settings) {
-        this(units, settings, false);
-    }
-
     /** @param isKept whether passes can be taken out again: that takes six times the memory */
     TilePicture(WorkUnits units, RenderSettings settings, boolean isKept) {
         super(units, settings);
@@ -143,6 +139,11 @@ public final class TilePicture extends PictureFilm {
     @Override
     public ErrorEstimate error() {
         return film.error();
+    }
+
+    @Override
+    void samplesAreDifferences(boolean are) {
+        film.samplesAreDifferences(are);
     }
 
     @Override

@@ -36,6 +36,13 @@ public final class ErrorEstimate {
 
     private static final double HIDDEN = 1.23;
 
+    /**
+     * What the squares of estimates v of the variances tell of chance. An estimate by four groups of normal numbers is σ² χ²/3 of three
+     * degrees: its square has the mean 5/3 σ⁴, its variance is 2/3 σ⁴, that of the squared error itself 2 σ⁴; in all 8/3 · 3/5 v², half
+     * of it as {@link #deviation} has two of them.
+     */
+    private static final double OF_GROUPS = 0.8;
+
     private final float[] variances;
     private final double meanSquare;
 
@@ -112,6 +119,28 @@ public final class ErrorEstimate {
         // The trigamma function's asymptotic series, at ½ too great by 8 %.
         double trigamma = (1 + (0.5 + 1 / (6 * x)) / x) / x;
         return Math.sqrt(2 * trigamma);
+    }
+
+    /**
+     * The error of pixels that are each the mean of four independent groups of samples.
+     *
+     * @param estimates of the variance of each pixel by how its groups differ
+     */
+    static ErrorEstimate ofGroups(double[] estimates) {
+        float[] variances = new float[estimates.length];
+        double sum = 0;
+        double squares = 0;
+        for (int i = 0; i < estimates.length; i++) {
+            variances[i] = (float) estimates[i];
+            sum += estimates[i];
+            squares += estimates[i] * estimates[i];
+        }
+        if (!(sum > 0)) {
+            return new ErrorEstimate(variances, 0, 1, 1, 0, estimates.length);
+        }
+        double chance = StrictMath.exp(TWO_SIDED_95 * deviation(OF_GROUPS * squares / (sum * sum)));
+        return new ErrorEstimate(
+                variances, sum / Math.max(estimates.length, 1), 1 / chance, chance, 0, estimates.length);
     }
 
     /** The error of some tiles, as if they were all of the picture. */

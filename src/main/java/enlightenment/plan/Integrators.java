@@ -2,8 +2,8 @@ package enlightenment.plan;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.method.Integrator;
 import enlightenment.method.RayTraceMethod;
-import enlightenment.method.TileMethod;
 import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.sampling.Distribution;
@@ -51,7 +51,7 @@ public final class Integrators {
     }
 
     /** What does the work of the planned method, for one thread. */
-    public static TileMethod of(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
+    public static Integrator of(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return of(plan, scene, settings, counters, null);
     }
 
@@ -61,7 +61,7 @@ public final class Integrators {
      * @param counters are added to by it
      * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
      */
-    public static TileMethod of(
+    public static Integrator of(
             RenderPlan plan,
             CompiledScene scene,
             RenderSettings settings,

@@ -61,7 +61,8 @@ public final class Rounds {
         }
         double next = samplesFor(n, outcome.errorHigh(), aim);
         if (outcome.method() != report.settings().method()) {
-            // The error of the method that is used for few samples tells little of that of the other: it may be far smaller.
+            // The error of the method that is used for few samples tells little of that of the other: it may be far
+            // smaller.
             next = Math.min(next, Integrators.traits(report.settings().method()).first());
         }
         samples = n;

@@ -297,7 +297,7 @@ final class ScalingSimulation {
             RenderSettings settings = RenderSettings.of(scene).withSize(width, height);
             return new RenderOutline(
                             "", settings, new RenderPlan(Method.RAYTRACE, 1, samples, "samples"), List.of(), List.of())
-                    .tiles();
+                    .units();
         }
 
         /** Seconds of each tile, by its column: from 0.2 to 3.2 times something. */

@@ -1,0 +1,184 @@
+package enlightenment.film;
+
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import java.util.BitSet;
+
+/**
+ * A picture in the making by paths that may reach any pixel: sums of integers, so that units of work may come in any order, from any
+ * threads, and go again, and the bytes are the same.
+ *
+ * <p>Units are of four groups, by their number; each group is a picture of its own. How far these differ tells the error.
+ */
+public final class SplatFilm {
+    private static final int GROUPS = 4;
+
+    public final int x;
+    public final int y;
+    public final int width;
+    public final int height;
+    private final long picturePixels;
+    private final SplatScale scale;
+    private final Encoding encoding;
+
+    /** Of each group, for each pixel: units of red, green and blue. */
+    private final long[][] sums;
+
+    private final long[] paths = new long[GROUPS];
+
+    /** The units that are in. */
+    private final BitSet units = new BitSet();
+
+    /**
+     * A black film for a rectangle of the whole picture.
+     *
+     * @param picturePixels number of pixels of the whole picture
+     */
+    public SplatFilm(int x, int y, int width, int height, long picturePixels, SplatScale scale, Encoding encoding) {
+        this.x = x;
+        this.y = y;
+        this.width = width;
+        this.height = height;
+        this.picturePixels = picturePixels;
+        this.scale = scale;
+        this.encoding = encoding;
+        sums = new long[GROUPS][Math.multiplyExact(3, Math.multiplyExact(width, height))];
+    }
+
+    /** What the pixels mean. */
+    public Encoding encoding() {
+        return encoding;
+    }
+
+    /**
+     * Adds a unit of work.
+     *
+     * @param unit its number, from 0
+     * @return whether it was missing; otherwise nothing has changed
+     * @throws ArithmeticException if a pixel's sum becomes too large, with the pixel; then nothing has changed
+     */
+    public synchronized boolean add(int unit, SplatSums batch) {
+        if (units.get(unit)) {
+            return false;
+        }
+        long[] to = sums[unit % GROUPS];
+        for (int i = 0; i < batch.pixels.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                if (to[3 * batch.pixels[i] + c] > Long.MAX_VALUE - batch.sums[3 * i + c]) {
+                    throw new ArithmeticException("pixel " + place(batch.pixels[i])
+                            + " is more than 2^24 times as bright as the picture was expected to be in the mean");
+                }
+            }
+        }
+        for (int i = 0; i < batch.pixels.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                to[3 * batch.pixels[i] + c] += batch.sums[3 * i + c];
+            }
+        }
+        paths[unit % GROUPS] += batch.paths;
+        units.set(unit);
+        return true;
+    }
+
+    /**
+     * Takes a unit of work out.
+     *
+     * @param batch what was added for it
+     * @return whether it was in; otherwise nothing has changed
+     */
+    public synchronized boolean remove(int unit, SplatSums batch) {
+        if (!units.get(unit)) {
+            return false;
+        }
+        long[] from = sums[unit % GROUPS];
+        for (int i = 0; i < batch.pixels.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                from[3 * batch.pixels[i] + c] -= batch.sums[3 * i + c];
+            }
+        }
+        paths[unit % GROUPS] -= batch.paths;
+        units.clear(unit);
+        return true;
+    }
+
+    private String place(int pixel) {
+        return (x + pixel % width) + "," + (y + pixel / width);
+    }
+
+    /** The number of units that are in. */
+    public synchronized int units() {
+        return units.cardinality();
+    }
+
+    /** The number of paths of all units that are in. */
+    public synchronized long paths() {
+        long sum = 0;
+        for (long n : paths) {
+            sum += n;
+        }
+        return sum;
+    }
+
+    /** Component 0, 1 or 2 of the pixel in column and row of the whole picture, in full precision; 0 without paths. */
+    public synchronized double component(int column, int row, int c) {
+        return value(3 * ((row - y) * width + column - x) + c, paths());
+    }
+
+    private double value(int k, long n) {
+        long high = 0;
+        long low = 0;
+        for (long[] group : sums) {
+            high += group[k] >>> 32;
+            low += group[k] & 0xffffffffL;
+        }
+        return n == 0 ? 0 : inPicture(high * 0x1p32 + low, n);
+    }
+
+    /** The value of a pixel by the units of some paths. */
+    private double inPicture(double units, long n) {
+        return Math.scalb(units * picturePixels / n, -scale.exponent());
+    }
+
+    /** The picture as it stands. */
+    public synchronized Image toImage() {
+        float[] pixels = new float[3 * width * height];
+        long n = paths();
+        for (int k = 0; k < pixels.length; k++) {
+            pixels[k] = (float) value(k, n);
+        }
+        return new Image(width, height, pixels);
+    }
+
+    /** How far the four groups say that the pixels are from the truth. */
+    public synchronized ErrorEstimate error() {
+        long n = paths();
+        double[] variances = new double[width * height];
+        for (int i = 0; i < variances.length; i++) {
+            double sum = 0;
+            for (int c = 0; c < 3; c++) {
+                sum += variance(3 * i + c, n);
+            }
+            variances[i] = sum / 3;
+        }
+        return ErrorEstimate.ofGroups(variances);
+    }
+
+    /**
+     * The estimated variance of a component: if the mean of N_g paths has the variance σ²/N_g, then the expectation of
+     * Σ N_g (m_g − m)² is (G − 1) σ², and that of the mean of all is σ²/N.
+     */
+    private double variance(int k, long n) {
+        double mean = value(k, n);
+        double sum = 0;
+        int groups = 0;
+        for (int g = 0; g < GROUPS; g++) {
+            if (paths[g] > 0) {
+                double d = inPicture(sums[g][k], paths[g]) - mean;
+                sum += paths[g] * (d * d);
+                groups++;
+            }
+        }
+        // A single group tells nothing; then it may all be chance.
+        return groups > 1 ? sum / (groups - 1) / n : mean * mean;
+    }
+}

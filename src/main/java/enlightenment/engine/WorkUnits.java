@@ -25,6 +25,9 @@ public final class WorkUnits {
     /** More units than these cost the server more than they give. */
     static final int MOST_UNITS = 1 << 18;
 
+    /** Passes come in powers of two: with this, units are worth from two thirds to four thirds of what they should. */
+    private static final double NEAREST = 1.5;
+
     /** With fewer passes the quarters of the samples, which tell the error, could not be kept apart. */
     private static final int FEWEST_PASSES = 4;
 
@@ -77,7 +80,7 @@ public final class WorkUnits {
         int side = FilmTile.BLOCK_SIDE;
         long blocks = (settings.width() + side - 1L) / side * ((settings.height() + side - 1L) / side);
         double most = Math.min(
-                Math.min(side * side * plan.samples() / RAYS_PER_UNIT, (double) MOST_UNITS / blocks),
+                Math.min(NEAREST * side * side * plan.samples() / RAYS_PER_UNIT, (double) MOST_UNITS / blocks),
                 // Pixels have between a half and twice as many samples as planned in the mean.
                 plan.samples() / (2 * SAMPLES_PER_PASS));
         return traits.dividesIntoPasses() && most >= FEWEST_PASSES ? Integer.highestOneBit((int) most) : 1;

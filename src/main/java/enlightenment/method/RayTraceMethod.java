@@ -5,6 +5,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.primitive.Ray;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
@@ -38,7 +39,7 @@ public final class RayTraceMethod implements TileMethod {
             CompiledScene scene, RenderSettings settings, RayCounters counters, int fewer, double doubled) {
         this.scene = scene;
         this.settings = settings;
-        this.shader = new ClassicShader(scene, settings.shadowSamples(), counters);
+        this.shader = new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters);
         this.fewer = fewer;
         this.doubled = doubled;
     }

@@ -2,11 +2,14 @@ package enlightenment.plan;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.math.InvalidValueException;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.TileMethod;
 import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.sampling.Distribution;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.function.Consumer;
@@ -31,7 +34,13 @@ public final class TileMethods {
             RenderSettings settings,
             RayCounters counters,
             Consumer<List<ClusterStatistics>> clusters) {
-        return switch (plan.method()) {
+        if (!(plan.method() instanceof BuiltInMethod method)) {
+            throw new InvalidValueException(
+                    "method",
+                    "has no class behind it that renders tiles: "
+                            + plan.method().word());
+        }
+        return switch (method) {
             case RAYTRACE ->
                 plan.level() == 0
                         ? new RayTraceMethod(scene, settings, counters)
@@ -41,7 +50,7 @@ public final class TileMethods {
                         scene,
                         settings,
                         counters,
-                        Distribution.of(settings.proposal()),
+                        Distribution.of(ClusterSettings.of(settings).proposal()),
                         plan.level(),
                         plan.samples(),
                         clusters);

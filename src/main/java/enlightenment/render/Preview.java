@@ -9,6 +9,7 @@ import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.TileMethods;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
 import java.util.function.BooleanSupplier;
@@ -65,8 +66,7 @@ final class Preview {
     private void pass(double samples, RenderPlan few, RenderProgress progress, BooleanSupplier cancelled) {
         boolean own = few != null;
         // Too few for the method: evenly spaced rays with one light sample each, if need be not in all pixels.
-        RenderSettings how =
-                own ? settings : settings.withMethod(Method.RAYTRACE).withShadowSamples(1);
+        RenderSettings how = own ? settings : settings.using(new RayTraceSettings(1));
         RenderPlan plan = own ? few : new RenderPlan(Method.RAYTRACE, Math.max(samples, 1), samples, "preview");
         int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
         long total = (long) region.width() * region.height();

@@ -36,6 +36,9 @@ module enlightenment {
     exports enlightenment.measure;
     exports enlightenment.measure.trade;
 
+    // Methods of rendering from outside.
+    uses enlightenment.scene.MethodExtension;
+
     opens enlightenment.cli to
             info.picocli;
 }

@@ -6,6 +6,7 @@ import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TilePasses;
 import enlightenment.primitive.Ray;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
@@ -39,7 +40,7 @@ public final class RayTraceMethod implements TileIntegrator {
             CompiledScene scene, RenderSettings settings, RayCounters counters, int fewer, double doubled) {
         this.scene = scene;
         this.settings = settings;
-        this.shader = new ClassicShader(scene, settings.shadowSamples(), counters);
+        this.shader = new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters);
         this.fewer = fewer;
         this.doubled = doubled;
     }

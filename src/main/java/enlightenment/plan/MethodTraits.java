@@ -18,7 +18,7 @@ public record MethodTraits(
     private static final double FIRST_SAMPLES = 2;
 
     /** A method that can do with one sample per pixel. */
-    static MethodTraits ofAnySamples(Method method, boolean areBatches, boolean dividesIntoPasses) {
-        return new MethodTraits(areBatches, dividesIntoPasses, method, 1, 0, FIRST_SAMPLES);
+    static MethodTraits ofAnySamples(Method method, boolean dividesIntoPasses) {
+        return new MethodTraits(method.kind() == Method.Kind.SPLATS, dividesIntoPasses, method, 1, 0, FIRST_SAMPLES);
     }
 }

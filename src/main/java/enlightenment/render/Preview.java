@@ -9,7 +9,6 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
-import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
 import java.util.function.BooleanSupplier;
@@ -65,10 +64,9 @@ final class Preview {
     /** @param few the method's plan for this number of samples, or null if that is too few for it */
     private void pass(double samples, RenderPlan few, RenderProgress progress, BooleanSupplier cancelled) {
         boolean own = few != null;
-        // Too few for the method: that for fewer with one light sample at each hit, if need be not in all pixels.
-        Method below = Integrators.traits(settings.method()).below();
-        RenderSettings how = own ? settings : settings.withMethod(below).withShadowSamples(1);
-        RenderPlan plan = own ? few : new RenderPlan(below, Math.max(samples, 1), samples, "preview");
+        // Too few for the method: the cheapest that resembles it, if need be not in all pixels.
+        RenderSettings how = own ? settings : Integrators.cheapest(settings);
+        RenderPlan plan = own ? few : new RenderPlan(how.method(), Math.max(samples, 1), samples, "preview");
         int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
         long total = (long) region.width() * region.height();
         Workers.run(settings.threads(), grid.tiles(), cancelled, () -> {

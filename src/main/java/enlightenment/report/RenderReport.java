@@ -40,7 +40,7 @@ public record RenderReport(
     /**
      * How the picture was sampled.
      *
-     * @param method what made the samples: the method of the settings, or {@code raytrace} where {@code cluster} was given too few
+     * @param method what made the samples: the method of the settings, or its {@link Method#standIn stand-in} where there were too few
      *     samples for its survey
      * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
      * @param plannedSamples camera rays per pixel that were planned; as {@code --samples} this makes the same picture

@@ -12,7 +12,9 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.ByteBuffer;
@@ -32,7 +34,7 @@ class DividedRenderTest {
                 .withMethod(method)
                 .withSize(75, 42)
                 .withAntialias(2)
-                .withShadowSamples(2)
+                .with(new RayTraceSettings(2))
                 .withThreads(2);
     }
 
@@ -41,7 +43,7 @@ class DividedRenderTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void tilesInAnyOrderMakeThePictureAndTheCountsOfTheRenderer(Method method) {
         RenderSettings settings = settings(method);
         DividedRender tiled = tiled(settings);

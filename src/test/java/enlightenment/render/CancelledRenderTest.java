@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.UnitMaker;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -43,7 +44,7 @@ class CancelledRenderTest {
 
     @Test
     void whateverIsPlannedOrRendered() {
-        for (Method method : Method.values()) {
+        for (Method method : BuiltInMethod.ALL) {
             for (Budget budget : BUDGETS) {
                 for (int patience : new int[] {1, 7, 60}) {
                     AtomicInteger asked = new AtomicInteger();

@@ -19,7 +19,9 @@ import enlightenment.math.Vec3;
 import enlightenment.picture.Rounding;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -139,7 +141,7 @@ class StampTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void theErrorIsKeptWithNearlyAllSeedsAndNeverSaidToBeMetByAnEstimateAboveIt(Method method) {
         // One in forty is allowed to be above: of 5, two or more have a probability of 0.6 %.
         errorIsKept(method, 5, 1);
@@ -147,7 +149,7 @@ class StampTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void theErrorIsKeptWithNearlyAllOfManySeeds(Method method) {
         // One in forty is allowed to be above: of 16, three or more have a probability of 0.7 %.
         errorIsKept(method, 16, 2);
@@ -173,14 +175,14 @@ class StampTest {
 
     /** Whatever rounds there were: the last is the picture of its number of samples, to the last bit. */
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void aPictureOfSeveralRoundsIsThatOfItsSamples(Method method) {
         severalRounds(method, 2);
     }
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void picturesOfSeveralRoundsWithMoreSeedsAreThoseOfTheirSamples(Method method) {
         severalRounds(method, 4);
     }
@@ -279,7 +281,7 @@ class StampTest {
 
     /** The stamp is an eighth of the crop and a 128th of the picture: as an error of the crop, the same is eleven times as hard. */
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void ofACropItsOwnErrorCounts(Method method) {
         Image truth = truth(CROP);
         double asked = 0.02;
@@ -307,7 +309,8 @@ class StampTest {
 
     private static void rounding(int width, int height) {
         Scene scene = TestScenes.whiteFireAndIce().size(width, height).build();
-        RenderSettings settings = RenderSettings.of(scene).withShadowSamples(4).withThreads(2);
+        RenderSettings settings =
+                RenderSettings.of(scene).with(new RayTraceSettings(4)).withThreads(2);
         Image truth = Renderer.render(scene, settings.withSeed(77).withBudget(Budget.NONE.withSamples(512)));
         double asked = 0.004;
         RenderResult result = Renderer.render(RenderRequest.of(

@@ -65,8 +65,7 @@ public final class SplatFilm {
         for (int i = 0; i < batch.pixels.length; i++) {
             for (int c = 0; c < 3; c++) {
                 if (to[3 * batch.pixels[i] + c] > Long.MAX_VALUE - batch.sums[3 * i + c]) {
-                    throw new ArithmeticException("pixel " + place(batch.pixels[i])
-                            + " is more than 2^24 times as bright as the picture was expected to be in the mean");
+                    throw SplatScale.tooBright(x + batch.pixels[i] % width, y + batch.pixels[i] / width);
                 }
             }
         }
@@ -85,12 +84,18 @@ public final class SplatFilm {
      *
      * @param batch what was added for it
      * @return whether it was in; otherwise nothing has changed
+     * @throws IllegalArgumentException if this cannot have been added for it; then nothing has changed
      */
     public synchronized boolean remove(int unit, SplatSums batch) {
         if (!units.get(unit)) {
             return false;
         }
         long[] from = sums[unit % GROUPS];
+        for (int i = 0; i < batch.sums.length; i++) {
+            if (from[3 * batch.pixels[i / 3] + i % 3] < batch.sums[i]) {
+                throw new IllegalArgumentException("unit " + unit + " never added as much");
+            }
+        }
         for (int i = 0; i < batch.pixels.length; i++) {
             for (int c = 0; c < 3; c++) {
                 from[3 * batch.pixels[i] + c] -= batch.sums[3 * i + c];
@@ -99,10 +104,6 @@ public final class SplatFilm {
         paths[unit % GROUPS] -= batch.paths;
         units.clear(unit);
         return true;
-    }
-
-    private String place(int pixel) {
-        return (x + pixel % width) + "," + (y + pixel / width);
     }
 
     /** The number of units that are in. */

@@ -36,13 +36,6 @@ public final class ErrorEstimate {
 
     private static final double HIDDEN = 1.23;
 
-    /**
-     * What the squares of estimates v of the variances tell of chance. An estimate by four groups of normal numbers is σ² χ²/3 of three
-     * degrees: its square has the mean 5/3 σ⁴, its variance is 2/3 σ⁴, that of the squared error itself 2 σ⁴; in all 8/3 · 3/5 v², half
-     * of it as {@link #deviation} has two of them.
-     */
-    private static final double OF_GROUPS = 0.8;
-
     private final float[] variances;
     private final double meanSquare;
 
@@ -122,25 +115,22 @@ public final class ErrorEstimate {
     }
 
     /**
-     * The error of pixels that are each the mean of four independent groups of samples.
+     * The error of pixels with these variances.
      *
-     * @param estimates of the variance of each pixel by how its groups differ
+     * @param inverse of the number of pixels that carry the error, as {@link #deviation} has it
      */
-    static ErrorEstimate ofGroups(double[] estimates) {
-        float[] variances = new float[estimates.length];
+    static ErrorEstimate of(double[] variances, double inverse) {
+        float[] rounded = new float[variances.length];
         double sum = 0;
-        double squares = 0;
-        for (int i = 0; i < estimates.length; i++) {
-            variances[i] = (float) estimates[i];
-            sum += estimates[i];
-            squares += estimates[i] * estimates[i];
+        for (int i = 0; i < variances.length; i++) {
+            rounded[i] = (float) variances[i];
+            sum += variances[i];
         }
         if (!(sum > 0)) {
-            return new ErrorEstimate(variances, 0, 1, 1, 0, estimates.length);
+            return new ErrorEstimate(rounded, 0, 1, 1, 0, variances.length);
         }
-        double chance = StrictMath.exp(TWO_SIDED_95 * deviation(OF_GROUPS * squares / (sum * sum)));
-        return new ErrorEstimate(
-                variances, sum / Math.max(estimates.length, 1), 1 / chance, chance, 0, estimates.length);
+        double chance = StrictMath.exp(TWO_SIDED_95 * deviation(inverse));
+        return new ErrorEstimate(rounded, sum / variances.length, 1 / chance, chance, 0, variances.length);
     }
 
     /** The error of some tiles, as if they were all of the picture. */

@@ -182,6 +182,15 @@ public final class FilmTile {
         counts[pixel] = count;
     }
 
+    boolean hasPixelWithoutSamples() {
+        for (int count : counts) {
+            if (count < 1) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether the samples are differences from something known. */
     public boolean hasKnown() {
         return known != null;

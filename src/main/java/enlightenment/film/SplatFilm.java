@@ -3,6 +3,7 @@ package enlightenment.film;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import java.util.BitSet;
+import java.util.stream.IntStream;
 
 /**
  * A picture in the making by paths that may reach any pixel: sums of integers, so that units of work may come in any order, from any
@@ -65,8 +66,7 @@ public final class SplatFilm {
         for (int i = 0; i < batch.pixels.length; i++) {
             for (int c = 0; c < 3; c++) {
                 if (to[3 * batch.pixels[i] + c] > Long.MAX_VALUE - batch.sums[3 * i + c]) {
-                    throw new ArithmeticException("pixel " + place(batch.pixels[i])
-                            + " is more than 2^24 times as bright as the picture was expected to be in the mean");
+                    throw SplatScale.tooBright(x + batch.pixels[i] % width, y + batch.pixels[i] / width);
                 }
             }
         }
@@ -85,12 +85,18 @@ public final class SplatFilm {
      *
      * @param batch what was added for it
      * @return whether it was in; otherwise nothing has changed
+     * @throws IllegalArgumentException if this cannot have been added for it; then nothing has changed
      */
     public synchronized boolean remove(int unit, SplatSums batch) {
         if (!units.get(unit)) {
             return false;
         }
         long[] from = sums[unit % GROUPS];
+        for (int i = 0; i < batch.sums.length; i++) {
+            if (from[3 * batch.pixels[i / 3] + i % 3] < batch.sums[i]) {
+                throw new IllegalArgumentException("unit " + unit + " never added as much");
+            }
+        }
         for (int i = 0; i < batch.pixels.length; i++) {
             for (int c = 0; c < 3; c++) {
                 from[3 * batch.pixels[i] + c] -= batch.sums[3 * i + c];
@@ -99,10 +105,6 @@ public final class SplatFilm {
         paths[unit % GROUPS] -= batch.paths;
         units.clear(unit);
         return true;
-    }
-
-    private String place(int pixel) {
-        return (x + pixel % width) + "," + (y + pixel / width);
     }
 
     /** The number of units that are in. */
@@ -149,36 +151,36 @@ public final class SplatFilm {
         return new Image(width, height, pixels);
     }
 
-    /** How far the four groups say that the pixels are from the truth. */
+    /**
+     * How far the four groups say that the pixels are from the truth, in units of the film; the interval allows for pixels that err
+     * together. With less than two groups all may be chance: then each pixel's variance is its square.
+     */
     public synchronized ErrorEstimate error() {
+        int[] groups = IntStream.range(0, GROUPS).filter(g -> paths[g] > 0).toArray();
         long n = paths();
         double[] variances = new double[width * height];
+        if (groups.length < 2) {
+            for (int k = 0; k < 3 * variances.length; k++) {
+                double v = value(k, n);
+                variances[k / 3] += v * v / 3;
+            }
+            return ErrorEstimate.of(variances, 1);
+        }
+        GroupSpread spread = new GroupSpread(groups.length);
+        double[] means = new double[groups.length];
+        long[] numbers = new long[groups.length];
         for (int i = 0; i < variances.length; i++) {
             double sum = 0;
             for (int c = 0; c < 3; c++) {
-                sum += variance(3 * i + c, n);
+                for (int g = 0; g < groups.length; g++) {
+                    numbers[g] = paths[groups[g]];
+                    means[g] = inPicture(sums[groups[g]][3 * i + c], numbers[g]);
+                }
+                sum += spread.add(means, numbers);
             }
-            variances[i] = sum / 3;
+            spread.addPixel(sum);
+            variances[i] = sum / 3 / n;
         }
-        return ErrorEstimate.ofGroups(variances);
-    }
-
-    /**
-     * The estimated variance of a component: if the mean of N_g paths has the variance σ²/N_g, then the expectation of
-     * Σ N_g (m_g − m)² is (G − 1) σ², and that of the mean of all is σ²/N.
-     */
-    private double variance(int k, long n) {
-        double mean = value(k, n);
-        double sum = 0;
-        int groups = 0;
-        for (int g = 0; g < GROUPS; g++) {
-            if (paths[g] > 0) {
-                double d = inPicture(sums[g][k], paths[g]) - mean;
-                sum += paths[g] * (d * d);
-                groups++;
-            }
-        }
-        // A single group tells nothing; then it may all be chance.
-        return groups > 1 ? sum / (groups - 1) / n : mean * mean;
+        return ErrorEstimate.of(variances, spread.inverse());
     }
 }

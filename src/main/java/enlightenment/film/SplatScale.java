@@ -1,5 +1,7 @@
 package enlightenment.film;
 
+import enlightenment.numeric.Scale;
+
 /**
  * The unit in which contributions of paths are summed: 2<sup>−exponent</sup>. Sums of integers are the same in every order.
  *
@@ -13,11 +15,11 @@ public record SplatScale(int exponent) {
     /** Binary logarithm of what the mean pixel's sum is expected to be. */
     private static final int MEAN = 38;
 
-    /** The largest exponent: the least double, as the mean of a path for each of 2^62 pixels. */
-    private static final int MOST = MEAN - Double.MIN_EXPONENT + 52 + 62;
+    /** The largest exponent: the least double, as the mean of a path for each of 2^63 pixels. */
+    private static final int MOST = MEAN - Double.MIN_EXPONENT + 52 + 63;
 
-    /** The smallest: the greatest double, as the mean of 2^62 paths to a pixel. */
-    private static final int LEAST = MEAN - Double.MAX_EXPONENT - 62 - 1;
+    /** The smallest: the greatest double, as the mean of 2^63 paths to a pixel. */
+    private static final int LEAST = MEAN - Double.MAX_EXPONENT - 63 - 1;
 
     /** @throws IllegalArgumentException for an exponent that no render can have */
     public SplatScale {
@@ -44,16 +46,24 @@ public record SplatScale(int exponent) {
         }
         // Paths per pixel lie within the range of doubles, their product with the contribution may not.
         double perPixel = (double) paths / pixels;
-        int product = Math.getExponent(perPixel) + exponent(contribution);
-        return new SplatScale(MEAN - product);
+        int pathsExponent = Scale.exponent(perPixel);
+        int ownExponent = Scale.exponent(contribution);
+        double product = Scale.scalb(perPixel, -pathsExponent) * Scale.scalb(contribution, -ownExponent);
+        return new SplatScale(MEAN - pathsExponent - ownExponent - Scale.exponent(product));
     }
 
-    private static int exponent(double v) {
-        return v < Double.MIN_NORMAL ? Math.getExponent(v * 0x1p54) - 54 : Math.getExponent(v);
+    /** A power of two; times {@link #second} it is 2<sup>exponent</sup>. */
+    double first() {
+        return Math.scalb(1.0, exponent / 2);
     }
 
-    /** The units of a contribution, rounded; 2<sup>63</sup> and more are beyond a {@code long}. */
-    double units(double contribution) {
-        return Math.rint(Math.scalb(contribution, exponent));
+    /** See {@link #first}. */
+    double second() {
+        return Math.scalb(1.0, exponent - exponent / 2);
+    }
+
+    static ArithmeticException tooBright(int column, int row) {
+        return new ArithmeticException("pixel " + column + "," + row
+                + " is more than 2^24 times as bright as the mean of the picture was expected to be");
     }
 }

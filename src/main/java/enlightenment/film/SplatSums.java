@@ -1,5 +1,6 @@
 package enlightenment.film;
 
+import java.util.Arrays;
 import java.util.Optional;
 
 /** What a batch of paths adds to a picture: the sums of the pixels that it reached, and the number of its paths. Immutable. */
@@ -64,7 +65,7 @@ public final class SplatSums {
      */
     public static Optional<String> problem(byte[] bytes, long paths, int pixels) {
         try {
-            SplatSums sums = read(bytes, pixels);
+            SplatSums sums = of(bytes, pixels);
             return sums.paths == paths
                     ? Optional.empty()
                     : Optional.of("it has " + sums.paths + " paths instead of " + paths);
@@ -80,10 +81,6 @@ public final class SplatSums {
      * @throws IllegalArgumentException with the reason, where these are not such bytes
      */
     public static SplatSums of(byte[] bytes, int pixels) {
-        return read(bytes, pixels);
-    }
-
-    private static SplatSums read(byte[] bytes, int pixels) {
         VarintReader in = new VarintReader(bytes);
         long paths = in.next();
         long size = in.next();
@@ -96,9 +93,10 @@ public final class SplatSums {
         long index = -1;
         for (int i = 0; i < size; i++) {
             long step = in.next();
-            if (step < 1 || step > pixels || (index += step) >= pixels) {
+            if (step < 1 || step >= pixels - index) {
                 throw new IllegalArgumentException("a pixel lies " + step + " after pixel " + index);
             }
+            index += step;
             indices[i] = (int) index;
             long all = 0;
             for (int c = 0; c < 3; c++) {
@@ -126,7 +124,7 @@ public final class SplatSums {
 
         void put(long v) {
             if (length + 9 > bytes.length) {
-                bytes = java.util.Arrays.copyOf(bytes, bytes.length + bytes.length / 2 + 9);
+                bytes = Arrays.copyOf(bytes, bytes.length + bytes.length / 2 + 9);
             }
             long rest = v;
             while (rest > 0x7f) {
@@ -137,7 +135,7 @@ public final class SplatSums {
         }
 
         byte[] bytes() {
-            return java.util.Arrays.copyOf(bytes, length);
+            return Arrays.copyOf(bytes, length);
         }
     }
 

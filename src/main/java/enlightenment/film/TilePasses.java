@@ -10,8 +10,8 @@ import java.util.Map;
  * A tile in the making whose pixels' samples come in passes: in any order, each any number of times, from any threads.
  *
  * <p>The sums are added in pairs, the pairs in pairs, and so on: passes 0 and 1, 2 and 3, then 0 to 1 and 2 to 3. So the result is
- * one function of the passes, whatever their order; two neighbours wait for nobody else, and what is kept at a time are at most as
- * many tiles of sums as there are passes missing, times the logarithm of their number. The last four are the quarters of the samples
+ * one function of the passes, whatever their order, and a late pass keeps only those waiting that it is to be added up with: at most 4
+ * tiles of sums are kept, and for each missing pass the logarithm of their number more. The last four are the quarters of the samples
  * that tell the error ({@link SampleSpread}).
  */
 public final class TilePasses {
@@ -85,11 +85,15 @@ public final class TilePasses {
      *
      * @param tile of the same place, as {@code TileIntegrator.render} made it; it belongs to this from now on
      * @return whether it was missing; otherwise nothing has changed
-     * @throws IllegalArgumentException if it is of another place, or its samples are differences from something known
+     * @throws IllegalArgumentException if it is of another place, has a pixel without samples, or its samples are differences from
+     *     something known
      */
     public synchronized boolean add(int pass, FilmTile tile) {
         if (pass < 0 || pass >= passes || tile.x != x || tile.y != y || tile.width != width || tile.height != height) {
             throw new IllegalArgumentException("pass " + pass + " of another tile");
+        }
+        if (tile.hasKnown() || tile.hasPixelWithoutSamples()) {
+            throw new IllegalArgumentException("not a pass");
         }
         if (done.get(pass)) {
             return false;

@@ -170,8 +170,8 @@ class DividedRenderTest {
     void howFineTheCutIsDoesNotChangeThePicture() {
         RenderSettings settings = settings(Method.CLUSTER).withSize(800, 400).withAntialias(1);
         DividedRender usual = tiled(settings);
-        // As if a hundred thousand rays per pixel were to come, where one does.
-        RenderPlan plan = new RenderPlan(usual.plan().method(), usual.plan().level(), 1e5, "samples");
+        // As if fifty thousand rays per pixel were to come, where one does.
+        RenderPlan plan = new RenderPlan(usual.plan().method(), usual.plan().level(), 5e4, "samples");
         DividedRender finer = DividedRender.planned(SCENE, settings, plan, file -> null);
         assertEquals(2_500, usual.units());
         assertEquals(5_000, finer.units());

@@ -9,6 +9,8 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -64,6 +66,7 @@ public final class SceneCompiler {
 
     private static CompiledScene compile(
             Scene scene, RenderSettings settings, boolean withBvh, Function<Path, byte[]> files) {
+        ClassicShading shading = shading(scene, settings);
         SceneFrame frame = frameOf(scene);
         CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
         CompiledLight[] lights = new CompiledLight[scene.lights().size()];
@@ -74,9 +77,20 @@ public final class SceneCompiler {
         CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces);
         Primitive[] primitives = compiled.primitives();
         Bvh bvh = withBvh ? Bvh.build(primitives) : null;
-        Features features = new Features(scene, bvh, surfaces.values());
-        return new CompiledScene(
-                frame, camera, scene.shading(), lights, compiled, bvh, features.present(), features.absent());
+        Features features = new Features(scene, shading, bvh, surfaces.values());
+        return new CompiledScene(frame, camera, shading, lights, compiled, bvh, features.present(), features.absent());
+    }
+
+    /** The shading that is compiled so far; any other is refused by name, even if a method from outside claims to render it. */
+    private static ClassicShading shading(Scene scene, RenderSettings settings) {
+        Method.requireSupport(settings.method(), scene);
+        if (scene.shading() instanceof ClassicShading classic) {
+            return classic;
+        }
+        throw SceneException.of(
+                "/shading/model",
+                scene.shading().model().word() + " shading cannot be compiled yet, although the method "
+                        + settings.method().word() + " can render it");
     }
 
     /**
@@ -173,7 +187,7 @@ public final class SceneCompiler {
         private final List<String> present = new ArrayList<>();
         private final List<String> absent = new ArrayList<>();
 
-        Features(Scene scene, Bvh bvh, Iterable<SurfaceMaterial> surfaces) {
+        Features(Scene scene, ClassicShading shading, Bvh bvh, Iterable<SurfaceMaterial> surfaces) {
             boolean mirrors = false;
             boolean glass = false;
             boolean textures = false;
@@ -184,7 +198,7 @@ public final class SceneCompiler {
             }
             int lights = scene.lights().size();
             add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
-            add(lights > 0 && scene.shading().shadow() < 1, "shadows", "shadows");
+            add(lights > 0 && shading.shadow() < 1, "shadows", "shadows");
             add(mirrors, "mirrors", "mirrors");
             add(glass, "refraction", "refraction");
             add(textures, "image textures", "image textures");

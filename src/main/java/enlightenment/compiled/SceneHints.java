@@ -62,7 +62,7 @@ public final class SceneHints {
     }
 
     private void noLight(List<String> found) {
-        double ambient = scene.shading().ambient();
+        double ambient = compiled.shading.ambient();
         if (ambient == 1 || scene.objects().stream().noneMatch(SceneHints::isShaded)) {
             return;
         }
@@ -90,7 +90,7 @@ public final class SceneHints {
 
     /** A viewer in an opaque solid sees its inner wall; without a light inside, it is dark. */
     private void cameraInSolid(List<String> found) {
-        if (scene.shading().ambient() == 1) {
+        if (compiled.shading.ambient() == 1) {
             return;
         }
         for (int id = 0; id < compiled.primitives.length; id++) {

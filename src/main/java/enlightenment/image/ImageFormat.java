@@ -12,8 +12,8 @@ import java.util.Optional;
  * The kinds of picture files: the only list of them. {@link ImageFiles} reads all, and writes those that {@linkplain
  * #isWritten are written}.
  *
- * <p>The components of all of them are taken to be display-referred, as an {@link Image}'s are: whole numbers are fractions
- * of their maximum, floats are the components themselves, without limits.
+ * <p>Whole numbers are fractions of their maximum, and display-referred. Floats are the components themselves, without limits;
+ * whether they are display-referred or linear light ({@link Image.Encoding}) no such file says.
  */
 public enum ImageFormat {
     /** Portable Network Graphics (W3C): lossless, the format of finished pictures. */

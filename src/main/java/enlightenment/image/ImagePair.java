@@ -8,11 +8,17 @@ final class ImagePair {
 
     private ImagePair() {}
 
-    /** Fails unless both have one size and finite components. */
+    /** Fails unless both have one size, one encoding and finite components. */
     static void check(Image test, Image reference) {
         if (test.width() != reference.width() || test.height() != reference.height()) {
             throw new InvalidValueException(
                     "size", "must be that of the reference, " + size(reference) + " pixels, not " + size(test));
+        }
+        if (test.encoding() != reference.encoding()) {
+            throw new InvalidValueException(
+                    "encoding",
+                    "must be that of the reference, which " + holds(reference) + "; the picture to judge "
+                            + holds(test));
         }
         checkFinite("test", test);
         checkFinite("reference", reference);
@@ -30,6 +36,10 @@ final class ImagePair {
                 }
             }
         }
+    }
+
+    private static String holds(Image image) {
+        return image.encoding() == Image.Encoding.LINEAR ? "holds linear light" : "is display-referred";
     }
 
     static String size(Image image) {

@@ -4,7 +4,9 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
+import enlightenment.film.TilePasses;
 import enlightenment.primitive.Ray;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.SampleAddress;
@@ -14,7 +16,7 @@ import java.util.function.BooleanSupplier;
  * Evenly spaced camera rays, the paper's first phase: well-distributed positions in every pixel, each of them shaded once;
  * antialias² of them unless a budget says how many.
  */
-public final class RayTraceMethod implements TileMethod {
+public final class RayTraceMethod implements TileIntegrator {
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final ClassicShader shader;
@@ -38,7 +40,7 @@ public final class RayTraceMethod implements TileMethod {
             CompiledScene scene, RenderSettings settings, RayCounters counters, int fewer, double doubled) {
         this.scene = scene;
         this.settings = settings;
-        this.shader = new ClassicShader(scene, settings.shadowSamples(), counters);
+        this.shader = new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters);
         this.fewer = fewer;
         this.doubled = doubled;
     }
@@ -59,23 +61,30 @@ public final class RayTraceMethod implements TileMethod {
     }
 
     @Override
-    public void render(FilmTile tile) {
+    public boolean dividesIntoPasses() {
+        return true;
+    }
+
+    @Override
+    public void render(FilmTile tile, int pass, int passes) {
+        TilePasses.check(pass, passes, fewer);
         double width = settings.width();
         double height = settings.height();
         shader.beginTile(
                 tile.x / width, tile.y / height, (tile.x + tile.width) / width, (tile.y + tile.height) / height);
         for (int y = tile.y; y < tile.y + tile.height; y++) {
             for (int x = tile.x; x < tile.x + tile.width; x++) {
-                renderPixel(tile, x, y);
+                renderPixel(tile, x, y, pass, passes);
             }
         }
     }
 
-    private void renderPixel(FilmTile tile, int x, int y) {
+    private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
         address.pixel(settings.seed(), x, y);
         int samples = Dither.at(x, y) < doubled ? 2 * fewer : fewer;
+        int end = TilePasses.firstSample(samples, pass + 1, passes);
         spread.begin(samples);
-        for (int s = 0; s < samples; s++) {
+        for (int s = TilePasses.firstSample(samples, pass, passes); s < end; s++) {
             address.sample(s);
             double dx = address.filmX();
             double dy = address.filmY();
@@ -85,6 +94,8 @@ public final class RayTraceMethod implements TileMethod {
             spread.at(dx, dy);
             spread.add(color[0], color[1], color[2]);
         }
-        tile.spread(x, y, spread);
+        if (passes == 1) {
+            tile.spread(x, y, spread);
+        }
     }
 }

@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
 import enlightenment.net.listen.ServerLog;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;
@@ -248,7 +248,7 @@ final class Coordination implements ServerConnection.Host {
     }
 
     /** What goes on with more samples: machines that were found out stay expelled. */
-    synchronized ServerJob jobFollowing(TiledRender more) {
+    synchronized ServerJob jobFollowing(DividedRender more) {
         return job.with(more, options.version, coordinator.expelled());
     }
 

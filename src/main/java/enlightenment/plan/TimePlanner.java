@@ -72,6 +72,6 @@ final class TimePlanner {
             notes.accept(
                     "time " + Rounds.number(seconds) + " s is too short: the least is taken, one sample per pixel");
         }
-        return plans.isSurveyed(planned) && !surveyed ? SamplePlans.MOST_WITHOUT_SURVEY : Tidy.of(planned);
+        return plans.isSurveyed(planned) && !surveyed ? plans.traits().mostBelow() : Tidy.of(planned);
     }
 }

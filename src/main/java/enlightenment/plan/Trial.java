@@ -3,7 +3,7 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
@@ -30,7 +30,8 @@ final class Trial {
     void render(double samples, List<FilmTile> blocks, BooleanSupplier stop) {
         RenderPlan plan = plans.of(samples, "trial");
         Workers.run(settings.threads(), blocks.size(), stop, () -> {
-            TileMethod method = TileMethods.of(plan, scene, settings, new RayCounters(scene.kindNames.size()));
+            TileIntegrator method =
+                    (TileIntegrator) Integrators.of(plan, scene, settings, new RayCounters(scene.kindNames.size()));
             method.stopWhen(stop);
             return (IntConsumer) i -> method.render(blocks.get(i));
         });

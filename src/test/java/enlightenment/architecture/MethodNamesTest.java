@@ -3,6 +3,7 @@ package enlightenment.architecture;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -58,7 +59,7 @@ class MethodNamesTest {
 
     @Test
     void theSearchFindsLiteralsAndPassesOverComments() {
-        String name = Method.values()[0].word();
+        String name = BuiltInMethod.RAYTRACE.word();
         assertEquals(
                 List.of("\"\\\"take " + name + "\""),
                 literalsWithNames("/* \"" + name + "\" */ // \"" + name + "\"\nf('\"', \"\\\"take " + name + "\");"));

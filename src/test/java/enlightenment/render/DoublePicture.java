@@ -5,6 +5,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
 import enlightenment.method.RayTraceMethod;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.Arrays;
@@ -22,7 +23,7 @@ public final class DoublePicture {
     }
 
     public static DoublePicture of(Scene scene, int antialias, int shadowSamples) {
-        return of(scene, RenderSettings.of(scene).withAntialias(antialias).withShadowSamples(shadowSamples));
+        return of(scene, RenderSettings.of(scene).withAntialias(antialias).with(new RayTraceSettings(shadowSamples)));
     }
 
     public static DoublePicture of(Scene scene, RenderSettings settings) {

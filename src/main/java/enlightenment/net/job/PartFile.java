@@ -187,7 +187,7 @@ public final class PartFile implements Closeable {
         left--;
         int tile = in.readInt();
         int length = in.readInt();
-        if (tile < 0 || tile >= film.tiles() || length != film.length(tile)) {
+        if (tile < 0 || tile >= film.units() || length < 0 || length > film.longest(tile)) {
             throw new IOException(file + ": tile " + tile + " with " + length + " bytes makes no sense");
         }
         byte[] bytes = in.readNBytes(length);

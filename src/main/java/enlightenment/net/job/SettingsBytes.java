@@ -3,7 +3,9 @@ package enlightenment.net.job;
 import enlightenment.engine.RenderOutline;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
@@ -37,17 +39,35 @@ final class SettingsBytes {
         out.writeInt(region.width());
         out.writeInt(region.height());
         out.writeInt(s.antialias());
-        out.writeInt(s.shadowSamples());
         out.writeLong(s.seed());
         write(out, s.budget().samples());
         write(out, s.budget().error());
         write(out, s.budget().seconds());
-        text(out, s.proposal());
+        chosen(out, s);
         out.writeInt(s.tileSize());
         text(out, plan.method().word());
         out.writeDouble(plan.level());
         out.writeDouble(plan.samples());
         text(out, plan.decidedBy());
+    }
+
+    /** The settings that have an influence on the pictures of the method in use, in its order: a method's word says which follow. */
+    private static void chosen(DataOutputStream out, RenderSettings s) throws IOException {
+        for (MethodSetting setting : Method.influences(s.method())) {
+            if (setting instanceof MethodSetting.Whole whole) {
+                out.writeInt(s.chosen().whole(whole));
+            } else {
+                text(out, s.chosen().word((MethodSetting.Word) setting));
+            }
+        }
+    }
+
+    private static ChosenSettings readChosen(DataInputStream in, Method method) throws IOException {
+        ChosenSettings chosen = ChosenSettings.NONE;
+        for (MethodSetting setting : Method.influences(method)) {
+            chosen = chosen.with(setting, setting instanceof MethodSetting.Whole ? (Object) in.readInt() : text(in));
+        }
+        return chosen;
     }
 
     private static void write(DataOutputStream out, OptionalDouble value) throws IOException {
@@ -71,7 +91,6 @@ final class SettingsBytes {
         boolean cropped = in.readBoolean();
         RenderSettings.Crop region = new RenderSettings.Crop(in.readInt(), in.readInt(), in.readInt(), in.readInt());
         int antialias = in.readInt();
-        int shadowSamples = in.readInt();
         long seed = in.readLong();
         // For which file the error was planned matters to nobody who has the plan.
         Budget budget = new Budget(readOptional(in), readOptional(in), readOptional(in), 0);
@@ -81,10 +100,9 @@ final class SettingsBytes {
                 height,
                 cropped ? Optional.of(region) : Optional.empty(),
                 antialias,
-                shadowSamples,
                 seed,
                 budget,
-                text(in),
+                readChosen(in, method),
                 threads,
                 in.readInt());
         return new Decided(

@@ -3,14 +3,10 @@ package enlightenment.engine;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
-import enlightenment.film.FilmTile;
-import enlightenment.method.TileMethod;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
-import enlightenment.plan.TileMethods;
-import enlightenment.render.RenderReport;
-import enlightenment.render.RenderResult;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.work.Cancellation;
@@ -29,15 +25,14 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * One render as numbered tiles that may be made anywhere, by anyone, in any order: the ground of server, workers and job
- * arrays. {@link FilmAssembly} puts the tiles together to the picture that {@link enlightenment.render.Renderer} makes, bit for bit.
+ * One render as units of work that may be done anywhere, by anyone, in any order: the ground of server, workers and job
+ * arrays. {@link FilmAssembly} puts the results together to the picture that {@code enlightenment.render.Renderer} makes, bit for bit.
  */
-public final class TiledRender {
+public final class DividedRender {
     private final CompiledScene compiled;
-    private final RenderSettings settings;
-    private final RenderPlan plan;
-    private final ColumnGrid grid;
     private final RenderOutline outline;
+    private final WorkUnits units;
+    private final ResultForm form;
     private final Phases phases;
 
     /** What makes further plans, or null where it was planned elsewhere. */
@@ -48,7 +43,7 @@ public final class TiledRender {
     /** Since it was asked for. */
     private final Stopwatch time;
 
-    private TiledRender(
+    private DividedRender(
             String name,
             CompiledScene compiled,
             RenderSettings settings,
@@ -59,15 +54,14 @@ public final class TiledRender {
             int round,
             Stopwatch time) {
         this.compiled = compiled;
-        this.settings = settings;
-        this.plan = plan;
         this.phases = phases;
         this.planner = planner;
         this.rounds = rounds;
         this.round = round;
         this.time = time;
-        grid = new ColumnGrid(settings, plan);
-        outline = new RenderOutline(name, settings, plan, compiled.features(), compiled.kindNames);
+        outline = RenderOutline.of(name, compiled, settings, plan);
+        units = WorkUnits.forMachines(settings, plan);
+        form = ResultForm.of(units, outline);
     }
 
     /**
@@ -78,7 +72,7 @@ public final class TiledRender {
      * @throws enlightenment.scene.SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
-    public static TiledRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+    public static DividedRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
         Stopwatch time = Stopwatch.started();
         PictureMemory.check(settings, 0);
         Phases phases = new Phases();
@@ -86,7 +80,7 @@ public final class TiledRender {
         Planner planner = new Planner(compiled, settings, Cancellation.of(cancelled));
         RenderPlan plan = phases.run("plan", () -> planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
-        return new TiledRender(scene.name(), compiled, settings, plan, phases, planner, rounds, 1, time);
+        return new DividedRender(scene.name(), compiled, settings, plan, phases, planner, rounds, 1, time);
     }
 
     /** What cannot be kept of the budget, or only at a price, in plain words. */
@@ -101,7 +95,7 @@ public final class TiledRender {
      * @param result what {@link FilmAssembly#result} gave
      * @param log hears why there is another one
      */
-    public Optional<TiledRender> next(RenderResult result, Consumer<String> log) {
+    public Optional<DividedRender> next(Rendered result, Consumer<String> log) {
         if (planner == null || !result.complete()) {
             return Optional.empty();
         }
@@ -110,24 +104,17 @@ public final class TiledRender {
                 .filter(p -> p.name().equals("render"))
                 .mapToDouble(RenderReport.Phase::wallSeconds)
                 .sum();
-        RenderReport.Sampling sampling = report.sampling();
-        Rounds.Outcome outcome = new Rounds.Outcome(
-                settings.method(),
-                sampling.method(),
-                sampling.plannedSamples(),
-                sampling.errorHigh(),
-                sampling.rounding());
-        OptionalDouble samples = rounds.next(outcome, took, time.seconds());
+        OptionalDouble samples = rounds.next(report, took, time.seconds());
         if (samples.isEmpty()) {
             return Optional.empty();
         }
         double n = samples.getAsDouble();
-        log.accept(rounds.note(outcome, n));
+        log.accept(rounds.note(report, n));
         Phases further = phases.copy();
         further.again();
         RenderPlan more = further.run("plan", () -> planner.withSamples(n, rounds.decidedBy(n)));
-        return Optional.of(new TiledRender(
-                outline.sceneName(), compiled, settings, more, further, planner, rounds, round + 1, time));
+        return Optional.of(new DividedRender(
+                outline.sceneName(), compiled, outline.settings(), more, further, planner, rounds, round + 1, time));
     }
 
     /** Which render of the picture this is: 1, or more where those before were not as exact as asked. */
@@ -142,11 +129,11 @@ public final class TiledRender {
      * @throws enlightenment.scene.SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
-    public static TiledRender planned(
+    public static DividedRender planned(
             Scene scene, RenderSettings settings, RenderPlan plan, Function<Path, byte[]> files) {
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, files));
-        return new TiledRender(
+        return new DividedRender(
                 scene.name(),
                 compiled,
                 settings,
@@ -158,14 +145,14 @@ public final class TiledRender {
                 Stopwatch.started());
     }
 
-    /** Number of tiles, counted from 0. */
-    public int tiles() {
-        return grid.tiles();
+    /** Number of units of work, counted from 0. */
+    public int units() {
+        return units.count();
     }
 
-    /** What was decided before the first tile. */
+    /** What was decided before the first unit. */
     public RenderPlan plan() {
-        return plan;
+        return outline.plan();
     }
 
     /** What is needed to put the picture together. */
@@ -173,68 +160,54 @@ public final class TiledRender {
         return outline;
     }
 
-    /** A picture without tiles yet. */
+    /** A picture of which nothing is there yet. */
     public FilmAssembly assembly() {
         return new FilmAssembly(outline, phases, round);
     }
 
-    /** Makes tiles, for one thread. */
-    public TileMaker maker() {
+    /** Does units, for one thread. */
+    public UnitMaker maker() {
         return maker(() -> false);
     }
 
     /**
      * The same, unless it is cancelled.
      *
-     * @param cancelled asked now and then by that thread; soon after it becomes true {@link TileMaker#make} throws a {@link
-     *     java.util.concurrent.CancellationException}, in the middle of a tile if need be
+     * @param cancelled asked now and then by that thread; soon after it becomes true {@link UnitMaker#make} throws a {@link
+     *     java.util.concurrent.CancellationException}, in the middle of a unit if need be
      */
-    public TileMaker maker(BooleanSupplier cancelled) {
+    public UnitMaker maker(BooleanSupplier cancelled) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        TileMethod method = TileMethods.of(plan, compiled, settings, counters);
-        method.stopWhen(cancelled);
-        return tile -> make(Objects.checkIndex(tile, grid.tiles()), method, counters);
+        UnitWork work = new UnitWork(units, compiled, outline, counters, null, cancelled);
+        return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
     }
 
-    /** Hears of finished tiles, from several threads at once. */
+    private byte[] make(int unit, UnitWork work, RayCounters counters) {
+        counters.clear();
+        ResultHeader header = new ResultHeader();
+        ByteBuffer out = form.make(unit, work, header);
+        header.write(out.position(0), counters);
+        return out.array();
+    }
+
+    /** Hears of units that are done, from several threads at once. */
     @FunctionalInterface
-    public interface TileSink {
-        /** The tile is made. */
-        void made(int tile, byte[] bytes);
+    public interface ResultSink {
+        /** The unit is done. */
+        void made(int unit, byte[] bytes);
     }
 
     /**
-     * Makes some tiles with as many threads as the settings say.
+     * Does some units with as many threads as the settings say.
      *
      * @param cancelled asked from several threads at once; once true, or once the calling thread is interrupted, the rest is
      *     left undone
      */
-    public void make(int[] tiles, BooleanSupplier cancelled, TileSink sink) {
+    public void make(int[] some, BooleanSupplier cancelled, ResultSink sink) {
         BooleanSupplier stop = Cancellation.of(cancelled);
-        Workers.run(settings.threads(), tiles.length, stop, () -> {
-            TileMaker maker = maker(stop);
-            return i -> sink.made(tiles[i], maker.make(tiles[i]));
+        Workers.run(outline.settings().threads(), some.length, stop, () -> {
+            UnitMaker maker = maker(stop);
+            return i -> sink.made(some[i], maker.make(some[i]));
         });
-    }
-
-    private byte[] make(int tile, TileMethod method, RayCounters counters) {
-        counters.clear();
-        RenderSettings.Crop place = grid.place(tile);
-        int kinds = compiled.kindNames.size();
-        ByteBuffer out = ByteBuffer.allocate(TileBytes.length(place.width() * place.height(), kinds));
-        long surveyRays = 0;
-        boolean differences = false;
-        int side = FilmTile.BLOCK_SIDE;
-        int bottom = place.y() + place.height();
-        for (int y = place.y(); y < bottom; y = Math.min((y / side + 1) * side, bottom)) {
-            int height = Math.min((y / side + 1) * side, bottom) - y;
-            FilmTile block = new FilmTile(place.x(), y, place.width(), height);
-            method.render(block);
-            surveyRays += block.surveyRays();
-            differences |= block.hasKnown();
-            TileBytes.putBlock(out, kinds, place, block);
-        }
-        TileBytes.putHeader(out.position(0), counters, surveyRays, differences);
-        return out.array();
     }
 }

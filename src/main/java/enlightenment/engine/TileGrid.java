@@ -1,22 +1,24 @@
-package enlightenment.render;
+package enlightenment.engine;
 
-import enlightenment.film.FilmTile;
 import enlightenment.scene.RenderSettings;
 import java.math.BigInteger;
 
-/** The tiles that a render is cut into, fixed by the picture, in the order in which they are handed out. */
-final class TileGrid {
+/**
+ * How a picture is cut for the threads of one process: into the squares of the settings, numbered in the order in which they are
+ * handed out.
+ */
+public final class TileGrid implements TileCut {
     private final RenderSettings.Crop region;
     private final int size;
     private final int across;
 
-    /** How many tiles there are. */
-    final int count;
+    private final int count;
 
     /** Steps from one tile to the next that is handed out. */
     private final int stride;
 
-    TileGrid(RenderSettings settings) {
+    /** The tiles of the part of the picture that is rendered. */
+    public TileGrid(RenderSettings settings) {
         region = settings.region();
         size = settings.tileSize();
         // Tiles are cut from the whole picture's corner, so that a crop shares them with the whole.
@@ -40,12 +42,16 @@ final class TileGrid {
         return step;
     }
 
-    /** The tile that is handed out after {@code turn} others, without samples yet. */
-    FilmTile tile(int turn) {
-        int index = (int) ((long) turn * stride % count);
+    @Override
+    public int tiles() {
+        return count;
+    }
+
+    @Override
+    public RenderSettings.Crop place(int tile) {
+        int index = (int) ((long) tile * stride % count);
         int left = (region.x() / size + index % across) * size;
         int top = (region.y() / size + index / across) * size;
-        RenderSettings.Crop c = region.intersection(new RenderSettings.Crop(left, top, size, size));
-        return new FilmTile(c.x(), c.y(), c.width(), c.height());
+        return region.intersection(new RenderSettings.Crop(left, top, size, size));
     }
 }

@@ -12,7 +12,9 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.ByteBuffer;
@@ -24,7 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-class TiledRenderTest {
+class DividedRenderTest {
     private static final Scene SCENE = TestScenes.whiteFireAndIce().build();
 
     private static RenderSettings settings(Method method) {
@@ -32,22 +34,22 @@ class TiledRenderTest {
                 .withMethod(method)
                 .withSize(75, 42)
                 .withAntialias(2)
-                .withShadowSamples(2)
+                .with(new RayTraceSettings(2))
                 .withThreads(2);
     }
 
-    private static TiledRender tiled(RenderSettings settings) {
-        return TiledRender.prepare(SCENE, settings, () -> false);
+    private static DividedRender tiled(RenderSettings settings) {
+        return DividedRender.prepare(SCENE, settings, () -> false);
     }
 
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void tilesInAnyOrderMakeThePictureAndTheCountsOfTheRenderer(Method method) {
         RenderSettings settings = settings(method);
-        TiledRender tiled = tiled(settings);
+        DividedRender tiled = tiled(settings);
         FilmAssembly assembly = tiled.assembly();
         List<Integer> order = new ArrayList<>();
-        for (int tile = 0; tile < tiled.tiles(); tile++) {
+        for (int tile = 0; tile < tiled.units(); tile++) {
             order.add(tile);
         }
         order.addAll(order);
@@ -56,7 +58,7 @@ class TiledRenderTest {
             assembly.put(tile, tiled.maker().make(tile));
         }
         RenderResult expected = Renderer.render(SCENE, settings, RenderProgress.NONE, () -> false);
-        RenderResult actual = assembly.result();
+        Rendered actual = assembly.result();
         assertTrue(actual.complete());
         assertArrayEquals(expected.image().toArray(), actual.image().toArray());
         assertEquals(expected.report().raysByKind(), actual.report().raysByKind());
@@ -68,9 +70,9 @@ class TiledRenderTest {
     @Test
     void aTileThatWasTakenOutOrReplacedLeavesNothing() {
         RenderSettings settings = settings(Method.RAYTRACE);
-        TiledRender tiled = tiled(settings);
+        DividedRender tiled = tiled(settings);
         FilmAssembly assembly = tiled.assembly();
-        for (int tile = 0; tile < tiled.tiles(); tile++) {
+        for (int tile = 0; tile < tiled.units(); tile++) {
             byte[] right = tiled.maker().make(tile);
             byte[] wrong = right.clone();
             ByteBuffer counters = ByteBuffer.wrap(wrong);
@@ -89,22 +91,22 @@ class TiledRenderTest {
             assembly.put(tile, right);
         }
         RenderResult expected = Renderer.render(SCENE, settings, RenderProgress.NONE, () -> false);
-        RenderResult actual = assembly.result();
+        Rendered actual = assembly.result();
         assertArrayEquals(expected.image().toArray(), actual.image().toArray());
         assertEquals(expected.report().raysByKind(), actual.report().raysByKind());
         assertEquals(expected.report().sampling(), actual.report().sampling());
         assertEquals(expected.report().hitsByPrimitive(), actual.report().hitsByPrimitive());
     }
 
-    private static int pixels(TiledRender tiled, int tile) {
+    private static int pixels(DividedRender tiled, int tile) {
         RenderSettings.Crop place = new ColumnGrid(tiled.outline().settings(), tiled.plan()).place(tile);
         return place.width() * place.height();
     }
 
     @Test
     void aTileHasTheSameBytesWhateverWasMadeBefore() {
-        TiledRender tiled = tiled(settings(Method.CLUSTER));
-        TileMaker maker = tiled.maker();
+        DividedRender tiled = tiled(settings(Method.CLUSTER));
+        UnitMaker maker = tiled.maker();
         byte[] first = maker.make(11);
         maker.make(3);
         assertArrayEquals(first, maker.make(11));
@@ -114,9 +116,9 @@ class TiledRenderTest {
     @Test
     void tilesOfACropAreCutWhereThoseOfTheWholePictureAre() {
         RenderSettings settings = settings(Method.CLUSTER).withCrop(new RenderSettings.Crop(13, 5, 30, 21));
-        TiledRender tiled = tiled(settings);
+        DividedRender tiled = tiled(settings);
         FilmAssembly assembly = tiled.assembly();
-        for (int tile = 0; tile < tiled.tiles(); tile++) {
+        for (int tile = 0; tile < tiled.units(); tile++) {
             assembly.put(tile, tiled.maker().make(tile));
         }
         assertArrayEquals(
@@ -143,7 +145,7 @@ class TiledRenderTest {
         for (int tile = 0; tile < grid.tiles(); tile++) {
             RenderSettings.Crop place = grid.place(tile);
             pixels += (long) place.width() * place.height();
-            assertTrue(TileBytes.length(place.width() * place.height(), 100) < 1 << 20);
+            assertTrue(52 * place.width() * place.height() + ResultHeader.length(100) < 1 << 20);
             assertEquals(0, place.x() % FilmTile.BLOCK_SIDE + place.y() % FilmTile.BLOCK_SIDE);
         }
         assertEquals((long) width * height, pixels);
@@ -167,15 +169,15 @@ class TiledRenderTest {
     @Test
     void howFineTheCutIsDoesNotChangeThePicture() {
         RenderSettings settings = settings(Method.CLUSTER).withSize(800, 400).withAntialias(1);
-        TiledRender usual = tiled(settings);
-        // As if a hundred thousand rays per pixel were to come, where one does.
-        RenderPlan plan = new RenderPlan(usual.plan().method(), usual.plan().level(), 1e5, "samples");
-        TiledRender finer = TiledRender.planned(SCENE, settings, plan, file -> null);
-        assertEquals(2_500, usual.tiles());
-        assertEquals(5_000, finer.tiles());
+        DividedRender usual = tiled(settings);
+        // As if fifty thousand rays per pixel were to come, where one does.
+        RenderPlan plan = new RenderPlan(usual.plan().method(), usual.plan().level(), 5e4, "samples");
+        DividedRender finer = DividedRender.planned(SCENE, settings, plan, file -> null);
+        assertEquals(2_500, usual.units());
+        assertEquals(5_000, finer.units());
         FilmAssembly fine = finer.assembly();
-        TileMaker maker = finer.maker();
-        for (int tile = 0; tile < finer.tiles(); tile++) {
+        UnitMaker maker = finer.maker();
+        for (int tile = 0; tile < finer.units(); tile++) {
             fine.put(tile, maker.make(tile));
         }
         assertArrayEquals(
@@ -184,13 +186,13 @@ class TiledRenderTest {
 
     @Test
     void whatCannotBeATileIsRefusedWithTheReason() {
-        TiledRender tiled = tiled(settings(Method.RAYTRACE));
+        DividedRender tiled = tiled(settings(Method.RAYTRACE));
         FilmAssembly assembly = tiled.assembly();
         byte[] good = tiled.maker().make(0);
         int pixels = good.length - 64 * 36;
         assertRefused(assembly, 0, new byte[good.length - 1], "bytes instead of");
-        assertRefused(assembly, tiled.tiles(), good, "there is no tile");
-        assertRefused(assembly, -1, good, "there is no tile");
+        assertRefused(assembly, tiled.units(), good, "there is no unit");
+        assertRefused(assembly, -1, good, "there is no unit");
         ByteBuffer changed = ByteBuffer.wrap(good.clone());
         assertRefused(assembly, 0, changed.putDouble(pixels, Double.NaN).array(), "pixel 0,0 a colour is NaN");
         assertRefused(assembly, 0, changed.putDouble(pixels, 1e300).array(), "a colour is 1.0E300");
@@ -211,7 +213,7 @@ class TiledRenderTest {
 
     @Test
     void aTileThatIsTakenOutIsMissingAgain() {
-        TiledRender tiled = tiled(settings(Method.RAYTRACE));
+        DividedRender tiled = tiled(settings(Method.RAYTRACE));
         FilmAssembly assembly = tiled.assembly();
         assembly.put(2, tiled.maker().make(2));
         assembly.put(2, tiled.maker().make(2));

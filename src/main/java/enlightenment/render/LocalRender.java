@@ -2,17 +2,18 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
-import enlightenment.film.ErrorEstimate;
-import enlightenment.film.Film;
+import enlightenment.engine.PictureFilm;
+import enlightenment.engine.RenderOutline;
+import enlightenment.engine.Reports;
+import enlightenment.engine.UnitWork;
+import enlightenment.engine.WorkUnits;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
-import enlightenment.method.TileMethod;
 import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.plan.RenderPlan;
-import enlightenment.plan.TileMethods;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Phases;
-import enlightenment.work.RayCounts;
 import enlightenment.work.Workers;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -20,18 +21,16 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 
 /**
- * One render, cut into tiles that are fixed by the picture. Threads take tiles from a counter; each tile is a pure
- * function, so who takes which does not matter.
+ * One render in this process. Threads take units of work from a counter; each is a pure function, so who takes which does not
+ * matter.
  */
-final class TileRender {
+final class LocalRender {
     private final CompiledScene scene;
-    private final RenderSettings settings;
-    private final RenderPlan plan;
-    private final RenderSettings.Crop region;
+    private final RenderOutline outline;
     private final RenderProgress progress;
     private final BooleanSupplier cancelled;
-    private final Film film;
-    private final TileGrid grid;
+    private final WorkUnits units;
+    private final PictureFilm film;
 
     /** What is shown where nothing is finished yet, or null. */
     private final Preview preview;
@@ -40,11 +39,11 @@ final class TileRender {
     /** Gathers ray clusters, or null. */
     private List<RayCluster> clusters;
 
-    private long pixelsDone;
     private long peakMemory;
 
     /** @param preview what is shown where nothing is finished yet, or null */
-    TileRender(
+    LocalRender(
+            String sceneName,
             CompiledScene scene,
             RenderSettings settings,
             RenderPlan plan,
@@ -52,14 +51,12 @@ final class TileRender {
             BooleanSupplier cancelled,
             Preview preview) {
         this.scene = scene;
-        this.settings = settings;
-        this.plan = plan;
-        grid = new TileGrid(settings);
         this.preview = preview;
         this.progress = progress;
         this.cancelled = cancelled;
-        region = settings.region();
-        film = new Film(region.x(), region.y(), region.width(), region.height());
+        outline = RenderOutline.of(sceneName, scene, settings, plan);
+        units = WorkUnits.forThreads(settings, plan);
+        film = PictureFilm.of(units, outline);
     }
 
     /** Says before the start that ray clusters are to be gathered. */
@@ -68,35 +65,31 @@ final class TileRender {
     }
 
     void run() {
-        Workers.run(settings.threads(), grid.count, cancelled, () -> {
+        Workers.run(outline.settings().threads(), units.count(), cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
-            TileMethod method = TileMethods.of(plan, scene, settings, mine, clusters == null ? null : this::gather);
-            method.stopWhen(cancelled);
-            return turn -> renderTile(method, grid.tile(turn));
+            UnitWork work =
+                    new UnitWork(units, scene, outline, mine, clusters == null ? null : this::gather, cancelled);
+            return unit -> render(unit, work);
         });
     }
 
-    private void renderTile(TileMethod method, FilmTile tile) {
-        TileEvent event = new TileEvent();
+    private void render(int unit, UnitWork work) {
+        UnitEvent event = new UnitEvent();
         event.begin();
-        method.render(tile);
-        film.put(tile);
-        event.x = tile.x;
-        event.y = tile.y;
-        event.pixels = tile.width * tile.height;
-        event.commit();
-        finished(tile);
+        FilmTile finished = film.render(unit, work);
+        event.commit(units, unit);
+        tell(finished);
     }
 
-    private synchronized void finished(FilmTile tile) {
-        pixelsDone += (long) tile.width * tile.height;
+    /** @param finished the tile that is finished now, or null */
+    private synchronized void tell(FilmTile finished) {
         Runtime runtime = Runtime.getRuntime();
         peakMemory = Math.max(peakMemory, runtime.totalMemory() - runtime.freeMemory());
-        if (preview != null) {
-            preview.put(tile);
+        if (preview != null && finished != null) {
+            preview.put(finished);
         }
-        progress.progress(pixelsDone, (long) region.width() * region.height(), this::image);
+        progress.progress(film.pixelsDone(), film.pixels(), this::image);
     }
 
     private void gather(List<ClusterStatistics> records) {
@@ -122,22 +115,18 @@ final class TileRender {
     }
 
     /** What was rendered, in full precision. */
-    Film film() {
+    PictureFilm film() {
         return film;
     }
 
     /** The picture as it stands: the film, and what the preview shows where that is not finished. */
     Image image() {
-        return preview == null || isComplete() ? film.toImage() : preview.image();
+        return preview == null || film.isComplete() ? film.image() : preview.image();
     }
 
     /** How many pixels are not black for want of samples. */
     long shownPixels() {
-        return preview == null ? pixelsDone : preview.shownPixels();
-    }
-
-    boolean isComplete() {
-        return pixelsDone == (long) region.width() * region.height();
+        return preview == null ? film.shownPixels() : preview.shownPixels();
     }
 
     /**
@@ -146,40 +135,11 @@ final class TileRender {
      * @param rounding the error of rounding the picture to the depth of its file
      * @param round how often the picture was rendered
      */
-    RenderReport report(String sceneName, List<Phases.Timing> phases, double rounding, int round) {
+    RenderReport report(Phases phases, double rounding, int round) {
         RayCounters all = new RayCounters(scene.kindNames.size());
         for (RayCounters one : counters) {
             all.add(one);
         }
-        ErrorEstimate error = film.error();
-        RenderReport.Sampling sampling = new RenderReport.Sampling(
-                plan.method(),
-                plan.decidedBy(),
-                plan.samples(),
-                film.cameraSamples() / (double) Math.max(pixelsDone, 1),
-                error.rmse(),
-                error.low(),
-                error.high(),
-                all.clusters,
-                all.proposals,
-                all.accepted,
-                rounding,
-                round);
-        return new RenderReport(
-                sceneName,
-                settings,
-                scene.features(),
-                RayCounts.raysByKind(all),
-                all.lightSamples,
-                all.lightSamplesWithoutRay,
-                sampling,
-                RayCounts.byPrimitive(scene.kindNames, all.tests),
-                RayCounts.byPrimitive(scene.kindNames, all.hits),
-                all.textureLookups,
-                phases.stream()
-                        .map(t -> new RenderReport.Phase(t.name(), t.wallSeconds(), t.cpuSeconds()))
-                        .toList(),
-                pixelsDone,
-                peakMemory);
+        return Reports.of(outline, film, all, 0, phases, rounding, round, peakMemory);
     }
 }

@@ -1,12 +1,9 @@
-package enlightenment.render;
+package enlightenment.report;
 
-import enlightenment.plan.Rounds;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 
 /**
  * What a render did (the paper's Timekeeper): counts that depend on scene and settings only, and times that do not.
@@ -43,7 +40,7 @@ public record RenderReport(
     /**
      * How the picture was sampled.
      *
-     * @param method what made the samples: the method of the settings, or {@code raytrace} where {@code cluster} was given too few
+     * @param method what made the samples: the method of the settings, or its {@link Method#standIn stand-in} where there were too few
      *     samples for its survey
      * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
      * @param plannedSamples camera rays per pixel that were planned; as {@code --samples} this makes the same picture
@@ -111,28 +108,9 @@ public record RenderReport(
                 || sampling.errorInFile() <= settings.budget().error().getAsDouble();
     }
 
-    /**
-     * About how many samples per pixel would keep the error that was asked for, whatever other limits there were; empty if it is
-     * kept, or no number of samples would do.
-     */
-    public OptionalDouble samplesForError() {
-        OptionalDouble error = settings.budget().error();
-        return error.isEmpty() ? error : new Rounds(Budget.NONE.withError(error.getAsDouble())).next(outcome(), 0, 0);
-    }
-
     /** The same report for a file with another root mean square of what rounding changes. */
     public RenderReport withRounding(double rounding) {
         return with(sampling.with(rounding));
-    }
-
-    /** What decides whether there is another round. */
-    Rounds.Outcome outcome() {
-        return new Rounds.Outcome(
-                settings.method(),
-                sampling.method(),
-                sampling.plannedSamples(),
-                sampling.errorHigh(),
-                sampling.rounding());
     }
 
     /** The same report with other figures of sampling. */

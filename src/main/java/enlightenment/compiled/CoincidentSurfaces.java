@@ -261,7 +261,7 @@ public final class CoincidentSurfaces {
             this.id = id;
             this.face = face;
             this.extent = extent;
-            isGlass = material.kind == SurfaceMaterial.Kind.GLASS;
+            isGlass = material.isGlass;
             appearance = material.appearance();
         }
     }

@@ -57,7 +57,7 @@ record CompiledPrimitives(
         }
 
         private static boolean isGlass(Entry e) {
-            return e.surfaces.stream().anyMatch(s -> s.kind == SurfaceMaterial.Kind.GLASS);
+            return e.surfaces.stream().anyMatch(s -> s.isGlass);
         }
 
         private static String appearance(Entry e) {
@@ -136,7 +136,7 @@ record CompiledPrimitives(
         int[] glass = new int[primitives.length];
         int n = 0;
         for (int i = 0; i < primitives.length; i++) {
-            if (primitives[i].isSolid() && materials.of(i, 0).kind == SurfaceMaterial.Kind.GLASS) {
+            if (primitives[i].isSolid() && materials.of(i, 0).isGlass) {
                 glass[n++] = i;
             }
         }

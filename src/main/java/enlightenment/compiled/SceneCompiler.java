@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.accel.Bvh;
+import enlightenment.bsdf.SpecularReflection;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -192,8 +193,8 @@ public final class SceneCompiler {
             boolean glass = false;
             boolean textures = false;
             for (SurfaceMaterial m : surfaces) {
-                mirrors |= m.kind == SurfaceMaterial.Kind.MIRROR;
-                glass |= m.kind == SurfaceMaterial.Kind.GLASS;
+                mirrors |= m.bsdf == SpecularReflection.INSTANCE;
+                glass |= m.isGlass;
                 textures |= m.hasImage();
             }
             int lights = scene.lights().size();

@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.emitter.RectangleEmitter;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.Rotation;
 import enlightenment.light.Light;
@@ -160,10 +161,10 @@ public final class SceneHints {
         List<Vec3> points = new ArrayList<>();
         Vec3 middle = new Vec3(light.ballX, light.ballY, light.ballZ);
         points.add(middle);
-        int steps = light.kind == CompiledLight.Kind.POINT ? 0 : 4;
+        int steps = light.emitter.isDelta() ? 0 : 4;
         for (int i = -steps; i <= steps; i++) {
             for (int j = -steps; j <= steps; j++) {
-                if (light.kind == CompiledLight.Kind.RECTANGLE) {
+                if (light.emitter instanceof RectangleEmitter) {
                     points.add(middle.plus(light.right.times(0.5 * i / steps)).plus(light.up.times(0.5 * j / steps)));
                 } else if (steps > 0) {
                     addOnBall(middle, light.radius, i, j, steps, points);

@@ -6,10 +6,11 @@ import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TilePasses;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
-import enlightenment.shading.SampleAddress;
+import enlightenment.shading.Shader;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -19,9 +20,9 @@ import java.util.function.BooleanSupplier;
 public final class RayTraceMethod implements TileIntegrator {
     private final CompiledScene scene;
     private final RenderSettings settings;
-    private final ClassicShader shader;
+    private final Shader shader;
     private final Ray ray = new Ray();
-    private final SampleAddress address = new SampleAddress();
+    private final SobolSampler sampler = new SobolSampler();
     private final SampleSpread spread = new SampleSpread();
     private final double[] color = new double[3];
 
@@ -33,14 +34,21 @@ public final class RayTraceMethod implements TileIntegrator {
 
     /** Takes antialias² samples in each pixel. */
     public RayTraceMethod(CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        this(scene, settings, counters, settings.antialias() * settings.antialias(), 0);
+        this(
+                scene,
+                settings,
+                new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters));
     }
 
-    private RayTraceMethod(
-            CompiledScene scene, RenderSettings settings, RayCounters counters, int fewer, double doubled) {
+    /** The same with another shader. */
+    public RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader) {
+        this(scene, settings, shader, settings.antialias() * settings.antialias(), 0);
+    }
+
+    private RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader, int fewer, double doubled) {
         this.scene = scene;
         this.settings = settings;
-        this.shader = new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters);
+        this.shader = shader;
         this.fewer = fewer;
         this.doubled = doubled;
     }
@@ -52,7 +60,8 @@ public final class RayTraceMethod implements TileIntegrator {
     public static RayTraceMethod withMeanSamples(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
         int fewer = Integer.highestOneBit((int) samples);
-        return new RayTraceMethod(scene, settings, counters, fewer, samples / fewer - 1);
+        Shader shader = new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters);
+        return new RayTraceMethod(scene, settings, shader, fewer, samples / fewer - 1);
     }
 
     @Override
@@ -80,16 +89,16 @@ public final class RayTraceMethod implements TileIntegrator {
     }
 
     private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
-        address.pixel(settings.seed(), x, y);
+        sampler.pixel(settings.seed(), x, y);
         int samples = Dither.at(x, y) < doubled ? 2 * fewer : fewer;
         int end = TilePasses.firstSample(samples, pass + 1, passes);
         spread.begin(samples);
         for (int s = TilePasses.firstSample(samples, pass, passes); s < end; s++) {
-            address.sample(s);
-            double dx = address.filmX();
-            double dy = address.filmY();
+            sampler.sample(s);
+            double dx = sampler.filmX();
+            double dy = sampler.filmY();
             scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
-            shader.shade(ray, address, color);
+            shader.shade(ray, sampler, color);
             tile.add(x, y, color[0], color[1], color[2]);
             spread.at(dx, dy);
             spread.add(color[0], color[1], color[2]);

@@ -1,6 +1,8 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.Bvh;
+import enlightenment.accel.PrimitiveList;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -73,10 +75,10 @@ public final class SceneCompiler {
         Map<Material, SurfaceMaterial> surfaces = surfaces(scene, files);
         CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces);
         Primitive[] primitives = compiled.primitives();
-        Bvh bvh = withBvh ? Bvh.build(primitives) : null;
-        Features features = new Features(scene, bvh, surfaces.values());
+        Accelerator accelerator = withBvh ? Bvh.build(primitives) : PrimitiveList.of(primitives);
+        Features features = new Features(scene, withBvh, surfaces.values());
         return new CompiledScene(
-                frame, camera, scene.shading(), lights, compiled, bvh, features.present(), features.absent());
+                frame, camera, scene.shading(), lights, compiled, accelerator, features.present(), features.absent());
     }
 
     /**
@@ -173,7 +175,7 @@ public final class SceneCompiler {
         private final List<String> present = new ArrayList<>();
         private final List<String> absent = new ArrayList<>();
 
-        Features(Scene scene, Bvh bvh, Iterable<SurfaceMaterial> surfaces) {
+        Features(Scene scene, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
             boolean mirrors = false;
             boolean glass = false;
             boolean textures = false;
@@ -189,7 +191,7 @@ public final class SceneCompiler {
             add(glass, "refraction", "refraction");
             add(textures, "image textures", "image textures");
             add(
-                    bvh != null,
+                    withBvh,
                     "bounding volume hierarchy over " + scene.objects().size() + " primitives",
                     "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
         }

@@ -39,6 +39,7 @@ public final class RayTraceMethod implements TileMethod {
         this.scene = scene;
         this.settings = settings;
         this.shader = new ClassicShader(scene, settings.shadowSamples(), counters);
+        shader.onlyColors();
         this.fewer = fewer;
         this.doubled = doubled;
     }

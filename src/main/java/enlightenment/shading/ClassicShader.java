@@ -128,6 +128,11 @@ public final class ClassicShader {
         lightPoints = count;
     }
 
+    /** Says that only colours are asked for, not what shadow rays told: the cheapest way to the same colours is taken. */
+    public void onlyColors() {
+        tracer.leaveVisibilityOpen();
+    }
+
     /** Sets the guide that samples lights that may be partly occluded; null for low-discrepancy samples. */
     public void guide(LightGuide chooser) {
         guide = chooser;
@@ -419,6 +424,9 @@ public final class ClassicShader {
             sampler.prepareByCosine(nx, ny, nz);
             boolean guided = guide != null && !sampler.isPoint() && guide.begin(id, index, bounce);
             double blocked = guided ? guidedShare(first, count, seed) : blockedShare(first, count, seed);
+            if (blocked == 1 && keeps > 0 && tracer.isHidden()) {
+                return keeps * unshadowed;
+            }
             return Math.fma(-contrast, blocked, unshadowed);
         }
         return sampledCosine(nx, ny, nz, first, count, seed, rays ? keeps : factor, rays);
@@ -497,7 +505,7 @@ public final class ClassicShader {
                 starts[count++] = glass.surface(k);
             }
         }
-        return tracer.prepareShadows(sampler.cone, starts, count);
+        return tracer.prepareShadows(sampler.cone, starts, count, sampler.isPoint() ? 1 : lightPoints);
     }
 
     /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */

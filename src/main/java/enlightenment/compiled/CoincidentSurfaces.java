@@ -1,6 +1,6 @@
 package enlightenment.compiled;
 
-import enlightenment.accel.Bvh;
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.BvhQuery;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
@@ -50,9 +50,9 @@ public final class CoincidentSurfaces {
         this.compiled = compiled;
     }
 
-    static CoincidentSurfaces of(CompiledPrimitives compiled, Bvh bvh) {
+    static CoincidentSurfaces of(CompiledPrimitives compiled, Accelerator accelerator) {
         CoincidentSurfaces result = new CoincidentSurfaces(compiled);
-        result.new Finder(bvh).find();
+        result.new Finder(accelerator).find();
         return result;
     }
 
@@ -88,12 +88,12 @@ public final class CoincidentSurfaces {
     /** Finds the pairs. */
     private final class Finder {
         private final Primitive[] primitives = compiled.primitives();
-        private final Bvh bvh;
+        private final Accelerator accelerator;
         private final Bounds[] bounds = new Bounds[primitives.length];
         private final SupportSurface[][] supports = new SupportSurface[primitives.length][];
 
-        Finder(Bvh bvh) {
-            this.bvh = bvh;
+        Finder(Accelerator accelerator) {
+            this.accelerator = accelerator;
             for (int id = 0; id < bounds.length; id++) {
                 bounds[id] = primitives[id].bounds();
             }
@@ -106,11 +106,7 @@ public final class CoincidentSurfaces {
                 (primitives[id].isWhole() ? whole : others).add(id);
             }
             findWhole(whole);
-            if (bvh == null) {
-                findAmong(others);
-            } else {
-                findByBoxes(others);
-            }
+            findByBoxes(others);
             if (entries != null) {
                 rank();
             }
@@ -134,20 +130,13 @@ public final class CoincidentSurfaces {
             }
         }
 
-        private void findAmong(List<Integer> ids) {
-            for (int i = 0; i < ids.size(); i++) {
-                for (int k = i + 1; k < ids.size(); k++) {
-                    compare(ids.get(i), ids.get(k));
-                }
-            }
-        }
-
         private void findByBoxes(List<Integer> ids) {
             BvhQuery query =
                     new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
             for (int id : ids) {
                 double by = tolerance(bounds[id], bounds[id]);
-                bvh.overlapping(widened(bounds[id], by), query);
+                query.clear();
+                accelerator.overlapping(widened(bounds[id], by), query);
                 for (int k = 0; k < query.size(); k++) {
                     int other = query.get(k);
                     if (other > id && !primitives[other].isWhole()) {

@@ -1,6 +1,8 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.Bvh;
+import enlightenment.accel.PrimitiveList;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
@@ -77,9 +79,10 @@ public final class SceneCompiler {
         Map<Material, SurfaceMaterial> surfaces = surfaces(scene, files);
         CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces);
         Primitive[] primitives = compiled.primitives();
-        Bvh bvh = withBvh ? Bvh.build(primitives) : null;
-        Features features = new Features(scene, shading, bvh, surfaces.values());
-        return new CompiledScene(frame, camera, shading, lights, compiled, bvh, features.present(), features.absent());
+        Accelerator accelerator = withBvh ? Bvh.build(primitives) : PrimitiveList.of(primitives);
+        Features features = new Features(scene, shading, withBvh, surfaces.values());
+        return new CompiledScene(
+                frame, camera, shading, lights, compiled, accelerator, features.present(), features.absent());
     }
 
     /** The shading that is compiled so far; any other is refused by name, even if a method from outside claims to render it. */
@@ -188,7 +191,7 @@ public final class SceneCompiler {
         private final List<String> present = new ArrayList<>();
         private final List<String> absent = new ArrayList<>();
 
-        Features(Scene scene, ClassicShading shading, Bvh bvh, Iterable<SurfaceMaterial> surfaces) {
+        Features(Scene scene, ClassicShading shading, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
             boolean mirrors = false;
             boolean glass = false;
             boolean textures = false;
@@ -204,7 +207,7 @@ public final class SceneCompiler {
             add(glass, "refraction", "refraction");
             add(textures, "image textures", "image textures");
             add(
-                    bvh != null,
+                    withBvh,
                     "bounding volume hierarchy over " + scene.objects().size() + " primitives",
                     "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
         }

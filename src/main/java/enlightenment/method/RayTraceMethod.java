@@ -32,36 +32,26 @@ public final class RayTraceMethod implements TileIntegrator {
     /** The share of pixels that get twice as many. */
     private final double doubled;
 
-    /** Takes antialias² samples in each pixel. */
-    public RayTraceMethod(CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        this(
-                scene,
-                settings,
-                new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters));
-    }
-
-    /** The same with another shader. */
-    public RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader) {
-        this(scene, settings, shader, settings.antialias() * settings.antialias(), 0);
-    }
-
-    private RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader, int fewer, double doubled) {
+    /**
+     * Takes this many samples per pixel in the mean: the next power of two below in some pixels and that above in the others,
+     * since these are the numbers for which the points are best distributed.
+     *
+     * @param shader what each of the rays is worth
+     * @param samples at least 1; or 0 for antialias² samples in each pixel
+     */
+    public RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader, double samples) {
         this.scene = scene;
         this.settings = settings;
         this.shader = shader;
-        this.fewer = fewer;
-        this.doubled = doubled;
+        fewer = samples == 0 ? settings.antialias() * settings.antialias() : Integer.highestOneBit((int) samples);
+        doubled = samples == 0 ? 0 : samples / fewer - 1;
     }
 
-    /**
-     * Takes this many samples per pixel in the mean, at least 1: the next power of two below in some pixels and that above in
-     * the others, since these are the numbers for which the points are best distributed.
-     */
-    public static RayTraceMethod withMeanSamples(
+    /** The same with the paper's shading. */
+    public static RayTraceMethod classic(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
-        int fewer = Integer.highestOneBit((int) samples);
-        Shader shader = new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters);
-        return new RayTraceMethod(scene, settings, shader, fewer, samples / fewer - 1);
+        int lightPoints = RayTraceSettings.of(settings).shadowSamples();
+        return new RayTraceMethod(scene, settings, ClassicShader.ofColors(scene, lightPoints, counters), samples);
     }
 
     @Override

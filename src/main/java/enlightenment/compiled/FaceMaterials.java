@@ -1,7 +1,8 @@
 package enlightenment.compiled;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntFunction;
 
 /** The materials of primitives by id and face: a primitive has one for all its faces or one for each. Immutable. */
 final class FaceMaterials {
@@ -10,16 +11,19 @@ final class FaceMaterials {
 
     private final SurfaceMaterial[] materials;
 
-    /** @param byId for each primitive its one material, or one per face */
-    FaceMaterials(List<List<SurfaceMaterial>> byId) {
-        first = new int[byId.size() + 1];
-        List<SurfaceMaterial> all = new ArrayList<>(byId.size());
-        for (int id = 0; id < byId.size(); id++) {
-            first[id] = all.size();
-            all.addAll(byId.get(id));
+    /** @param byId for each of n primitives its one material, or one per face */
+    FaceMaterials(int n, IntFunction<List<SurfaceMaterial>> byId) {
+        first = new int[n + 1];
+        SurfaceMaterial[] all = new SurfaceMaterial[n];
+        for (int id = 0; id < n; id++) {
+            int end = first[id];
+            for (SurfaceMaterial m : byId.apply(id)) {
+                all = end < all.length ? all : Arrays.copyOf(all, 2 * end + 1);
+                all[end++] = m;
+            }
+            first[id + 1] = end;
         }
-        first[byId.size()] = all.size();
-        materials = all.toArray(SurfaceMaterial[]::new);
+        materials = first[n] == all.length ? all : Arrays.copyOf(all, first[n]);
     }
 
     /** The material of a face of a primitive. */

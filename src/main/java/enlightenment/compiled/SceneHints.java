@@ -94,7 +94,7 @@ public final class SceneHints {
             return;
         }
         for (int id = 0; id < compiled.primitives.length; id++) {
-            if (isOpaqueSolid(id) && startsIn(compiled.primitives[id]) && !holdsLight(compiled.primitives[id])) {
+            if (startsIn(compiled.primitives[id]) && isOpaqueSolid(id) && !holdsLight(compiled.primitives[id])) {
                 found.add("/camera: is inside " + name(id) + ", which is opaque and holds no light");
             }
         }
@@ -115,8 +115,8 @@ public final class SceneHints {
             CompiledLight light = compiled.lights[i];
             for (int id = 0; id < compiled.primitives.length; id++) {
                 Primitive solid = compiled.primitives[id];
-                if (isOpaqueSolid(id)
-                        && isInside(solid, new Vec3(light.ballX, light.ballY, light.ballZ))
+                if (isInside(solid, new Vec3(light.ballX, light.ballY, light.ballZ))
+                        && isOpaqueSolid(id)
                         && points(light).stream().allMatch(p -> isInside(solid, p))
                         && starts.stream().noneMatch(p -> solid.contains(p.x(), p.y(), p.z()))) {
                     found.add("/lights/" + i + ": is inside " + name(id) + ", which is opaque: no light comes out");
@@ -132,7 +132,12 @@ public final class SceneHints {
     }
 
     private boolean startsIn(Primitive solid) {
-        return starts.stream().allMatch(p -> isInside(solid, p));
+        for (Vec3 p : starts) {
+            if (!isInside(solid, p)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private Ray ray(double x, double y) {

@@ -41,10 +41,6 @@ record CompiledPrimitives(
         List<Primitive> place(Shape shape, SceneFrame frame);
     }
 
-    static CompiledPrimitives of(List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces) {
-        return of(objects, frame, surfaces, Primitives::placeAll);
-    }
-
     static CompiledPrimitives of(
             List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces, Placement placement) {
         PlacedObjects placed = new PlacedObjects(objects, surfaces);

@@ -52,7 +52,8 @@ public final class SceneHints {
         SceneHints hints = new SceneHints(scene, compiled);
         List<String> found = new ArrayList<>();
         ALL.forEach(hint -> hint.accept(hints, found));
-        return List.copyOf(found);
+        // Several primitives of one object may give the same hint.
+        return found.stream().distinct().toList();
     }
 
     private void nothingToSee(List<String> found) {

@@ -53,15 +53,34 @@ final class JsonTree {
         Reader open() throws IOException;
     }
 
+    /** Takes the objects of a scene one by one while the text is read, so that they are never all in memory as JSON. */
+    interface Objects {
+        /**
+         * An array of objects begins; if there was one before, it no longer counts.
+         *
+         * @param before the part of the scene that stands before it
+         */
+        void begin(JsonValue.Obj before);
+
+        /**
+         * The next object, or what stands in its place.
+         *
+         * @return what is to stay in the array: the value, or null, so that it is forgotten
+         */
+        JsonValue take(int index, JsonValue v);
+    }
+
     private final JsonParser parser;
     private final Problems problems;
+    private final Objects objects;
     private final Map<String, String> sharedTexts = new HashMap<>();
     private final String[][] lastKeys = new String[DEEPEST_NESTING + 2][];
     private int depth;
 
-    private JsonTree(JsonParser parser, Problems problems) {
+    private JsonTree(JsonParser parser, Problems problems, Objects objects) {
         this.parser = parser;
         this.problems = problems;
+        this.objects = objects;
     }
 
     /**
@@ -70,10 +89,19 @@ final class JsonTree {
      * @return null, after adding a problem, where the text is not JSON or cannot be read
      */
     static JsonValue parse(Source source, Problems problems) {
+        return parse(source, problems, null);
+    }
+
+    /**
+     * The same for a scene whose objects are taken one by one; in the value, null stands for those that were forgotten.
+     *
+     * @param objects takes the items of the root's array {@code objects}; null to keep them all
+     */
+    static JsonValue parse(Source source, Problems problems, Objects objects) {
         try (Reader reader = source.open();
                 JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), reader)) {
             try {
-                return new JsonTree(parser, problems).document();
+                return new JsonTree(parser, problems, objects).document();
             } catch (JacksonException e) {
                 if (e.getCause() instanceof IOException io) {
                     throw io;
@@ -143,12 +171,32 @@ final class JsonTree {
                         parser.streamReadContext().pathAsPointer().toString(),
                         "the key " + Plain.quoted(key) + " is written twice in the same object");
             }
+            boolean streams = objects != null && depth == 1 && key.equals("objects");
+            if (parser.nextToken() == JsonToken.START_ARRAY && streams) {
+                objects.begin(object(line, column, keys, values));
+                values.add(objects());
+            } else {
+                values.add(value());
+            }
             keys.add(key);
-            parser.nextToken();
-            values.add(value());
         }
         depth--;
+        return object(line, column, keys, values);
+    }
+
+    private JsonValue.Obj object(int line, int column, List<String> keys, List<JsonValue> values) {
         return new JsonValue.Obj(line, column, sharedKeys(keys), values.toArray(JsonValue[]::new));
+    }
+
+    private JsonValue objects() {
+        TokenStreamLocation at = parser.currentTokenLocation();
+        depth++;
+        List<JsonValue> kept = new ArrayList<>();
+        while (parser.nextToken() != JsonToken.END_ARRAY) {
+            kept.add(objects.take(kept.size(), value()));
+        }
+        depth--;
+        return new JsonValue.Arr(at.getLineNr(), at.getColumnNr(), kept.toArray(JsonValue[]::new));
     }
 
     private JsonValue array(int line, int column) {

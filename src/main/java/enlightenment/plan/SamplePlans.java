@@ -10,12 +10,18 @@ final class SamplePlans {
     private final Method method;
     private final MethodTraits traits;
     private final double antialias;
+    private final double tracedPixels;
     private final Levels levels;
     private final Levels levelsBelow;
 
     SamplePlans(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         method = settings.method();
         traits = Integrators.traits(method);
+        RenderSettings.Crop region = settings.region();
+        // Paths that may end anywhere are followed for a part of the picture as for the whole.
+        tracedPixels = traits.areBatches()
+                ? (double) settings.width() * settings.height()
+                : (double) region.width() * region.height();
         antialias = (double) settings.antialias() * settings.antialias();
         levels = Integrators.levels(method, scene, settings, cancelled);
         levelsBelow = Integrators.levels(traits.below(), scene, settings, cancelled);
@@ -37,6 +43,11 @@ final class SamplePlans {
         return isPossible(samples)
                 ? new RenderPlan(method, levels.of(samples), samples, by)
                 : new RenderPlan(traits.below(), levelsBelow.of(samples), samples, by);
+    }
+
+    /** The number of pixels whose samples a render takes. */
+    double tracedPixels() {
+        return tracedPixels;
     }
 
     /** What has to be known of the method of the settings. */

@@ -19,7 +19,7 @@ import java.util.Map;
  * @param hitsByPrimitive surface points shaded or passed, by kind of primitive
  * @param textureLookups texture colours looked up
  * @param phases wall-clock and processor time per phase, in order
- * @param pixels pixels finished
+ * @param pixels pixels finished; where paths may end anywhere, the share of the pixels that is the share of the paths
  * @param peakMemoryBytes most heap memory in use, as far as it was observed
  */
 public record RenderReport(

@@ -142,6 +142,6 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
                 "/shading/model",
                 "the method " + method.word() + " cannot render " + model.word() + " shading, only "
                         + Shading.Model.words(method.shadings()) + "; "
-                        + (able.isEmpty() ? "no method can yet" : "one that can is " + able.get(0)));
+                        + (able.isEmpty() ? "no method can yet" : "what can: " + String.join(", ", able)));
     }
 }

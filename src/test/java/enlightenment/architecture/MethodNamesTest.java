@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** The names of the methods stand in {@link Method} and nowhere else in the code. */
+/** The names of our methods stand in {@link BuiltInMethod} and nowhere else in the code. */
 class MethodNamesTest {
     private static final Path SOURCES = Path.of("src/main/java");
 
@@ -23,7 +23,8 @@ class MethodNamesTest {
     private static final Pattern LITERAL_OR_COMMENT =
             Pattern.compile("(\"(?:[^\"\\\\\\n]|\\\\.)*\")|//[^\\n]*|/\\*(?s:.*?)\\*/|'(?:[^'\\\\\\n]|\\\\.)+'");
 
-    private static final Pattern NAME = Pattern.compile("\\b(?:" + String.join("|", Method.words()) + ")\\b");
+    private static final Pattern NAME =
+            Pattern.compile("\\b(?:" + String.join("|", Method.words(BuiltInMethod.ALL)) + ")\\b");
 
     private static List<String> literalsWithNames(String source) {
         List<String> found = new ArrayList<>();
@@ -43,7 +44,7 @@ class MethodNamesTest {
         try (Stream<Path> all = Files.walk(SOURCES)) {
             files = all.filter(f -> f.toString().endsWith(".java")).sorted().toList();
         }
-        Path registry = SOURCES.resolve("enlightenment/scene/Method.java");
+        Path registry = SOURCES.resolve("enlightenment/scene/BuiltInMethod.java");
         for (Path file : files) {
             for (String literal : literalsWithNames(Files.readString(file))) {
                 if (!file.equals(registry)) {
@@ -53,7 +54,7 @@ class MethodNamesTest {
         }
         assertEquals(List.of(), found);
         assertEquals(
-                Method.words().size(),
+                BuiltInMethod.ALL.size(),
                 literalsWithNames(Files.readString(registry)).size());
     }
 

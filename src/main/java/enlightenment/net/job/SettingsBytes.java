@@ -43,7 +43,7 @@ final class SettingsBytes {
         write(out, s.budget().samples());
         write(out, s.budget().error());
         write(out, s.budget().seconds());
-        chosen(out, s);
+        write(out, chosen(s));
         out.writeInt(s.tileSize());
         text(out, plan.method().word());
         out.writeDouble(plan.level());
@@ -51,21 +51,33 @@ final class SettingsBytes {
         text(out, plan.decidedBy());
     }
 
-    /** The settings that have an influence on the pictures of the method in use, in its order: a method's word says which follow. */
-    private static void chosen(DataOutputStream out, RenderSettings s) throws IOException {
+    /**
+     * The settings that have an influence on the pictures of the method in use, as a list of keys and values, so that a reader that
+     * does not know the method can go on behind them.
+     */
+    private static List<String> chosen(RenderSettings s) {
+        List<String> texts = new ArrayList<>();
         for (MethodSetting setting : Method.influences(s.method())) {
-            if (setting instanceof MethodSetting.Whole whole) {
-                out.writeInt(s.chosen().whole(whole));
-            } else {
-                text(out, s.chosen().word((MethodSetting.Word) setting));
-            }
+            texts.addAll(List.of(setting.key(), s.chosen().value(setting).toString()));
         }
+        return texts;
     }
 
-    private static ChosenSettings readChosen(DataInputStream in, Method method) throws IOException {
+    private static ChosenSettings chosen(Method method, List<String> texts) {
         ChosenSettings chosen = ChosenSettings.NONE;
-        for (MethodSetting setting : Method.influences(method)) {
-            chosen = chosen.with(setting, setting instanceof MethodSetting.Whole ? (Object) in.readInt() : text(in));
+        List<MethodSetting> settings = Method.influences(method);
+        if (texts.size() != 2 * settings.size()) {
+            throw new IllegalArgumentException(
+                    method.word() + " has " + settings.size() + " settings, not these: " + texts);
+        }
+        for (int i = 0; i < settings.size(); i++) {
+            MethodSetting setting = settings.get(i);
+            if (!texts.get(2 * i).equals(setting.key())) {
+                throw new IllegalArgumentException("the setting " + setting.key() + " is missing: " + texts);
+            }
+            String value = texts.get(2 * i + 1);
+            chosen = chosen.with(
+                    setting, setting instanceof MethodSetting.Whole ? (Object) Integer.valueOf(value) : value);
         }
         return chosen;
     }
@@ -102,7 +114,7 @@ final class SettingsBytes {
                 antialias,
                 seed,
                 budget,
-                readChosen(in, method),
+                chosen(method, readTexts(in)),
                 threads,
                 in.readInt());
         return new Decided(

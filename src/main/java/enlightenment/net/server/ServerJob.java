@@ -7,6 +7,7 @@ import enlightenment.net.checkpoint.CheckpointJournal;
 import enlightenment.net.checkpoint.JournalRecord;
 import enlightenment.net.checkpoint.Origin;
 import enlightenment.net.checkpoint.Restored;
+import enlightenment.net.checkpoint.ResultJournal;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.schedule.Action;
 import java.io.Closeable;
@@ -33,6 +34,9 @@ public final class ServerJob implements Closeable {
     /** The hashes of the tiles that are kept. */
     private final ContentHash[] kept;
 
+    /** What has to be looked at again when it is taken out. */
+    private final ResultJournal results;
+
     private Restored restored = Restored.NOTHING;
     private CheckpointJournal journal;
     private Set<Origin.Peer> alreadyExpelled = Set.of();
@@ -43,6 +47,10 @@ public final class ServerJob implements Closeable {
         this.log = log;
         film = render.assembly();
         kept = new ContentHash[render.units()];
+        results = new ResultJournal(film.needsStore() ? render.units() : 0);
+        if (film.needsStore()) {
+            film.keepIn(results);
+        }
     }
 
     /** The job of the same picture with more samples; machines that were found out stay expelled. */
@@ -210,9 +218,11 @@ public final class ServerJob implements Closeable {
 
     @Override
     public void close() throws IOException {
-        if (journal != null) {
-            journal.close();
-            journal = null;
+        try (results) {
+            if (journal != null) {
+                journal.close();
+                journal = null;
+            }
         }
     }
 }

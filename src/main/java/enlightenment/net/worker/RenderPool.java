@@ -3,6 +3,7 @@ package enlightenment.net.worker;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.UnitMaker;
 import enlightenment.net.job.TileData;
+import enlightenment.net.protocol.Limits;
 import enlightenment.net.schedule.WorkerCore;
 import java.util.ArrayList;
 import java.util.List;
@@ -66,7 +67,7 @@ public final class RenderPool implements AutoCloseable {
         try {
             UnitMaker maker = render.maker(() -> closed);
             for (WorkerCore.Task task = next(); task != null; task = next()) {
-                TileData data = TileData.of(tamper.change(task.tile(), maker.make(task.tile())));
+                TileData data = TileData.of(tamper.change(task.tile(), checked(maker.make(task.tile()))));
                 finished(task, data);
                 flush.run();
             }
@@ -76,6 +77,14 @@ public final class RenderPool implements AutoCloseable {
         } catch (RuntimeException | Error e) {
             failed.accept(e);
         }
+    }
+
+    private static byte[] checked(byte[] result) {
+        if (result.length > Limits.RESULT) {
+            throw new IllegalStateException("a unit of work has a result of " + result.length + " bytes; at most "
+                    + Limits.RESULT + " can be sent");
+        }
+        return result;
     }
 
     private synchronized WorkerCore.Task next() {

@@ -75,12 +75,13 @@ final class RandomScenes {
         for (int i = random.nextInt(20); i > 0; i--) {
             objects.add(object(random.nextBoolean() ? "" : "object " + i));
         }
+        Shading shading = shading();
         return new Scene(
                 NAMES[random.nextInt(NAMES.length)],
                 1 + random.nextInt(Scene.MAX_SIDE),
                 1 + random.nextInt(Scene.MAX_SIDE),
                 retry(this::camera),
-                shading(),
+                shading,
                 textures,
                 materials,
                 lights,
@@ -93,7 +94,7 @@ final class RandomScenes {
                                 ChosenSettings.of(new RayTraceSettings(1 + random.nextInt(1_000_000)))
                                         .with(new ClusterSettings(random.nextBoolean() ? "zeta" : "normal")),
                                 random.nextLong()),
-                random.nextBoolean() ? Optional.empty() : Optional.of(animation(objects)));
+                random.nextBoolean() ? Optional.empty() : Optional.of(animation(shading, objects)));
     }
 
     private Shading shading() {
@@ -119,9 +120,11 @@ final class RandomScenes {
         }
     }
 
-    private Animation animation(List<SceneObject> objects) {
+    private Animation animation(Shading shading, List<SceneObject> objects) {
         List<Animation.Track> tracks = new ArrayList<>();
-        tracks.add(new Animation.Track("/shading/background/" + random.nextInt(3), keys()));
+        tracks.add(new Animation.Track(
+                "/shading/background/" + (shading instanceof PhysicalShading ? "linear/" : "") + random.nextInt(3),
+                keys()));
         tracks.add(new Animation.Track("/render/seed", keys()));
         for (int i = 0; i < objects.size(); i++) {
             SceneObject o = objects.get(i);

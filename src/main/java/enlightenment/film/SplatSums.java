@@ -29,6 +29,15 @@ public final class SplatSums {
         return pixels.length;
     }
 
+    /** The largest of all sums; 0 if no pixel was reached. */
+    public long largest() {
+        long largest = 0;
+        for (long sum : sums) {
+            largest = Math.max(largest, sum);
+        }
+        return largest;
+    }
+
     /**
      * As bytes: numbers of 7 bits each, the lowest first, the highest bit set where more follow (as LEB128). First the number of paths
      * and of pixels; then for each pixel how far it is from the one before, or from −1, and its sums of red, green and blue.

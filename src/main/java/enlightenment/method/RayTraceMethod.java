@@ -26,6 +26,11 @@ public final class RayTraceMethod implements TileIntegrator {
     private final SampleSpread spread = new SampleSpread();
     private final double[] color = new double[3];
 
+    /** Where in its pixel the last sample is. */
+    private double dx;
+
+    private double dy;
+
     /** Samples of the pixels that get fewer; others get twice as many. */
     private final int fewer;
 
@@ -81,20 +86,28 @@ public final class RayTraceMethod implements TileIntegrator {
     private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
         sampler.pixel(settings.seed(), x, y);
         int samples = Dither.at(x, y) < doubled ? 2 * fewer : fewer;
-        int end = TilePasses.firstSample(samples, pass + 1, passes);
+        if (passes > 1) {
+            int end = TilePasses.firstSample(samples, pass + 1, passes);
+            for (int s = TilePasses.firstSample(samples, pass, passes); s < end; s++) {
+                sample(tile, x, y, s);
+            }
+            return;
+        }
         spread.begin(samples);
-        for (int s = TilePasses.firstSample(samples, pass, passes); s < end; s++) {
-            sampler.sample(s);
-            double dx = sampler.filmX();
-            double dy = sampler.filmY();
-            scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
-            shader.shade(ray, sampler, color);
-            tile.add(x, y, color[0], color[1], color[2]);
+        for (int s = 0; s < samples; s++) {
+            sample(tile, x, y, s);
             spread.at(dx, dy);
             spread.add(color[0], color[1], color[2]);
         }
-        if (passes == 1) {
-            tile.spread(x, y, spread);
-        }
+        tile.spread(x, y, spread);
+    }
+
+    private void sample(FilmTile tile, int x, int y, int index) {
+        sampler.sample(index);
+        dx = sampler.filmX();
+        dy = sampler.filmY();
+        scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
+        shader.shade(ray, sampler, color);
+        tile.add(x, y, color[0], color[1], color[2]);
     }
 }

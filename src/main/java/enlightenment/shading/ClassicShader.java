@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.color.DisplayRgb;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
@@ -105,23 +106,19 @@ public final class ClassicShader implements Shader {
         out[2] = blue;
     }
 
-    /** Follows the ray to the next surface; returns whether the path continues. */
+    /** Follows the ray to the next event; returns whether the path continues. */
     private boolean step(Ray ray, Sampler sampler) {
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
-            add(
-                    scene.shading.background().r(),
-                    scene.shading.background().g(),
-                    scene.shading.background().b());
+            DisplayRgb background = scene.shading.background();
+            add(background.r(), background.g(), background.b());
             return false;
         }
         if (event == PathFollower.Event.LIGHT) {
             add(path.light.r, path.light.g, path.light.b);
             return false;
         }
-        if (event == PathFollower.Event.GLASS) {
-            crossGlass(ray, sampler);
-        } else {
+        if (event == PathFollower.Event.SURFACE) {
             SurfaceMaterial material = path.material();
             path.color(material, surface);
             if (!material.bsdf.isDelta()) {
@@ -130,14 +127,12 @@ public final class ClassicShader implements Shader {
             }
             path.scatter(ray, material, surface, 0, 0, 0);
             filter(1);
-        }
-        return throughputR > 0 || throughputG > 0 || throughputB > 0;
-    }
-
-    private void crossGlass(Ray ray, Sampler sampler) {
-        boolean through = path.cross(ray);
-        for (int k = 0; k < path.glass.surfaces(); k++) {
-            if (path.glass.filters(k, through)) {
+        } else {
+            boolean through = path.cross(ray);
+            for (int k = 0; k < path.glass.surfaces(); k++) {
+                if (!path.glass.filters(k, through)) {
+                    continue;
+                }
                 path.turnTo(k);
                 SurfaceMaterial material = path.material();
                 path.color(material, surface);
@@ -147,10 +142,13 @@ public final class ClassicShader implements Shader {
                 if (through) {
                     filter(material.transparency);
                 } else {
-                    scaleThroughput(material.transparency);
+                    throughputR *= material.transparency;
+                    throughputG *= material.transparency;
+                    throughputB *= material.transparency;
                 }
             }
         }
+        return throughputR > 0 || throughputG > 0 || throughputB > 0;
     }
 
     private void add(double r, double g, double b) {
@@ -163,12 +161,6 @@ public final class ClassicShader implements Shader {
         throughputR *= surface[0] * share;
         throughputG *= surface[1] * share;
         throughputB *= surface[2] * share;
-    }
-
-    private void scaleThroughput(double share) {
-        throughputR *= share;
-        throughputG *= share;
-        throughputB *= share;
     }
 
     /** Adds the light that the surface itself reflects, times a share. */

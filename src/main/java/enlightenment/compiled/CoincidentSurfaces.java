@@ -126,8 +126,9 @@ public final class CoincidentSurfaces {
             double[] x = new double[ids.length];
             double[] reach = new double[ids.length];
             for (int i = 0; i < ids.length; i++) {
-                x[i] = bounds(ids[i]).center().x();
-                reach[i] = bounds(ids[i]).maxAbs();
+                Bounds box = bounds(ids[i]);
+                x[i] = box.center().x();
+                reach[i] = box.maxAbs();
             }
             int[] order = Ascending.order(x);
             for (int i = 0; i < order.length; i++) {

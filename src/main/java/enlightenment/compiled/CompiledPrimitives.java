@@ -8,7 +8,6 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.scene.SceneObject;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
@@ -43,27 +42,23 @@ record CompiledPrimitives(
 
     static CompiledPrimitives of(
             List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces, Placement placement) {
-        PlacedObjects placed = new PlacedObjects(objects, surfaces);
+        PlacedObjects placed = new PlacedObjects(objects.size(), surfaces);
         for (int i = 0; i < objects.size(); i++) {
-            placed.add(i, place(objects.get(i), i, frame, placement));
+            SceneObject o = objects.get(i);
+            placed.add(i, o, place(o, i, frame, placement));
         }
-        return of(placed, placed.canonicalOrder());
+        return of(placed, placed.canonicalOrder(), objects.size());
     }
 
-    private static CompiledPrimitives of(PlacedObjects placed, int[] order) {
+    private static CompiledPrimitives of(PlacedObjects placed, int[] order, int objects) {
         Primitive[] primitives = new Primitive[order.length];
         int[] object = new int[order.length];
         int[] kind = new int[order.length];
-        List<String> kindNames = new ArrayList<>();
+        int[] kindRanks = placed.kindRanks();
         for (int id = 0; id < order.length; id++) {
             primitives[id] = placed.primitive(order[id]);
             object[id] = placed.object(order[id]);
-            String type = placed.type(order[id]);
-            if (kindNames.isEmpty() || !kindNames.get(kindNames.size() - 1).equals(type)) {
-                // Primitives are sorted by kind, so each kind is one run.
-                kindNames.add(type);
-            }
-            kind[id] = kindNames.size() - 1;
+            kind[id] = kindRanks[placed.kind(order[id])];
         }
         FaceMaterials materials = new FaceMaterials(order.length, id -> placed.surfaces(order[id]));
         int[] glass = glassSolids(primitives, materials);
@@ -71,10 +66,10 @@ record CompiledPrimitives(
                 primitives,
                 materials,
                 kind,
-                kindNames,
+                placed.kindNames(),
                 glass,
                 object,
-                placed.objects(),
+                objects,
                 ranks(primitives, materials, glass));
     }
 

@@ -5,6 +5,7 @@ import enlightenment.primitive.Primitive;
 import enlightenment.scene.SceneObject;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -12,28 +13,50 @@ import java.util.stream.Collectors;
 
 /** The primitives of a scene's objects in the order of the file, on their way to the canonical one. */
 final class PlacedObjects {
-    private final List<SceneObject> objects;
     private final Map<Material, SurfaceMaterial> bySource;
+    private final Map<String, Integer> kinds = new TreeMap<>();
     private Primitive[] primitives;
     private int[] object;
+    private int[] kind;
+
+    /** The one material of a primitive; null for one that has a material for each face, which are in the map. */
+    private SurfaceMaterial[] surface;
+
+    private final Map<Integer, List<SurfaceMaterial>> ofFaces = new HashMap<>();
     private int size;
 
-    PlacedObjects(List<SceneObject> objects, Map<Material, SurfaceMaterial> bySource) {
-        this.objects = objects;
+    PlacedObjects(int objects, Map<Material, SurfaceMaterial> bySource) {
         this.bySource = bySource;
-        primitives = new Primitive[objects.size()];
-        object = new int[objects.size()];
+        primitives = new Primitive[objects];
+        object = new int[objects];
+        kind = new int[objects];
+        surface = new SurfaceMaterial[objects];
     }
 
     /** Adds the primitives that an object consists of. */
-    void add(int index, List<Primitive> parts) {
+    void add(int index, SceneObject o, List<Primitive> parts) {
+        int ofType = kinds.computeIfAbsent(o.shape().type(), t -> kinds.size());
         for (Primitive p : parts) {
-            if (size == object.length) {
-                primitives = Arrays.copyOf(primitives, 2 * size + 1);
-                object = Arrays.copyOf(object, 2 * size + 1);
-            }
+            makeRoom();
             primitives[size] = p;
-            object[size++] = index;
+            object[size] = index;
+            kind[size] = ofType;
+            if (o.faces().isEmpty()) {
+                surface[size] = bySource.get(o.material());
+            } else {
+                ofFaces.put(size, o.faces().stream().map(bySource::get).toList());
+            }
+            size++;
+        }
+    }
+
+    private void makeRoom() {
+        if (size == object.length) {
+            int more = 2 * size + 1;
+            primitives = Arrays.copyOf(primitives, more);
+            object = Arrays.copyOf(object, more);
+            kind = Arrays.copyOf(kind, more);
+            surface = Arrays.copyOf(surface, more);
         }
     }
 
@@ -46,21 +69,28 @@ final class PlacedObjects {
         return object[i];
     }
 
-    /** The number of objects. */
-    int objects() {
-        return objects.size();
+    /** The kinds of shapes, in alphabetical order. */
+    List<String> kindNames() {
+        return List.copyOf(kinds.keySet());
     }
 
-    String type(int i) {
-        return objects.get(object[i]).shape().type();
+    /** By the numbers of {@link #kind}: where the kinds stand in alphabetical order. */
+    int[] kindRanks() {
+        int[] ranks = new int[kinds.size()];
+        int rank = 0;
+        for (int k : kinds.values()) {
+            ranks[k] = rank++;
+        }
+        return ranks;
+    }
+
+    int kind(int i) {
+        return kind[i];
     }
 
     /** The one material of a primitive, or those of its faces. */
     List<SurfaceMaterial> surfaces(int i) {
-        SceneObject o = objects.get(object[i]);
-        return o.faces().isEmpty()
-                ? List.of(bySource.get(o.material()))
-                : o.faces().stream().map(bySource::get).toList();
+        return surface[i] == null ? ofFaces.get(i) : List.of(surface[i]);
     }
 
     /**
@@ -97,17 +127,20 @@ final class PlacedObjects {
 
     /** The primitives of each kind, the kinds in alphabetical order. */
     private int[][] byKind() {
-        Map<String, int[]> counts = new TreeMap<>();
+        int[] ranks = kindRanks();
+        int[] counts = new int[ranks.length];
         for (int i = 0; i < size; i++) {
-            counts.computeIfAbsent(type(i), t -> new int[1])[0]++;
+            counts[ranks[kind[i]]]++;
         }
-        counts.replaceAll((type, count) -> new int[count[0]]);
-        Map<String, int[]> filled = new TreeMap<>();
-        for (int i = 0; i < size; i++) {
-            String type = type(i);
-            counts.get(type)[filled.computeIfAbsent(type, t -> new int[1])[0]++] = i;
+        int[][] byKind = new int[ranks.length][];
+        for (int rank = 0; rank < ranks.length; rank++) {
+            byKind[rank] = new int[counts[rank]];
         }
-        return counts.values().toArray(int[][]::new);
+        for (int i = size - 1; i >= 0; i--) {
+            int rank = ranks[kind[i]];
+            byKind[rank][--counts[rank]] = i;
+        }
+        return byKind;
     }
 
     /** Adds primitives of one kind that have the same first parameter. */

@@ -28,7 +28,7 @@ final class ObjectStream {
     }
 
     /** One reading of the text. */
-    private final class Pass implements JsonTree.Objects {
+    private final class Pass implements JsonTree.ObjectSink {
         /** The array of objects of an earlier reading, with those that are to be taken instead; null in the first reading. */
         private final JsonValue.Arr instead;
 
@@ -78,7 +78,7 @@ final class ObjectStream {
         if (indices.isEmpty() || !(scene.get("objects") instanceof JsonValue.Arr)) {
             return;
         }
-        JsonValue again = readAgain(new JsonTree.Objects() {
+        JsonValue again = readAgain(new JsonTree.ObjectSink() {
             @Override
             public void begin(JsonValue.Obj before) {
                 // The array that counts is the last one, and it is the one that the text's value has.
@@ -95,7 +95,7 @@ final class ObjectStream {
     }
 
     /** What was wrong with the text itself is known from the first reading, unless the file has changed since. */
-    private JsonValue readAgain(JsonTree.Objects objects) {
+    private JsonValue readAgain(JsonTree.ObjectSink objects) {
         Problems again = values.problems().ofPart();
         JsonValue root = JsonTree.parse(source, again, objects);
         if (root == null) {

@@ -1,6 +1,7 @@
 package enlightenment.image;
 
 import enlightenment.codec.RasterDecoder;
+import enlightenment.color.Encoding;
 import enlightenment.text.WordList;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -13,7 +14,7 @@ import java.util.Optional;
  * #isWritten are written}.
  *
  * <p>Whole numbers are fractions of their maximum, and display-referred. Floats are the components themselves, without limits;
- * whether they are display-referred or linear light ({@link Image.Encoding}) no such file says.
+ * whether they are display-referred or linear light ({@link Encoding}) no such file says.
  */
 public enum ImageFormat {
     /** Portable Network Graphics (W3C): lossless, the format of finished pictures. */

@@ -60,9 +60,13 @@ public enum ImageFormat {
         String name = last == null ? "" : last.toString();
         String extension = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         boolean hasOne = extension.length() < name.length();
-        return Arrays.stream(values())
-                .filter(f -> hasOne && f.extensions.contains(extension))
-                .findFirst();
+        // Loops, not streams: these are asked at every start.
+        for (ImageFormat format : values()) {
+            if (hasOne && format.extensions.contains(extension)) {
+                return Optional.of(format);
+            }
+        }
+        return Optional.empty();
     }
 
     /**
@@ -71,7 +75,12 @@ public enum ImageFormat {
      * @param start the whole file or its first {@link #SIGNATURE_LENGTH} bytes; fewer if the file has fewer
      */
     public static Optional<ImageFormat> ofContent(byte[] start) {
-        return Arrays.stream(values()).filter(f -> f.decoder.matches(start)).findFirst();
+        for (ImageFormat format : values()) {
+            if (format.decoder.matches(start)) {
+                return Optional.of(format);
+            }
+        }
+        return Optional.empty();
     }
 
     /** Extensions for messages: {@code .png or .pfm}. */

@@ -5,9 +5,9 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
 import enlightenment.method.TileIntegrator;
+import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
-import enlightenment.plan.TileMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -52,7 +52,8 @@ public class TileBenchmark {
                 RenderSettings.of(read).withMethod(Method.named(method)).withThreads(1);
         CompiledScene compiled = SceneCompiler.compile(read, settings);
         RenderPlan plan = new Planner(compiled, settings, () -> false).withSamples(SAMPLES, "samples");
-        tileMethod = TileMethods.of(plan, compiled, settings, new RayCounters(compiled.kindNames.size()));
+        tileMethod =
+                (TileIntegrator) Integrators.of(plan, compiled, settings, new RayCounters(compiled.kindNames.size()));
     }
 
     @Benchmark

@@ -143,7 +143,17 @@ class SplatFilmTest {
         SplatFilm film = film();
         assertArrayEquals(new float[3 * WIDTH * HEIGHT], film.toImage().toArray());
         assertEquals(0, film.error().rmse());
-        assertEquals(Encoding.LINEAR, film.encoding());
+    }
+
+    @Test
+    void aPictureHoldsWhatItsFilmHolds() {
+        for (Encoding encoding : Encoding.values()) {
+            assertEquals(encoding, new Film(0, 0, 2, 2, encoding).toImage().encoding());
+            SplatFilm film = new SplatFilm(0, 0, 2, 2, 4, SCALE, encoding);
+            assertEquals(encoding, film.encoding());
+            assertEquals(encoding, film.toImage().encoding());
+        }
+        assertEquals(Encoding.DISPLAY, new Film(0, 0, 2, 2).encoding());
     }
 
     @Test

@@ -30,6 +30,7 @@ module enlightenment {
     exports enlightenment.nff;
     exports enlightenment.scene.json;
     exports enlightenment.image;
+    exports enlightenment.report;
     exports enlightenment.render;
     exports enlightenment.net;
     exports enlightenment.measure;

@@ -189,7 +189,7 @@ final class RenderCommand extends Subcommand {
             throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
-        RequestedError.require(result.report());
+        RequestedError.require(result);
     }
 
     private RenderResult render(Scene scene, RenderSettings settings) {

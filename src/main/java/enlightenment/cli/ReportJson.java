@@ -1,8 +1,8 @@
 package enlightenment.cli;
 
 import enlightenment.json.JsonText;
-import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;

@@ -99,6 +99,6 @@ final class ServerCommand extends Subcommand {
             throw StoppedRender.after(result, output, "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
-        RequestedError.require(result.report());
+        RequestedError.require(result);
     }
 }

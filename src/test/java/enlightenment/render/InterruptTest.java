@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -96,7 +96,7 @@ class InterruptTest {
     @Test
     void tilesStopToo() {
         Thread caller = Thread.currentThread();
-        TiledRender render = TiledRender.prepare(SCENE, QUICK.withThreads(1), () -> false);
+        DividedRender render = DividedRender.prepare(SCENE, QUICK.withThreads(1), () -> false);
         Set<Integer> made = ConcurrentHashMap.newKeySet();
         int[] all = {0, 1, 2};
         render.make(all, () -> false, (tile, bytes) -> {

@@ -12,6 +12,7 @@ import enlightenment.image.Image;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicShading;

@@ -7,8 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.Rendered;
 import enlightenment.image.Image;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
@@ -16,6 +17,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.picture.Rounding;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
@@ -212,11 +214,11 @@ class StampTest {
     void theTilesOfARenderAreMadeAgainAsOneProcessDoes() {
         RenderSettings settings = settings(Method.RAYTRACE).withCrop(CROP).withBudget(Budget.NONE.withError(0.02));
         RenderResult alone = render(settings);
-        TiledRender tiled = TiledRender.prepare(SCENE, settings, () -> false);
-        RenderResult result = made(tiled);
+        DividedRender tiled = DividedRender.prepare(SCENE, settings, () -> false);
+        Rendered result = made(tiled);
         List<String> log = new ArrayList<>();
         for (var next = tiled.next(result, log::add); next.isPresent(); ) {
-            TiledRender more = next.get();
+            DividedRender more = next.get();
             assertTrue(more.plan().samples() > tiled.plan().samples());
             result = made(more);
             next = more.next(result, log::add);
@@ -227,9 +229,9 @@ class StampTest {
         assertEquals(result.report().sampling().rounds() - 1, log.size());
     }
 
-    private static RenderResult made(TiledRender render) {
+    private static Rendered made(DividedRender render) {
         FilmAssembly film = render.assembly();
-        int[] tiles = new int[render.tiles()];
+        int[] tiles = new int[render.units()];
         Arrays.setAll(tiles, k -> k);
         render.make(tiles, () -> false, film::put);
         return film.result();

@@ -1,7 +1,7 @@
 package enlightenment.net.job;
 
-import enlightenment.engine.TileMaker;
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.UnitMaker;
 import enlightenment.file.ContentHash;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
@@ -59,9 +59,9 @@ public final class Canary {
                     .withAntialias(1)
                     .with(new RayTraceSettings(2))
                     .withThreads(1);
-            TiledRender render = TiledRender.prepare(scene, settings, () -> false);
-            TileMaker maker = render.maker();
-            for (int tile = 0; tile < render.tiles(); tile++) {
+            DividedRender render = DividedRender.prepare(scene, settings, () -> false);
+            UnitMaker maker = render.maker();
+            for (int tile = 0; tile < render.units(); tile++) {
                 digest.update(maker.make(tile));
             }
         }

@@ -127,6 +127,6 @@ public final class Film {
         for (int i = 0; i < rgb.length; i++) {
             pixels[i] = (float) rgb[i];
         }
-        return new Image(width, height, pixels);
+        return new Image(width, height, pixels, encoding);
     }
 }

@@ -148,7 +148,7 @@ public final class SplatFilm {
         for (int k = 0; k < pixels.length; k++) {
             pixels[k] = (float) value(k, n);
         }
-        return new Image(width, height, pixels);
+        return new Image(width, height, pixels, encoding);
     }
 
     /**

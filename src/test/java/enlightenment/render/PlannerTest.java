@@ -66,7 +66,7 @@ class PlannerTest {
 
     @ParameterizedTest
     @CsvSource({"cylinders, CLUSTER", "glass, CLUSTER", "keyhole, CLUSTER", "keyhole, RAYTRACE"})
-    void theTrueErrorStaysBelowWhatWasAsked(String name, Method method) {
+    void theTrueErrorStaysBelowWhatWasAsked(String name, BuiltInMethod method) {
         assertBelow(name, method, 48, 24);
     }
 
@@ -262,7 +262,7 @@ class PlannerTest {
     @Tag("full")
     @CsvSource({"fire-and-ice, CLUSTER", "cylinders, CLUSTER", "glass, CLUSTER", "keyhole, CLUSTER", "keyhole, RAYTRACE"
     })
-    void norIsTheTrueErrorAboveWhatWasAskedInLargerPictures(String name, Method method) {
+    void norIsTheTrueErrorAboveWhatWasAskedInLargerPictures(String name, BuiltInMethod method) {
         assertBelow(name, method, 72, 36);
     }
 

@@ -127,7 +127,7 @@ class RenderRequestTest {
 
     @ParameterizedTest
     @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,2", "CLUSTER,4"})
-    void thePassesDoNotChangeABit(Method method, int antialias) {
+    void thePassesDoNotChangeABit(BuiltInMethod method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).with(new RayTraceSettings(1));
         RenderResult plain = Renderer.render(RenderRequest.of(SMALL, settings));
@@ -142,13 +142,13 @@ class RenderRequestTest {
     @ParameterizedTest
     @Tag("full")
     @CsvSource({"RAYTRACE,16", "CLUSTER,8"})
-    void norDoThePassesWithManySamples(Method method, int antialias) {
+    void norDoThePassesWithManySamples(BuiltInMethod method, int antialias) {
         thePassesDoNotChangeABit(method, antialias);
     }
 
     @ParameterizedTest
     @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,4"})
-    void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(Method method, int antialias) {
+    void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(BuiltInMethod method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).withCrop(new RenderSettings.Crop(3, 5, 61, 30));
         List<Image> seen = new ArrayList<>();
@@ -175,7 +175,7 @@ class RenderRequestTest {
     @Test
     @Tag("full")
     void everyPictureOfALongProgressiveRenderIsWholeToo() {
-        everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(Method.CLUSTER, 12);
+        everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(BuiltInMethod.CLUSTER, 12);
     }
 
     private static double distance(Image a, Image b) {

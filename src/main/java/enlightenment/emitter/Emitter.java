@@ -19,9 +19,6 @@ public sealed interface Emitter permits SphereEmitter, RectangleEmitter, PointEm
      */
     boolean isDelta();
 
-    /** Whether the viewer is inside it, and sees it in every direction. */
-    boolean surrounds(EmitterView view);
-
     /** Whether all of it lies below the horizon of the unit normal n, so that its cosine is 0 everywhere. */
     boolean isBelow(EmitterView view, double nx, double ny, double nz);
 

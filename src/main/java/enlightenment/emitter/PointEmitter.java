@@ -20,11 +20,6 @@ public record PointEmitter(Vec3 position) implements Emitter {
     }
 
     @Override
-    public boolean surrounds(EmitterView view) {
-        return false;
-    }
-
-    @Override
     public boolean isBelow(EmitterView view, double nx, double ny, double nz) {
         return cosine(view, nx, ny, nz) <= 0;
     }

@@ -43,11 +43,6 @@ public final class RectangleEmitter implements Emitter {
     }
 
     @Override
-    public boolean surrounds(EmitterView view) {
-        return false;
-    }
-
-    @Override
     public boolean isBelow(EmitterView view, double nx, double ny, double nz) {
         double there =
                 nx * (corner.x() - view.cone.x) + ny * (corner.y() - view.cone.y) + nz * (corner.z() - view.cone.z);

@@ -34,11 +34,6 @@ public final class SphereEmitter implements Emitter {
         return false;
     }
 
-    @Override
-    public boolean surrounds(EmitterView view) {
-        return view.cone.inside;
-    }
-
     private static double toCenter(BallCone cone, double nx, double ny, double nz) {
         return nx * cone.wx + ny * cone.wy + nz * cone.wz;
     }

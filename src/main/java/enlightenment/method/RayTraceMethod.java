@@ -7,7 +7,6 @@ import enlightenment.film.SampleSpread;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.ClassicShader;
 import enlightenment.shading.Shader;
 import java.util.function.BooleanSupplier;
 
@@ -32,10 +31,10 @@ public final class RayTraceMethod implements TileMethod {
 
     /** Takes antialias² samples in each pixel. */
     public RayTraceMethod(CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        this(scene, settings, new ClassicShader(scene, settings.shadowSamples(), counters));
+        this(scene, settings, Shader.of(scene, settings.shadowSamples(), counters));
     }
 
-    /** The same with another shader. */
+    /** The same with another shader than the scene's own. */
     public RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader) {
         this(scene, settings, shader, settings.antialias() * settings.antialias(), 0);
     }
@@ -55,7 +54,7 @@ public final class RayTraceMethod implements TileMethod {
     public static RayTraceMethod withMeanSamples(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
         int fewer = Integer.highestOneBit((int) samples);
-        Shader shader = new ClassicShader(scene, settings.shadowSamples(), counters);
+        Shader shader = Shader.of(scene, settings.shadowSamples(), counters);
         return new RayTraceMethod(scene, settings, shader, fewer, samples / fewer - 1);
     }
 

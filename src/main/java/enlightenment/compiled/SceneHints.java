@@ -53,7 +53,8 @@ public final class SceneHints {
         SceneHints hints = new SceneHints(scene, compiled);
         List<String> found = new ArrayList<>();
         ALL.forEach(hint -> hint.accept(hints, found));
-        return List.copyOf(found);
+        // Several primitives of one object may give the same hint.
+        return found.stream().distinct().toList();
     }
 
     private void nothingToSee(List<String> found) {
@@ -63,7 +64,7 @@ public final class SceneHints {
     }
 
     private void noLight(List<String> found) {
-        double ambient = scene.shading().ambient();
+        double ambient = compiled.shading.ambient();
         if (ambient == 1 || scene.objects().stream().noneMatch(SceneHints::isShaded)) {
             return;
         }
@@ -91,11 +92,11 @@ public final class SceneHints {
 
     /** A viewer in an opaque solid sees its inner wall; without a light inside, it is dark. */
     private void cameraInSolid(List<String> found) {
-        if (scene.shading().ambient() == 1) {
+        if (compiled.shading.ambient() == 1) {
             return;
         }
         for (int id = 0; id < compiled.primitives.length; id++) {
-            if (isOpaqueSolid(id) && startsIn(compiled.primitives[id]) && !holdsLight(compiled.primitives[id])) {
+            if (startsIn(compiled.primitives[id]) && isOpaqueSolid(id) && !holdsLight(compiled.primitives[id])) {
                 found.add("/camera: is inside " + name(id) + ", which is opaque and holds no light");
             }
         }
@@ -116,8 +117,8 @@ public final class SceneHints {
             CompiledLight light = compiled.lights[i];
             for (int id = 0; id < compiled.primitives.length; id++) {
                 Primitive solid = compiled.primitives[id];
-                if (isOpaqueSolid(id)
-                        && isInside(solid, new Vec3(light.ballX, light.ballY, light.ballZ))
+                if (isInside(solid, new Vec3(light.ballX, light.ballY, light.ballZ))
+                        && isOpaqueSolid(id)
                         && points(light).stream().allMatch(p -> isInside(solid, p))
                         && starts.stream().noneMatch(p -> solid.contains(p.x(), p.y(), p.z()))) {
                     found.add("/lights/" + i + ": is inside " + name(id) + ", which is opaque: no light comes out");
@@ -133,7 +134,12 @@ public final class SceneHints {
     }
 
     private boolean startsIn(Primitive solid) {
-        return starts.stream().allMatch(p -> isInside(solid, p));
+        for (Vec3 p : starts) {
+            if (!isInside(solid, p)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private Ray ray(double x, double y) {

@@ -164,6 +164,9 @@ final class ClassicDirectLight {
         contrast = (1 - keeps) * unshadowed;
         boolean guided = guide != null && !emitter.isDelta() && guide.begin(path.id, index, path.surfaces);
         double blocked = guided ? guidedShare(emitter, sampler, count) : blockedShare(emitter, sampler, count);
+        if (blocked == 1 && keeps > 0 && tracer.isHidden()) {
+            return keeps * unshadowed;
+        }
         return Math.fma(-contrast, blocked, unshadowed);
     }
 
@@ -230,7 +233,7 @@ final class ClassicDirectLight {
                 starts[count++] = glass.surface(k);
             }
         }
-        return tracer.prepareShadows(cone, starts, count);
+        return tracer.prepareShadows(cone, starts, count, light.emitter.isDelta() ? 1 : lightPoints);
     }
 
     /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */

@@ -47,6 +47,19 @@ public final class ClassicShader implements Shader {
         direct = new ClassicDirectLight(scene, lightPoints, counters, path, report);
     }
 
+    /**
+     * A shader for who looks at colours only, not at its {@link #report}: the cheapest way to the same colours is taken.
+     *
+     * @param scene what is seen
+     * @param lightPoints the number of points of each light at each hit
+     * @param counters what this thread counts
+     */
+    public static ClassicShader ofColors(CompiledScene scene, int lightPoints, RayCounters counters) {
+        ClassicShader shader = new ClassicShader(scene, lightPoints, counters);
+        shader.path.tracer.leaveVisibilityOpen();
+        return shader;
+    }
+
     @Override
     public void beginTile(double x0, double y0, double x1, double y1) {
         path.tracer.beginTile(x0, y0, x1, y1);

@@ -1,7 +1,5 @@
 package enlightenment.shading;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import java.util.function.BooleanSupplier;
@@ -11,11 +9,6 @@ import java.util.function.BooleanSupplier;
  * pixels. The colour is a pure function of the ray and the sampler's numbers. One per thread.
  */
 public interface Shader {
-    /** What the scene's shading asks for, with this number of points of each light at each hit. */
-    static Shader of(CompiledScene scene, int lightPoints, RayCounters counters) {
-        return new ClassicShader(scene, lightPoints, counters);
-    }
-
     /**
      * Sets the tile of the camera rays to come, so that what it cannot show need not be tested: (x0..x1, y0..y1), 0..1 from the
      * picture's upper left corner.

@@ -85,12 +85,14 @@ class ArchitectureTest {
             .definedBy("enlightenment.method..")
             .layer("work")
             .definedBy("enlightenment.work")
+            .layer("report")
+            .definedBy("enlightenment.report")
             .layer("plan")
             .definedBy("enlightenment.plan")
-            .layer("render")
-            .definedBy("enlightenment.render")
             .layer("engine")
             .definedBy("enlightenment.engine")
+            .layer("render")
+            .definedBy("enlightenment.render")
             .layer("net")
             .definedBy("enlightenment.net..")
             .layer("measure")
@@ -109,12 +111,14 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
             .mayOnlyBeAccessedByLayers("cli")
-            .whereLayer("engine")
-            .mayOnlyBeAccessedByLayers("net")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("engine", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("net", "measure", "cli")
+            .whereLayer("engine")
+            .mayOnlyBeAccessedByLayers("render", "net")
             .whereLayer("plan")
             .mayOnlyBeAccessedByLayers("render", "engine", "net")
+            .whereLayer("report")
+            .mayOnlyBeAccessedByLayers("plan", "engine", "render", "net", "measure", "cli")
             .whereLayer("work")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine")
             .whereLayer("nff")
@@ -145,9 +149,10 @@ class ArchitectureTest {
                     "shading",
                     "method",
                     "work",
+                    "report",
                     "plan",
-                    "render",
                     "engine",
+                    "render",
                     "net",
                     "measure",
                     "cli")

@@ -60,6 +60,8 @@ class EveryKindTest {
         assertTrue(p.intersect(ray, hit), shape.type());
         assertTrue(hit.t >= 2.5 && hit.t <= 4.5, shape.type() + " met at " + hit.t);
         assertTrue(p.bounds().contains(hit.point()), shape.type());
+        assertEquals(hit.normal(), p.shadingNormal(hit), shape.type());
+        assertEquals(1, Primitives.placeAll(shape, SceneFrame.WORLD).size(), shape.type());
         assertEquals(hit.t, p.nearest(ray, Double.MAX_VALUE));
         p.textureCoordinates(hit);
         assertTrue(hit.u >= 0 && hit.u <= 1 && hit.v >= 0 && hit.v <= 1, shape.type());

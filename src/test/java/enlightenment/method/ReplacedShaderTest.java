@@ -26,8 +26,7 @@ class ReplacedShaderTest {
             .size(SIZE, SIZE)
             .camera(new Camera.Orthographic(ExactPoint.of(0, 0, -1), ExactPoint.ORIGIN, Vec3.Y, 2))
             .build();
-    private final RenderSettings settings =
-            RenderSettings.of(scene).toBuilder().antialias(4).build();
+    private final RenderSettings settings = RenderSettings.of(scene);
     private final CompiledScene compiled = SceneCompiler.compile(scene, settings);
 
     /** Shows where rays start and one of their numbers. */
@@ -70,7 +69,7 @@ class ReplacedShaderTest {
     @Test
     void itsColoursBecomePixels() {
         Places places = new Places();
-        RayTraceMethod method = new RayTraceMethod(compiled, settings, places);
+        RayTraceMethod method = new RayTraceMethod(compiled, settings, places, 16);
         FilmTile tile = new FilmTile(0, 0, SIZE, SIZE / 2);
         method.render(tile);
         assertEquals(SIZE * SIZE / 2 * 16, places.shaded);
@@ -87,7 +86,7 @@ class ReplacedShaderTest {
 
     @Test
     void itIsToldWhenToStop() {
-        RayTraceMethod method = new RayTraceMethod(compiled, settings, new Places());
+        RayTraceMethod method = new RayTraceMethod(compiled, settings, new Places(), 1);
         method.stopWhen(() -> true);
         assertThrows(CancellationException.class, () -> method.render(new FilmTile(0, 0, 1, 1)));
     }

@@ -4,8 +4,9 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
+import enlightenment.film.TilePasses;
 import enlightenment.method.Dither;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.SobolSampler;
@@ -23,7 +24,7 @@ import java.util.function.Consumer;
  * <p>Unbiased, because every decision about a pixel is made before and without its own samples: numbers of samples from the
  * survey, proposals from the survey and the pixels before it.
  */
-public final class ClusterMethod implements TileMethod {
+public final class ClusterMethod implements TileIntegrator {
     /** A block is surveyed again, with more light points, if it will take at least this many times as many of them itself. */
     private static final double LEAST_USE_OF_SECOND_SURVEY = 1;
 
@@ -124,8 +125,15 @@ public final class ClusterMethod implements TileMethod {
         shader.stopWhen(cancelled);
     }
 
+    /** Samples learn from those before. */
     @Override
-    public void render(FilmTile tile) {
+    public boolean dividesIntoPasses() {
+        return false;
+    }
+
+    @Override
+    public void render(FilmTile tile, int pass, int passes) {
+        TilePasses.checkOne(pass, passes);
         int right = tile.x + tile.width;
         int bottom = tile.y + tile.height;
         for (int y = tile.y / Block.SIDE * Block.SIDE; y < bottom; y += Block.SIDE) {

@@ -19,12 +19,6 @@ public sealed interface Emitter permits SphereEmitter, RectangleEmitter, PointEm
      */
     boolean isDelta();
 
-    /** Whether the viewer is inside it, and sees it in every direction. */
-    boolean surrounds(EmitterView view);
-
-    /** Whether all of it lies below the horizon of the unit normal n, so that its cosine is 0 everywhere. */
-    boolean isBelow(EmitterView view, double nx, double ny, double nz);
-
     /** Sets direction and length of the view to the point for (u, v) in the unit square. */
     void sample(EmitterView view, double u, double v);
 
@@ -41,12 +35,12 @@ public sealed interface Emitter permits SphereEmitter, RectangleEmitter, PointEm
     double pdf(EmitterView view, double x, double y, double z);
 
     /**
-     * The exact mean over the emitter's solid angle of the cosine between direction and unit normal n, if all of it is above the
-     * horizon and the mean has a closed form; NaN otherwise.
+     * The exact mean over the emitter's solid angle of the cosine between direction and unit normal n, where that counts from 0 on: 0 if
+     * all of it lies below the horizon; a closed form if all lies above it and there is one; NaN otherwise.
      */
     double meanCosine(EmitterView view, double nx, double ny, double nz);
 
-    /** Prepares {@link #sampleByCosine} and {@link #sampleDisk} for a normal whose {@link #meanCosine} is not NaN. */
+    /** Prepares {@link #sampleByCosine} and {@link #sampleDisk} for a normal whose {@link #meanCosine} is above 0. */
     void prepareByCosine(EmitterView view, double nx, double ny, double nz);
 
     /** As {@link #sample}, with a density that is that of {@link #pdf} times the cosine over the mean cosine. */

@@ -20,20 +20,6 @@ public record PointEmitter(Vec3 position) implements Emitter {
     }
 
     @Override
-    public boolean surrounds(EmitterView view) {
-        return false;
-    }
-
-    @Override
-    public boolean isBelow(EmitterView view, double nx, double ny, double nz) {
-        return cosine(view, nx, ny, nz) <= 0;
-    }
-
-    private static double cosine(EmitterView view, double nx, double ny, double nz) {
-        return nx * view.cone.wx + ny * view.cone.wy + nz * view.cone.wz;
-    }
-
-    @Override
     public void sample(EmitterView view, double u, double v) {
         view.set(view.cone.wx, view.cone.wy, view.cone.wz, view.cone.distance);
     }
@@ -50,8 +36,7 @@ public record PointEmitter(Vec3 position) implements Emitter {
 
     @Override
     public double meanCosine(EmitterView view, double nx, double ny, double nz) {
-        double cosine = cosine(view, nx, ny, nz);
-        return cosine >= 0 ? cosine : Double.NaN;
+        return Math.max(nx * view.cone.wx + ny * view.cone.wy + nz * view.cone.wz, 0);
     }
 
     @Override

@@ -43,20 +43,6 @@ public final class RectangleEmitter implements Emitter {
     }
 
     @Override
-    public boolean surrounds(EmitterView view) {
-        return false;
-    }
-
-    @Override
-    public boolean isBelow(EmitterView view, double nx, double ny, double nz) {
-        double there =
-                nx * (corner.x() - view.cone.x) + ny * (corner.y() - view.cone.y) + nz * (corner.z() - view.cone.z);
-        double toRight = nx * right.x() + ny * right.y() + nz * right.z();
-        double toTop = nx * up.x() + ny * up.y() + nz * up.z();
-        return there + Math.max(toRight, 0) + Math.max(toTop, 0) <= 0;
-    }
-
-    @Override
     public void sample(EmitterView view, double u, double v) {
         double x = Math.fma(u, right.x(), Math.fma(v, up.x(), corner.x() - view.cone.x));
         double y = Math.fma(u, right.y(), Math.fma(v, up.y(), corner.y() - view.cone.y));
@@ -92,10 +78,14 @@ public final class RectangleEmitter implements Emitter {
         return u >= 0 && u <= 1 && v >= 0 && v <= 1 ? pdf(distance, areaAlong) : 0;
     }
 
-    /** Lambert's closed form would be the mean over solid angle; what is sampled is the mean over the area. */
+    /** No closed form above the horizon: Lambert's would be the mean over solid angle; what is sampled is the mean over the area. */
     @Override
     public double meanCosine(EmitterView view, double nx, double ny, double nz) {
-        return Double.NaN;
+        double there =
+                nx * (corner.x() - view.cone.x) + ny * (corner.y() - view.cone.y) + nz * (corner.z() - view.cone.z);
+        double toRight = nx * right.x() + ny * right.y() + nz * right.z();
+        double toTop = nx * up.x() + ny * up.y() + nz * up.z();
+        return there + Math.max(toRight, 0) + Math.max(toTop, 0) <= 0 ? 0 : Double.NaN;
     }
 
     @Override

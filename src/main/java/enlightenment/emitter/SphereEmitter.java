@@ -34,18 +34,8 @@ public final class SphereEmitter implements Emitter {
         return false;
     }
 
-    @Override
-    public boolean surrounds(EmitterView view) {
-        return view.cone.inside;
-    }
-
     private static double toCenter(BallCone cone, double nx, double ny, double nz) {
         return nx * cone.wx + ny * cone.wy + nz * cone.wz;
-    }
-
-    @Override
-    public boolean isBelow(EmitterView view, double nx, double ny, double nz) {
-        return !view.cone.inside && toCenter(view.cone, nx, ny, nz) <= -view.cone.sine;
     }
 
     /** Over the cone around w it is (n·w)(1 + cosθmax)/2. */
@@ -55,7 +45,11 @@ public final class SphereEmitter implements Emitter {
             return Double.NaN;
         }
         double toCenter = toCenter(view.cone, nx, ny, nz);
-        return toCenter >= view.cone.sine ? toCenter * (1 - view.cone.oneMinusCosine / 2) : Double.NaN;
+        double sine = view.cone.sine;
+        if (toCenter >= sine) {
+            return toCenter * (1 - view.cone.oneMinusCosine / 2);
+        }
+        return toCenter <= -sine ? 0 : Double.NaN;
     }
 
     @Override

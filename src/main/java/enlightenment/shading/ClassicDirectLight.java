@@ -136,11 +136,11 @@ final class ClassicDirectLight {
         view.aim();
         int count = emitter.isDelta() ? 1 : lightPoints;
         counters.lightSamples += count;
-        if (emitter.isBelow(view, nx, ny, nz)) {
+        double unshadowed = emitter.meanCosine(view, nx, ny, nz);
+        if (unshadowed == 0) {
             counters.lightSamplesWithoutRay += count;
             return 0;
         }
-        double unshadowed = emitter.meanCosine(view, nx, ny, nz);
         boolean known = unshadowed == unshadowed;
         Tracer.Visibility visibility = keeps < 1 ? visibility() : Tracer.Visibility.ALL;
         boolean rays = visibility == Tracer.Visibility.UNKNOWN;

@@ -144,7 +144,7 @@ final class PathFollower {
         color[0] = scattering.valueR;
         color[1] = scattering.valueG;
         color[2] = scattering.valueB;
-        counters.mirrorRays++;
+        counters.mirrorRays += scattering.delta ? 1 : 0;
         Optics.leave(ray, hit, scattering);
         glass.settle(ray, id, hit);
         glass.reflectFromAll(ray);

@@ -1,5 +1,5 @@
 /**
- * What one camera ray is worth: the paper's cosine shading, mirrors, nested glass, and the sampling of lights. Every random
- * number is a pure function of a {@link enlightenment.shading.SampleAddress}.
+ * What one camera ray is worth: following a path through surfaces and nested glass, and the paper's cosine shading. Every random
+ * number comes from a {@link enlightenment.sampling.Sampler}.
  */
 package enlightenment.shading;

@@ -65,6 +65,10 @@ final class Fields {
     }
 
     private void checkKeys(Keys keys, Collection<String> planned) {
+        if (values.areRight(object.keys(), keys)) {
+            return;
+        }
+        int before = values.problems().count();
         for (String required : keys.required()) {
             if (!has(required)) {
                 values.problems().add(object, place.child(required), "missing; " + keys.noun() + " needs it");
@@ -79,6 +83,9 @@ final class Fields {
                     ? "is for physical shading, which is not available yet"
                     : "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
             values.problems().add(object.value(i), place.child(key), message);
+        }
+        if (values.problems().count() == before) {
+            values.setRight(object.keys(), keys);
         }
     }
 

@@ -1,6 +1,6 @@
 package enlightenment.compiled;
 
-import enlightenment.accel.Bvh;
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.BvhQuery;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
@@ -50,9 +50,9 @@ public final class CoincidentSurfaces {
         this.compiled = compiled;
     }
 
-    static CoincidentSurfaces of(CompiledPrimitives compiled, Bvh bvh) {
+    static CoincidentSurfaces of(CompiledPrimitives compiled, Accelerator accelerator) {
         CoincidentSurfaces result = new CoincidentSurfaces(compiled);
-        result.new Finder(bvh).find();
+        result.new Finder(accelerator).find();
         return result;
     }
 
@@ -92,11 +92,11 @@ public final class CoincidentSurfaces {
     /** Finds the pairs. */
     private final class Finder {
         private final Primitive[] primitives = compiled.primitives();
-        private final Bvh bvh;
+        private final Accelerator accelerator;
         private final SupportSurface[][] supports = new SupportSurface[primitives.length][];
 
-        Finder(Bvh bvh) {
-            this.bvh = bvh;
+        Finder(Accelerator accelerator) {
+            this.accelerator = accelerator;
         }
 
         private Bounds bounds(int id) {
@@ -115,12 +115,7 @@ public final class CoincidentSurfaces {
                 }
             }
             findWhole(Arrays.copyOf(whole, n));
-            others = Arrays.copyOf(others, others.length - n);
-            if (bvh == null) {
-                findAmong(others);
-            } else {
-                findByBoxes(others);
-            }
+            findByBoxes(Arrays.copyOf(others, others.length - n));
             if (entries != null) {
                 rank();
             }
@@ -149,20 +144,13 @@ public final class CoincidentSurfaces {
             }
         }
 
-        private void findAmong(int[] ids) {
-            for (int i = 0; i < ids.length; i++) {
-                for (int k = i + 1; k < ids.length; k++) {
-                    compare(ids[i], ids[k]);
-                }
-            }
-        }
-
         private void findByBoxes(int[] ids) {
             BvhQuery query =
                     new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
             for (int id : ids) {
                 Bounds box = bounds(id);
-                bvh.overlapping(widened(box, tolerance(box, box)), query);
+                query.clear();
+                accelerator.overlapping(widened(box, tolerance(box, box)), query);
                 for (int k = 0; k < query.size(); k++) {
                     int other = query.get(k);
                     if (other > id && !primitives[other].isWhole()) {
@@ -278,7 +266,7 @@ public final class CoincidentSurfaces {
             this.id = id;
             this.face = face;
             this.extent = extent;
-            isGlass = material.kind == SurfaceMaterial.Kind.GLASS;
+            isGlass = material.isGlass;
             appearance = material.appearance();
         }
     }

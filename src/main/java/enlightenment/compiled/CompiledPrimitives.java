@@ -93,7 +93,7 @@ record CompiledPrimitives(
         int[] glass = new int[primitives.length];
         int n = 0;
         for (int i = 0; i < primitives.length; i++) {
-            if (primitives[i].isSolid() && materials.of(i, 0).kind == SurfaceMaterial.Kind.GLASS) {
+            if (primitives[i].isSolid() && materials.of(i, 0).isGlass) {
                 glass[n++] = i;
             }
         }

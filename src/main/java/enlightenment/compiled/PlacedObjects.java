@@ -173,7 +173,7 @@ final class PlacedObjects {
         }
 
         private boolean isGlass() {
-            return surfaces.stream().anyMatch(s -> s.kind == SurfaceMaterial.Kind.GLASS);
+            return surfaces.stream().anyMatch(s -> s.isGlass);
         }
 
         private String appearance() {

@@ -1,6 +1,9 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.Bvh;
+import enlightenment.accel.PrimitiveList;
+import enlightenment.bsdf.SpecularReflection;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -10,6 +13,8 @@ import enlightenment.math.ExactPoint;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -75,6 +80,7 @@ public final class SceneCompiler {
             int loopLimit,
             Function<Path, byte[]> files,
             CompiledPrimitives.Placement placement) {
+        ClassicShading shading = shading(scene, settings);
         SceneFrame frame = frameOf(scene);
         CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
         CompiledLight[] lights = new CompiledLight[scene.lights().size()];
@@ -85,10 +91,22 @@ public final class SceneCompiler {
         CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces, placement);
         Primitive[] primitives = compiled.primitives();
         boolean many = Math.max(primitives.length, scene.objects().size()) > loopLimit;
-        Bvh bvh = many ? Bvh.build(primitives) : null;
-        Features features = new Features(scene, bvh, surfaces.values());
+        Accelerator accelerator = many ? Bvh.build(primitives) : PrimitiveList.of(primitives);
+        Features features = new Features(scene, shading, many, surfaces.values());
         return new CompiledScene(
-                frame, camera, scene.shading(), lights, compiled, bvh, features.present(), features.absent());
+                frame, camera, shading, lights, compiled, accelerator, features.present(), features.absent());
+    }
+
+    /** The shading that is compiled so far; any other is refused by name, even if a method from outside claims to render it. */
+    private static ClassicShading shading(Scene scene, RenderSettings settings) {
+        Method.requireSupport(settings.method(), scene);
+        if (scene.shading() instanceof ClassicShading classic) {
+            return classic;
+        }
+        throw SceneException.of(
+                "/shading/model",
+                scene.shading().model().word() + " shading cannot be compiled yet, although the method "
+                        + settings.method().word() + " can render it");
     }
 
     /**
@@ -185,23 +203,23 @@ public final class SceneCompiler {
         private final List<String> present = new ArrayList<>();
         private final List<String> absent = new ArrayList<>();
 
-        Features(Scene scene, Bvh bvh, Iterable<SurfaceMaterial> surfaces) {
+        Features(Scene scene, ClassicShading shading, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
             boolean mirrors = false;
             boolean glass = false;
             boolean textures = false;
             for (SurfaceMaterial m : surfaces) {
-                mirrors |= m.kind == SurfaceMaterial.Kind.MIRROR;
-                glass |= m.kind == SurfaceMaterial.Kind.GLASS;
+                mirrors |= m.bsdf == SpecularReflection.INSTANCE;
+                glass |= m.isGlass;
                 textures |= m.hasImage();
             }
             int lights = scene.lights().size();
             add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
-            add(lights > 0 && scene.shading().shadow() < 1, "shadows", "shadows");
+            add(lights > 0 && shading.shadow() < 1, "shadows", "shadows");
             add(mirrors, "mirrors", "mirrors");
             add(glass, "refraction", "refraction");
             add(textures, "image textures", "image textures");
             add(
-                    bvh != null,
+                    withBvh,
                     "bounding volume hierarchy over " + scene.objects().size() + " primitives",
                     "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
         }

@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.emitter.RectangleEmitter;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.Rotation;
 import enlightenment.light.Light;
@@ -63,7 +64,7 @@ public final class SceneHints {
     }
 
     private void noLight(List<String> found) {
-        double ambient = scene.shading().ambient();
+        double ambient = compiled.shading.ambient();
         if (ambient == 1 || scene.objects().stream().noneMatch(SceneHints::isShaded)) {
             return;
         }
@@ -91,7 +92,7 @@ public final class SceneHints {
 
     /** A viewer in an opaque solid sees its inner wall; without a light inside, it is dark. */
     private void cameraInSolid(List<String> found) {
-        if (scene.shading().ambient() == 1) {
+        if (compiled.shading.ambient() == 1) {
             return;
         }
         for (int id = 0; id < compiled.primitives.length; id++) {
@@ -166,10 +167,10 @@ public final class SceneHints {
         List<Vec3> points = new ArrayList<>();
         Vec3 middle = new Vec3(light.ballX, light.ballY, light.ballZ);
         points.add(middle);
-        int steps = light.kind == CompiledLight.Kind.POINT ? 0 : 4;
+        int steps = light.emitter.isDelta() ? 0 : 4;
         for (int i = -steps; i <= steps; i++) {
             for (int j = -steps; j <= steps; j++) {
-                if (light.kind == CompiledLight.Kind.RECTANGLE) {
+                if (light.emitter instanceof RectangleEmitter) {
                     points.add(middle.plus(light.right.times(0.5 * i / steps)).plus(light.up.times(0.5 * j / steps)));
                 } else if (steps > 0) {
                     addOnBall(middle, light.radius, i, j, steps, points);

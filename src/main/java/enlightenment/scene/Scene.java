@@ -38,7 +38,7 @@ public record Scene(
         int width,
         int height,
         Camera camera,
-        ClassicShading shading,
+        Shading shading,
         Map<String, Texture> textures,
         Map<String, Material> materials,
         List<Light> lights,

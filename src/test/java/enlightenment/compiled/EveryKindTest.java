@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.emitter.Emitter;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -119,9 +121,9 @@ class EveryKindTest {
 
     @Test
     void everyLightIsOfAKindOfItsOwn() {
-        assertDistinct(
-                lights().map(l -> new CompiledLight(l, SceneFrame.WORLD).kind).toList());
-        assertEquals(CompiledLight.Kind.values().length, Descriptions.LIGHTS.size());
+        assertDistinct(lights().map(l -> new CompiledLight(l, SceneFrame.WORLD).emitter.getClass())
+                .toList());
+        assertEquals(Emitter.class.getPermittedSubclasses().length, Descriptions.LIGHTS.size());
     }
 
     @ParameterizedTest
@@ -141,9 +143,9 @@ class EveryKindTest {
     @Test
     void everyMaterialIsOfAKindOfItsOwnAndKeepsItsColour() {
         assertDistinct(Descriptions.MATERIALS.stream()
-                .map(m -> new SurfaceMaterial(m, null).kind)
+                .map(m -> new SurfaceMaterial(m, null).bsdf.getClass())
                 .toList());
-        assertEquals(SurfaceMaterial.Kind.values().length, Descriptions.MATERIALS.size());
+        assertEquals(Bsdf.class.getPermittedSubclasses().length, Descriptions.MATERIALS.size());
         double[] rgb = new double[3];
         for (Material m : Descriptions.MATERIALS) {
             SurfaceMaterial compiled = new SurfaceMaterial(m, null);

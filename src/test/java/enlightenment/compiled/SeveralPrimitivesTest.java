@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.bsdf.SpecularReflection;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.film.FilmTile;
@@ -22,6 +23,7 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.primitive.Ray;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -89,9 +91,10 @@ class SeveralPrimitivesTest {
     }
 
     private static double[] render(CompiledScene compiled, Scene scene) {
-        RenderSettings settings = RenderSettings.of(scene).withAntialias(2).withShadowSamples(3);
+        RenderSettings settings = RenderSettings.of(scene).withAntialias(2).with(new RayTraceSettings(3));
         FilmTile tile = new FilmTile(0, 0, WIDTH, HEIGHT);
-        new RayTraceMethod(compiled, settings, new RayCounters(compiled.kindNames.size())).render(tile);
+        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
+                .render(tile);
         double[] means = new double[3 * WIDTH * HEIGHT];
         for (int i = 0; i < means.length; i++) {
             means[i] = tile.mean(i / 3 % WIDTH, i / 3 / WIDTH, i % 3);
@@ -127,7 +130,7 @@ class SeveralPrimitivesTest {
             parts[compiled.object[id]]++;
             assertEquals(o.shape().type(), compiled.kindNames.get(compiled.kind[id]));
             assertEquals(
-                    o.material().type().equals("mirror"), compiled.material(id, 0).kind == SurfaceMaterial.Kind.MIRROR);
+                    o.material().type().equals("mirror"), compiled.material(id, 0).bsdf instanceof SpecularReflection);
         }
         for (int i = 0; i < parts.length; i++) {
             assertEquals(objects.get(i).shape() instanceof Rectangle ? 2 : 1, parts[i]);

@@ -1,14 +1,13 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
-import enlightenment.color.DisplayRgb;
 import enlightenment.light.Light;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
-import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -65,11 +64,13 @@ final class SceneBinder {
         int width = image == null ? 1 : image.integer("width", 1, Scene.MAX_SIDE, 1);
         int height = image == null ? 1 : image.integer("height", 1, Scene.MAX_SIDE, 1);
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
-        ClassicShading shading = shading(f);
+        Shading shading =
+                f.has("shading") ? Shadings.read(f.get("shading"), f.at("shading"), values) : ClassicShading.DEFAULT;
         stream.tellLibrary();
         List<Light> lights = f.has("lights") ? Lights.read(f.get("lights"), f.at("lights"), values) : List.of();
         List<SceneObject> objects = f.has("objects") ? stream.objects(f.get("objects"), f.at("objects")) : List.of();
-        RenderDefaults render = render(f);
+        RenderDefaults render =
+                f.has("render") ? RenderPart.read(f.get("render"), f.at("render"), values) : RenderDefaults.DEFAULT;
         return f.make(() -> new Scene(
                 name == null ? "" : name,
                 width,
@@ -82,38 +83,5 @@ final class SceneBinder {
                 objects,
                 render,
                 Optional.ofNullable(animation)));
-    }
-
-    private ClassicShading shading(Fields scene) {
-        if (!scene.has("shading")) {
-            return ClassicShading.DEFAULT;
-        }
-        Fields f = Fields.of(scene.get("shading"), scene.at("shading"), Vocabulary.SHADING, values);
-        if (f == null) {
-            return null;
-        }
-        f.word("model", Vocabulary.SHADING_MODELS, Vocabulary.PLANNED_SHADING_MODELS, "classic");
-        ClassicShading d = ClassicShading.DEFAULT;
-        double ambient = f.number("ambient", d.ambient());
-        double shadow = f.number("shadow", d.shadow());
-        DisplayRgb background = f.color("background", d.background());
-        int maxBounces = f.integer("maxBounces", 0, ClassicShading.MAX_BOUNCES, d.maxBounces());
-        return f.make(() -> new ClassicShading(ambient, shadow, background, maxBounces));
-    }
-
-    private RenderDefaults render(Fields scene) {
-        if (!scene.has("render")) {
-            return RenderDefaults.DEFAULT;
-        }
-        Fields f = Fields.of(scene.get("render"), scene.at("render"), Vocabulary.RENDER, values);
-        if (f == null) {
-            return null;
-        }
-        RenderDefaults d = RenderDefaults.DEFAULT;
-        String method = f.word("method", Method.words(), List.of(), d.method().word());
-        int antialias = f.integer("antialias", 1, RenderDefaults.MAX_ANTIALIAS, d.antialias());
-        int shadowSamples = f.integer("shadowSamples", 1, RenderDefaults.MAX_SHADOW_SAMPLES, d.shadowSamples());
-        long seed = f.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, d.seed());
-        return f.make(() -> new RenderDefaults(Method.named(method), antialias, shadowSamples, seed));
     }
 }

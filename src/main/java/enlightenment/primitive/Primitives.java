@@ -18,6 +18,8 @@ import java.util.List;
 
 /** Places shapes, which are exact descriptions, in a frame, where they are primitives that rays can intersect. */
 public final class Primitives {
+    private static final Vec3 NOT_ROTATED = meridian(0);
+
     private Primitives() {}
 
     /** The primitives that a shape consists of, in a frame: each has its own place in the hierarchy and its own faces. */
@@ -50,9 +52,13 @@ public final class Primitives {
     }
 
     private static Primitive sphere(Sphere s, SceneFrame frame) {
-        Vec3 meridian = Rotation.aboutY(s.rotation()).apply(new Vec3(0, 0, -1));
-        return new SpherePrimitive(
-                frame.toFrame(s.center()), Sizes.inFrame(s.radius(), frame), meridian.x(), meridian.z());
+        // One object for all that are not rotated: a scene may have millions.
+        Vec3 meridian = Double.compare(s.rotation(), 0) == 0 ? NOT_ROTATED : meridian(s.rotation());
+        return new SpherePrimitive(frame.toFrame(s.center()), Sizes.inFrame(s.radius(), frame), meridian);
+    }
+
+    private static Vec3 meridian(double rotation) {
+        return Rotation.aboutY(rotation).apply(new Vec3(0, 0, -1));
     }
 
     private static Primitive triangle(Triangle t, SceneFrame frame) {

@@ -22,25 +22,21 @@ public final class SpherePrimitive extends Primitive {
     private final double cz;
     private final double radius;
 
-    /** The unit direction of the texture's zero meridian in the x-z plane. */
-    private final double meridianX;
-
-    private final double meridianZ;
+    /** The unit direction of the texture's zero meridian in the x-z plane: one object for many spheres. */
+    private final Vec3 meridian;
 
     /**
      * @param center the centre
      * @param radius the radius, greater than 0
-     * @param meridianX x component of the zero meridian's direction
-     * @param meridianZ z component of the zero meridian's direction
+     * @param meridian the zero meridian's direction, of length 1, in the x-z plane
      */
-    SpherePrimitive(Vec3 center, double radius, double meridianX, double meridianZ) {
+    SpherePrimitive(Vec3 center, double radius, Vec3 meridian) {
         super(center.maxAbs() + radius, radius);
         this.cx = center.x();
         this.cy = center.y();
         this.cz = center.z();
         this.radius = radius;
-        this.meridianX = meridianX;
-        this.meridianZ = meridianZ;
+        this.meridian = meridian;
     }
 
     /** The centre. */
@@ -125,8 +121,8 @@ public final class SpherePrimitive extends Primitive {
     @Override
     public void textureCoordinates(Hit hit) {
         // Longitude grows to the right for a viewer outside with +y up; the zero meridian faces -z before rotation.
-        double east = hit.nz * meridianX - hit.nx * meridianZ;
-        double ahead = hit.nx * meridianX + hit.nz * meridianZ;
+        double east = hit.nz * meridian.x() - hit.nx * meridian.z();
+        double ahead = hit.nx * meridian.x() + hit.nz * meridian.z();
         double turn = Angles.atan2(east, ahead) / TWO_PI;
         hit.u = turn < 0 ? turn + 1 : turn;
         hit.v = Angles.atan2(Math.sqrt(hit.nx * hit.nx + hit.nz * hit.nz), hit.ny) / Math.PI;
@@ -159,11 +155,11 @@ public final class SpherePrimitive extends Primitive {
 
     @Override
     Primitive scaledBy(int k) {
-        return new SpherePrimitive(center().scaledBy(k), Scale.scalb(radius, k), meridianX, meridianZ);
+        return new SpherePrimitive(center().scaledBy(k), Scale.scalb(radius, k), meridian);
     }
 
     @Override
     public double[] parameters() {
-        return new double[] {cx, cy, cz, radius, meridianX, meridianZ};
+        return new double[] {cx, cy, cz, radius, meridian.x(), meridian.z()};
     }
 }

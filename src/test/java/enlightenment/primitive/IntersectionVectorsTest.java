@@ -18,7 +18,7 @@ class IntersectionVectorsTest {
     private static Primitive primitive(Vectors.Case c) {
         double r = c.number("radius");
         return switch (c.kind()) {
-            case "sphere" -> new SpherePrimitive(c.triple("center"), r, 0, -1);
+            case "sphere" -> new SpherePrimitive(c.triple("center"), r, new Vec3(0, 0, -1));
             case "cylinder" -> new CylinderPrimitive(c.triple("p1"), c.triple("p2"), r, true);
             case "cone" -> new ConePrimitive(c.triple("base"), c.triple("apex"), r, 0, true);
             default -> throw new IllegalArgumentException(c.kind());

@@ -62,7 +62,7 @@ final class RoundSamples {
         Vec3 axis = axis().times(size * uniform(0.3, 2));
         double r = size * uniform(0.2, 1);
         return switch (kind) {
-            case "sphere" -> new SpherePrimitive(at, r, 0, -1);
+            case "sphere" -> new SpherePrimitive(at, r, new Vec3(0, 0, -1));
             case "disk" -> new DiskPrimitive(at, axis, r);
             case "cylinder" -> new CylinderPrimitive(at, at.plus(axis), r, true);
             case "cone" -> new ConePrimitive(at, at.plus(axis), r, 0, true);

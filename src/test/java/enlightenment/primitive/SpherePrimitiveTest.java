@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class SpherePrimitiveTest {
-    private final Primitive unit = new SpherePrimitive(Vec3.ZERO, 1, 0, -1);
+    private final Primitive unit = new SpherePrimitive(Vec3.ZERO, 1, new Vec3(0, 0, -1));
 
     @Test
     void aRayEntersLeavesOrPasses() {
@@ -44,7 +44,7 @@ class SpherePrimitiveTest {
     void aGapOfAnyWidthIsMeasuredToTheLastDigits(double r) {
         for (int k = 1; k <= 13; k++) {
             double bottom = r * Math.pow(10, -k);
-            Primitive ball = new SpherePrimitive(new Vec3(0, r + bottom, 0), r, 0, -1);
+            Primitive ball = new SpherePrimitive(new Vec3(0, r + bottom, 0), r, new Vec3(0, 0, -1));
             // What is left of the gap once the centre is rounded, exactly: Sterbenz.
             double gap = (r + bottom) - r;
             double t = ball.nearest(Ray.of(Vec3.ZERO, Vec3.Y), Double.MAX_VALUE);
@@ -55,7 +55,7 @@ class SpherePrimitiveTest {
     @Test
     void aSphereThatTouchesTheFloorLetsNoLightThroughTheContact() {
         for (double r : new double[] {1e-6, 0.7, 1, 3e5}) {
-            Primitive ball = new SpherePrimitive(new Vec3(0, r, 0), r, 0, -1);
+            Primitive ball = new SpherePrimitive(new Vec3(0, r, 0), r, new Vec3(0, 0, -1));
             for (int k = 0; k <= 15; k++) {
                 Vec3 o = new Vec3(r * Math.pow(10, -k) * 0.99, 0, 0);
                 Vec3 light = new Vec3(0, 10 * r, 0);

@@ -23,7 +23,7 @@ record Subject(String kind, Primitive ours, NaiveForms.Form naive, Truth truth, 
     }
 
     static Subject sphere(Vec3 center, double radius) {
-        SpherePrimitive p = new SpherePrimitive(center, radius, 0, -1);
+        SpherePrimitive p = new SpherePrimitive(center, radius, new Vec3(0, 0, -1));
         return of("sphere", p, NaiveForms.sphere(center, radius), Truth.of(ExactSolid.of(p)));
     }
 

@@ -75,6 +75,10 @@ final class Fields {
     }
 
     private void checkKeys(Keys keys, Collection<String> planned, Map<String, String> refused) {
+        if (values.areRight(object.keys(), keys)) {
+            return;
+        }
+        int before = values.problems().count();
         for (String required : keys.required()) {
             if (!has(required)) {
                 values.problems().add(object, place.child(required), "missing; " + keys.noun() + " needs it");
@@ -92,6 +96,9 @@ final class Fields {
                         : "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
             }
             values.problems().add(object.value(i), place.child(key), message);
+        }
+        if (values.problems().count() == before) {
+            values.setRight(object.keys(), keys);
         }
     }
 

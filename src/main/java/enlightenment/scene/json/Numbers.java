@@ -26,6 +26,9 @@ final class Numbers {
      * a number of a billion digits costs nothing.
      */
     static String objection(String text) {
+        if (isPlain(text)) {
+            return null;
+        }
         int e = exponentIndex(text);
         int digits = 0;
         for (int i = 0; i < e; i++) {
@@ -59,6 +62,18 @@ final class Numbers {
         return null;
     }
 
+    /** Whether a text is short and has no exponent, as most have: one look at each character, then nothing is wrong with it. */
+    private static boolean isPlain(String text) {
+        int length = text.length();
+        for (int i = 0; i < length; i++) {
+            char c = text.charAt(i);
+            if ((c < '0' || c > '9') && c != '.' && !(c == '-' && i == 0)) {
+                return false;
+            }
+        }
+        return length <= SAFE;
+    }
+
     private static int exponentIndex(String text) {
         for (int i = 0; i < text.length(); i++) {
             if (text.charAt(i) == 'e' || text.charAt(i) == 'E') {
@@ -89,7 +104,7 @@ final class Numbers {
 
     /** A text without objections in a form that BigDecimal reads: only a zero's exponent may be beyond what it holds. */
     static String decimal(String text) {
-        return exponentIsModest(text, exponentIndex(text)) ? text : "0";
+        return isPlain(text) || exponentIsModest(text, exponentIndex(text)) ? text : "0";
     }
 
     private static boolean isZero(String text) {

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The objects of a scene, each bound as soon as its text is read and then forgotten as JSON: a million of them take a fifth of
- * the memory, and half the time.
+ * The objects of a scene, each bound as soon as its text is read and then forgotten as JSON, so that a million of them never
+ * stand in memory as JSON.
  *
  * <p>What an object refers to may stand behind it in the file, and tracks may lead to its numbers. The first reading goes by what
  * stands before the objects; where that was not everything, the text is read again. The problems are those that binding

@@ -19,6 +19,8 @@ final class Values {
 
     private final Problems problems;
     private final Library library;
+    private String[] rightKeys;
+    private Keys rightFor;
 
     Values(Problems problems, Library library) {
         this.problems = problems;
@@ -32,6 +34,17 @@ final class Values {
 
     Problems problems() {
         return problems;
+    }
+
+    /** Whether these are the keys, the same array, that the last part of this kind had, and nothing was wrong with them. */
+    boolean areRight(String[] written, Keys keys) {
+        return written == rightKeys && keys == rightFor;
+    }
+
+    /** Remembers that nothing is wrong with these keys: the next part mostly has the same ones. */
+    void setRight(String[] written, Keys keys) {
+        rightKeys = written;
+        rightFor = keys;
     }
 
     /** A finite double, correctly rounded from the decimal; NaN after a problem. */

@@ -124,6 +124,11 @@ public abstract class Bvh implements Accelerator {
         }
     }
 
+    /** As {@link #search(Ray, Closest)}, for a ray that meets nothing outside the front's boxes. */
+    void search(Ray ray, Closest state, BoxFront front) {
+        search(ray, state);
+    }
+
     @Override
     public final boolean occluded(Ray ray, double tMax, BvhQuery query) {
         query.startAtRoot();
@@ -220,6 +225,15 @@ public abstract class Bvh implements Accelerator {
     @Override
     public final Bounds bounds() {
         return new Bounds(corner(false), corner(true));
+    }
+
+    /** The box of a child: slot 2n + s is side s of node n. */
+    final Bounds box(int slot) {
+        int n = slot / 2;
+        int side = slot % 2;
+        return new Bounds(
+                new Vec3(bound(n, side, false, 0), bound(n, side, false, 1), bound(n, side, false, 2)),
+                new Vec3(bound(n, side, true, 0), bound(n, side, true, 1), bound(n, side, true, 2)));
     }
 
     private Vec3 corner(boolean upper) {

@@ -70,11 +70,6 @@ public final class BoxFront implements RaySearch {
         }
     }
 
-    /** Whether nothing can be met. */
-    public boolean isEmpty() {
-        return size == 0;
-    }
-
     @Override
     public void search(Ray ray, Closest state) {
         bvh.search(ray, state, this);

@@ -109,9 +109,9 @@ final class FloatSlabs {
         return near <= far ? near : MISS;
     }
 
-    /** A limit of t, not negative, for {@link #entry}. */
+    /** A limit of t for {@link #entry}; of a negative one, and of no other, the bits are negative. */
     static int limit(double t) {
-        return Float.floatToRawIntBits(up(t));
+        return Float.floatToRawIntBits(up(t) + 0f);
     }
 
     /** The largest float that is not greater. */

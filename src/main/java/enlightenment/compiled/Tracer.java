@@ -99,10 +99,12 @@ public final class Tracer {
         tileLightCount = frustum.gather(scene.lightBounds, tileLights);
     }
 
-    /** Whether it is known without tracing that no camera ray of the current tile meets anything. */
+    /**
+     * Whether it is known without tracing that no camera ray of the current tile meets anything. Never with a hierarchy: the answer would depend
+     * on the tree, and on it depends what the cluster method surveys.
+     */
     public boolean seesNothing() {
-        boolean nothing = tileList == null ? tileFront.isEmpty() : tileList.size() == 0;
-        return nothing && tileLightCount == 0;
+        return tileList != null && tileList.size() == 0 && tileLightCount == 0;
     }
 
     /** As {@link #trace}, for a camera ray of the current tile. */

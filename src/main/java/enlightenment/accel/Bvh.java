@@ -45,7 +45,21 @@ public abstract class Bvh implements Accelerator {
     /** Builds the hierarchy of these primitives. Ids are indices into the array, which is not kept. */
     public static Bvh build(Primitive[] primitives) {
         BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(primitives));
-        return of(builder, new PrimitiveLeaves(primitives, builder.order()));
+        return of(builder, new PrimitiveLeaves(primitives, builder.order(), builder.order()));
+    }
+
+    /** Builds the hierarchy of some of a scene's primitives. */
+    static Bvh build(Primitive[] all, int[] ids) {
+        Primitive[] some = new Primitive[ids.length];
+        for (int i = 0; i < some.length; i++) {
+            some[i] = all[ids[i]];
+        }
+        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(some));
+        int[] order = builder.order().clone();
+        for (int i = 0; i < order.length; i++) {
+            order[i] = ids[order[i]];
+        }
+        return of(builder, new PrimitiveLeaves(some, builder.order(), order));
     }
 
     /** Builds the hierarchy of these accelerators, which keep their ids. The array is not kept. */

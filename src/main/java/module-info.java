@@ -30,10 +30,14 @@ module enlightenment {
     exports enlightenment.nff;
     exports enlightenment.scene.json;
     exports enlightenment.image;
+    exports enlightenment.report;
     exports enlightenment.render;
     exports enlightenment.net;
     exports enlightenment.measure;
     exports enlightenment.measure.trade;
+
+    // Methods of rendering from outside.
+    uses enlightenment.scene.MethodExtension;
 
     opens enlightenment.cli to
             info.picocli;

@@ -151,10 +151,10 @@ class Document:
         self.size = self.take(">ii")
         self.take(">?")
         self.region = self.take(">iiii")
-        self.take(">ii")
+        self.take(">i")
         self.seed = self.take(">q")[0]
         self.take(">ddd")
-        self.text()
+        self.settings = [self.text() for _ in range(self.take(">i")[0])]
         self.take(">i")
         self.plan = self.text()
         self.level, self.samples = self.take(">dd")

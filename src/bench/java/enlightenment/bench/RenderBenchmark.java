@@ -2,6 +2,7 @@ package enlightenment.bench;
 
 import enlightenment.image.Image;
 import enlightenment.render.Renderer;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -39,7 +40,7 @@ public class RenderBenchmark {
         settings = RenderSettings.of(read)
                 .withSize(200, 100)
                 .withAntialias(4)
-                .withShadowSamples(10)
+                .with(new RayTraceSettings(10))
                 .withThreads(1);
     }
 

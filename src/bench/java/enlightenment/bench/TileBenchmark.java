@@ -4,10 +4,10 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
+import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
-import enlightenment.plan.TileMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -43,7 +43,7 @@ public class TileBenchmark {
     @Param({"fire-and-ice", "keyhole"})
     public String scene;
 
-    private TileMethod tileMethod;
+    private TileIntegrator tileMethod;
 
     @Setup
     public void setUp() {
@@ -52,7 +52,8 @@ public class TileBenchmark {
                 RenderSettings.of(read).withMethod(Method.named(method)).withThreads(1);
         CompiledScene compiled = SceneCompiler.compile(read, settings);
         RenderPlan plan = new Planner(compiled, settings, () -> false).withSamples(SAMPLES, "samples");
-        tileMethod = TileMethods.of(plan, compiled, settings, new RayCounters(compiled.kindNames.size()));
+        tileMethod =
+                (TileIntegrator) Integrators.of(plan, compiled, settings, new RayCounters(compiled.kindNames.size()));
     }
 
     @Benchmark

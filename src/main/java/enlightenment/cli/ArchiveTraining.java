@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import java.io.IOException;
 import java.io.InputStream;
@@ -47,9 +48,23 @@ public final class ArchiveTraining {
         String second = folder.resolve("b.png").toString();
         WholeFile.write(Path.of(scene), SCENE);
         int worst = 0;
+        for (Method method : BuiltInMethod.ALL) {
+            worst = Math.max(
+                    worst,
+                    run(
+                            "render",
+                            scene,
+                            "-o",
+                            second,
+                            "--method",
+                            method.word(),
+                            "--samples",
+                            "8",
+                            "--progress",
+                            "none"));
+        }
         for (String[] command : new String[][] {
             {"render", scene, "-o", first, "--stats", "--progress", "plain"},
-            {"render", scene, "-o", second, "--method", Method.CLUSTER.word(), "--samples", "8", "--progress", "none"},
             {"compare", first, second},
             {"validate", scene},
             {"inspect", scene},

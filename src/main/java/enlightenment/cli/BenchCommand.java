@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
 import enlightenment.measure.Bench;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -112,8 +113,8 @@ final class BenchCommand extends Subcommand {
     }
 
     private static String describe(RenderSettings s) {
-        return s.method() + " " + s.width() + "x" + s.height() + " aa " + s.antialias() + " sh " + s.shadowSamples()
-                + " th " + s.threads();
+        return s.method() + " " + s.width() + "x" + s.height() + " aa " + s.antialias() + " sh "
+                + RayTraceSettings.of(s).shadowSamples() + " th " + s.threads();
     }
 
     static final class Repeats extends WholeNumber {

@@ -33,7 +33,7 @@ final class BenchJson {
         json.writeNumberProperty("width", s.width());
         json.writeNumberProperty("height", s.height());
         json.writeNumberProperty("antialias", s.antialias());
-        json.writeNumberProperty("shadowSamples", s.shadowSamples());
+        ReportJson.influences(json, s);
         json.writeNumberProperty("threads", s.threads());
         spread(json, "wallSeconds", b.wall());
         spread(json, "cpuSeconds", b.cpu());

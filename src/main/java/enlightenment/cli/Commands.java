@@ -52,11 +52,35 @@ final class Commands {
         return line.setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
     }
 
+    /** A command with the options of all methods. */
+    private static CommandLine withAllMethods(Subcommand command) {
+        CommandLine line = new CommandLine(command);
+        command.methodOptions().ifPresent(options -> options.addOthers(line.getCommandSpec()));
+        return line;
+    }
+
+    /** A command for these arguments: methods from outside are looked for where one is an option that ours do not explain. */
+    static CommandLine line(Subcommand command, String[] arguments) {
+        CommandLine line = new CommandLine(command);
+        for (String argument : arguments) {
+            int equals = argument.indexOf('=');
+            String name = equals < 0 ? argument : argument.substring(0, equals);
+            boolean help = name.equals("-h") || name.equals("--help");
+            if (help
+                    || name.startsWith("--")
+                            && !line.getCommandSpec().optionsMap().containsKey(name)) {
+                command.methodOptions().ifPresent(options -> options.addOthers(line.getCommandSpec()));
+                return line;
+            }
+        }
+        return line;
+    }
+
     /** All commands, under the one that stands above them. */
     static CommandLine tree(Terminal terminal) {
         CommandLine tree = new CommandLine(new RootCommand());
         for (String name : NAMES) {
-            tree.addSubcommand(name, new CommandLine(create(name, terminal)));
+            tree.addSubcommand(name, withAllMethods(create(name, terminal)));
         }
         tree.addSubcommand("completion", new AutoComplete.GenerateCompletion());
         tree.addSubcommand("help", new CommandLine.HelpCommand());

@@ -5,6 +5,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Renderer;
+import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -15,6 +16,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -40,12 +42,18 @@ final class InspectCommand extends Subcommand {
     }
 
     @Override
+    Optional<MethodOptions> methodOptions() {
+        return Optional.of(options.methods());
+    }
+
+    @Override
     int execute() {
         input = argument.open(terminal);
         Scene scene = options.read(input);
         RenderSettings settings = options.settings(scene, input.name());
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);
+        list("method", method(settings));
         line("settings", options.line(settings) + " threads=" + settings.threads());
         list("modelled", inspection.modelled());
         list("not modelled", inspection.notModelled());
@@ -57,6 +65,16 @@ final class InspectCommand extends Subcommand {
             list("hints", hints);
         }
         return ExitCode.DONE;
+    }
+
+    /** What the method does, and what each of its settings is. */
+    private static List<String> method(RenderSettings settings) {
+        List<String> lines = new ArrayList<>();
+        lines.add(settings.method().word() + ": " + settings.method().description());
+        for (MethodSetting setting : settings.method().settings()) {
+            lines.add(setting.key() + "=" + settings.chosen().value(setting) + ": " + setting.description());
+        }
+        return lines;
     }
 
     private Renderer.Inspection inspect(Scene scene, RenderSettings settings) {

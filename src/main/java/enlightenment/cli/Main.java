@@ -59,8 +59,9 @@ public final class Main {
         if (command == null) {
             return Commands.executeTree(args, terminal);
         }
-        CommandLine line = Commands.configure(new CommandLine(command), terminal);
+        String[] arguments = Arrays.copyOfRange(args, 1, args.length);
+        CommandLine line = Commands.configure(Commands.line(command, arguments), terminal);
         line.setCommandName("enlightenment " + args[0]);
-        return line.execute(Arrays.copyOfRange(args, 1, args.length));
+        return line.execute(arguments);
     }
 }

@@ -1,6 +1,8 @@
 package enlightenment.cli;
 
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.RenderDefaults;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -22,7 +24,7 @@ final class ManPage {
     private static final String[][] EXAMPLES = {
         {"enlightenment render scene.json -o picture.png", "Make a picture as the scene asks for it."},
         {
-            "enlightenment render scene.json -o picture.png --method " + Method.CLUSTER + " --error 0.005",
+            "enlightenment render scene.json -o picture.png --method " + surveying() + " --error 0.005",
             "Make it with a root mean square error of at most 0.005."
         },
         {"enlightenment validate *.json", "Find all problems of some scenes."},
@@ -32,6 +34,14 @@ final class ManPage {
     private final StringBuilder page = new StringBuilder();
 
     private ManPage() {}
+
+    /** The method to give an error to: one that first looks where samples are needed. */
+    private static Method surveying() {
+        return BuiltInMethod.ALL.stream()
+                .filter(m -> m.standIn().isPresent())
+                .findFirst()
+                .orElse(RenderDefaults.DEFAULT.method());
+    }
 
     /** The page of the command with all its subcommands. */
     static String of(CommandLine tree, String version) {

@@ -54,7 +54,7 @@ final class MergeCommand extends Subcommand {
         if (!isWhole) {
             throw CliException.failed(inWords(merged.missing()));
         }
-        RequestedError.require(result.report());
+        RequestedError.require(result);
         return ExitCode.DONE;
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,7 +9,8 @@ import picocli.CommandLine.ITypeConverter;
 
 /** Methods to compare, each at most once. */
 record MethodList(List<Method> methods) {
-    static final MethodList ALL = new MethodList(List.of(Method.values()));
+    /** Those of this program; others want to be named. */
+    static final MethodList OURS = new MethodList(BuiltInMethod.ALL);
 
     /** As it is typed: {@code raytrace,cluster}. */
     @Override
@@ -22,7 +24,8 @@ record MethodList(List<Method> methods) {
         public MethodList convert(String text) {
             List<Method> methods = new ArrayList<>();
             for (String word : text.split(",", -1)) {
-                Method method = Method.of(word).orElseThrow(() -> BadValue.expected("some of " + ALL, text));
+                Method method = Method.of(word)
+                        .orElseThrow(() -> BadValue.expected("some of " + new MethodList(Method.all()), text));
                 if (methods.contains(method)) {
                     throw new BadValue("must name each method once, not \"" + text + "\"");
                 }

@@ -14,6 +14,7 @@ import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.LongSupplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -77,6 +78,11 @@ final class RenderCommand extends Subcommand {
     RenderCommand(Terminal terminal, LongSupplier clock) {
         super(terminal);
         this.clock = clock;
+    }
+
+    @Override
+    Optional<MethodOptions> methodOptions() {
+        return Optional.of(options.methods());
     }
 
     @Override
@@ -183,7 +189,7 @@ final class RenderCommand extends Subcommand {
             throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
-        RequestedError.require(result.report());
+        RequestedError.require(result);
     }
 
     private RenderResult render(Scene scene, RenderSettings settings) {

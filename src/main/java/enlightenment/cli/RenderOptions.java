@@ -6,6 +6,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -44,6 +45,11 @@ final class RenderOptions {
     private SettingsOptions settings = new SettingsOptions();
 
     RenderOptions() {}
+
+    /** The options of methods among these. */
+    MethodOptions methods() {
+        return settings.methods();
+    }
 
     /** Whether a time was given, with which the picture is not the same each time. */
     boolean hasTime() {
@@ -101,7 +107,18 @@ final class RenderOptions {
 
     static final class Methods extends WordOption<Method> {
         Methods() {
-            super(List.of(Method.values()));
+            super(List.of());
+        }
+
+        @Override
+        List<Method> all() {
+            return Method.all();
+        }
+
+        /** Without listing all: whoever takes one of ours does not pay for a search for others. */
+        @Override
+        Optional<Method> find(String word) {
+            return Method.of(word);
         }
 
         @Override

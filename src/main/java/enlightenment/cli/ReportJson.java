@@ -1,9 +1,10 @@
 package enlightenment.cli;
 
 import enlightenment.json.JsonText;
-import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
 import tools.jackson.core.JsonGenerator;
@@ -51,16 +52,24 @@ final class ReportJson {
             json.writeArray(new int[] {c.x(), c.y(), c.width(), c.height()}, 0, 4);
         }
         json.writeNumberProperty("antialias", s.antialias());
-        json.writeNumberProperty("shadowSamples", s.shadowSamples());
+        influences(json, s);
         json.writeNumberProperty("seed", s.seed());
         s.budget().samples().ifPresent(n -> json.writeNumberProperty("samples", n));
         s.budget().error().ifPresent(e -> json.writeNumberProperty("error", e));
         s.budget().seconds().ifPresent(t -> json.writeNumberProperty("time", t));
-        if (s.method().has(Method.Setting.PROPOSAL)) {
-            json.writeStringProperty("proposal", s.proposal());
-        }
         json.writeNumberProperty("threads", s.threads());
         json.writeEndObject();
+    }
+
+    /** The settings that only some methods look at, of those the method in use does. */
+    static void influences(JsonGenerator json, RenderSettings s) {
+        for (MethodSetting setting : Method.influences(s.method())) {
+            if (setting instanceof MethodSetting.Whole whole) {
+                json.writeNumberProperty(setting.key(), s.chosen().whole(whole));
+            } else {
+                json.writeStringProperty(setting.key(), s.chosen().word((MethodSetting.Word) setting));
+            }
+        }
     }
 
     private static void sampling(JsonGenerator json, RenderReport report) {

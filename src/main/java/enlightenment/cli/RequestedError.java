@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
-import enlightenment.render.RenderReport;
+import enlightenment.render.RenderResult;
+import enlightenment.report.RenderReport;
 import java.util.Locale;
 import java.util.OptionalDouble;
 
@@ -9,13 +10,14 @@ final class RequestedError {
     private RequestedError() {}
 
     /** Fails if an error was asked for and is not met. */
-    static void require(RenderReport report) {
+    static void require(RenderResult result) {
+        RenderReport report = result.report();
         if (report.isErrorMet()) {
             return;
         }
         RenderReport.Sampling sampling = report.sampling();
         double asked = report.settings().budget().error().getAsDouble();
-        OptionalDouble samples = report.samplesForError();
+        OptionalDouble samples = result.samplesForError();
         throw CliException.failed(String.format(
                 Locale.ROOT,
                 "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s%s",

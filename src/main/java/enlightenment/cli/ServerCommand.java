@@ -10,6 +10,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -38,6 +39,11 @@ final class ServerCommand extends Subcommand {
 
     ServerCommand(Terminal terminal) {
         super(terminal);
+    }
+
+    @Override
+    Optional<MethodOptions> methodOptions() {
+        return Optional.of(options.methods());
     }
 
     @Override
@@ -93,6 +99,6 @@ final class ServerCommand extends Subcommand {
             throw StoppedRender.after(result, output, "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
-        RequestedError.require(result.report());
+        RequestedError.require(result);
     }
 }

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 
 /** The settings that a picture depends on, in one line that never changes its form. */
@@ -23,10 +24,9 @@ final class SettingsLine {
         if (s.budget().error().isPresent()) {
             line.append(" error=").append(DecimalNumber.plain(s.budget().error().getAsDouble()));
         }
-        if (s.method().has(Method.Setting.PROPOSAL)) {
-            line.append(" proposal=").append(s.proposal());
+        for (MethodSetting setting : Method.influences(s.method())) {
+            line.append(' ').append(setting.key()).append('=').append(s.chosen().value(setting));
         }
-        line.append(" shadowSamples=").append(s.shadowSamples());
         line.append(" seed=").append(s.seed());
         if (s.crop().isPresent()) {
             line.append(" crop=").append(CropConverter.typed(s.crop().get()));

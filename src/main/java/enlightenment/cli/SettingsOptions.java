@@ -1,7 +1,6 @@
 package enlightenment.cli;
 
 import enlightenment.math.InvalidValueException;
-import enlightenment.sampling.Distribution;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -9,6 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
 /** The options that change what a scene says about its rendering, except for method and budget: those of {@link RenderOptions}. */
@@ -27,20 +28,10 @@ final class SettingsOptions {
             description = "N x N camera rays per pixel, 1..256")
     private Integer antialias;
 
-    @Option(
-            names = "--shadow-samples",
-            paramLabel = "N",
-            converter = ShadowSamples.class,
-            description = "light samples per hit and light, 1..1000000")
-    private Integer shadowSamples;
+    private final MethodOptions methods = new MethodOptions();
 
-    @Option(
-            names = "--proposal",
-            paramLabel = "KIND",
-            converter = Proposals.class,
-            completionCandidates = Proposals.class,
-            description = "distribution that ray clusters propose light samples from: normal (default), zeta or linear")
-    private String proposal;
+    @Mixin
+    private CommandSpec methodsSpec = methods.spec();
 
     @Option(
             names = "--seed",
@@ -72,6 +63,11 @@ final class SettingsOptions {
 
     SettingsOptions() {}
 
+    /** The options of methods among these. */
+    MethodOptions methods() {
+        return methods;
+    }
+
     /** The frame that was asked for, or null. */
     Integer frame() {
         return frame;
@@ -98,8 +94,7 @@ final class SettingsOptions {
         }
         s = size == null ? s : s.withSize(size.width(), size.height());
         s = antialias == null ? s : s.withAntialias(antialias);
-        s = shadowSamples == null ? s : s.withShadowSamples(shadowSamples);
-        s = proposal == null ? s : s.withProposal(proposal);
+        s = methods.applied(s);
         s = seed == null ? s : s.withSeed(seed);
         s = threads == null ? s : s.withThreads(threads);
         try {
@@ -113,8 +108,7 @@ final class SettingsOptions {
     List<String> given() {
         List<String> words = new ArrayList<>();
         add(words, "--size", size);
-        add(words, "--shadow-samples", shadowSamples);
-        add(words, "--proposal", proposal);
+        words.addAll(methods.given());
         add(words, "--seed", seed);
         add(words, "--threads", threads);
         add(words, "--crop", crop == null ? null : CropConverter.typed(crop));
@@ -149,21 +143,9 @@ final class SettingsOptions {
         }
     }
 
-    static final class ShadowSamples extends WholeNumber {
-        ShadowSamples() {
-            super(1, RenderDefaults.MAX_SHADOW_SAMPLES);
-        }
-    }
-
     static final class Frame extends WholeNumber {
         Frame() {
             super(0, Integer.MAX_VALUE);
-        }
-    }
-
-    static final class Proposals extends WordOption<String> {
-        Proposals() {
-            super(Distribution.NAMES);
         }
     }
 

@@ -1,6 +1,6 @@
 package enlightenment.cli;
 
-import enlightenment.render.RenderReport;
+import enlightenment.report.RenderReport;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.render.RenderResult;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 
 /** A render that was stopped in the middle, and whose picture so far has been written. */
@@ -10,7 +11,9 @@ final class StoppedRender {
     /** @param rest what the picture shows where nothing is finished, in words that go on from its share; may be empty */
     static CliException after(RenderResult result, PictureOutput picture, String rest) {
         RenderSettings.Crop region = result.report().settings().region();
+        boolean isOfPaths = result.report().sampling().method().kind() == Method.Kind.SPLATS;
         long percent = 100 * result.report().pixels() / ((long) region.width() * region.height());
-        return CliException.failed("stopped: " + picture.name() + " holds " + percent + " % of the picture" + rest);
+        return CliException.failed("stopped: " + picture.name() + " holds " + percent + " % of "
+                + (isOfPaths ? "its paths" : "the picture" + rest));
     }
 }

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import java.io.IOException;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Option;
 
@@ -17,6 +18,11 @@ abstract class Subcommand implements Callable<Integer> {
 
     Subcommand(Terminal terminal) {
         this.terminal = terminal;
+    }
+
+    /** The options for settings of methods, if this command has them. */
+    Optional<MethodOptions> methodOptions() {
+        return Optional.empty();
     }
 
     @Override

@@ -47,7 +47,7 @@ final class TradeCommand extends Subcommand {
             converter = MethodList.Converter.class,
             completionCandidates = RenderOptions.Methods.class,
             description = "methods to compare, with commas (default: ${DEFAULT-VALUE})")
-    private MethodList methods = MethodList.ALL;
+    private MethodList methods = MethodList.OURS;
 
     @Option(
             names = "--budget",
@@ -105,6 +105,11 @@ final class TradeCommand extends Subcommand {
 
     TradeCommand(Terminal terminal) {
         super(terminal);
+    }
+
+    @Override
+    Optional<MethodOptions> methodOptions() {
+        return Optional.of(options.methods());
     }
 
     @Override

@@ -13,6 +13,7 @@ import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeResult;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.Locale;
 import java.util.Optional;
@@ -125,7 +126,7 @@ final class TradeJson {
         json.writeNumberProperty("width", s.region().width());
         json.writeNumberProperty("height", s.region().height());
         json.writeNumberProperty("antialias", s.antialias());
-        json.writeNumberProperty("shadowSamples", s.shadowSamples());
+        json.writeNumberProperty("shadowSamples", RayTraceSettings.of(s).shadowSamples());
         json.writeNumberProperty("seed", s.seed());
         json.writeNumberProperty("threads", s.threads());
         json.writeEndObject();

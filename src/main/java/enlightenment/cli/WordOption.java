@@ -3,6 +3,7 @@ package enlightenment.cli;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.ITypeConverter;
 
 /** An option's values where there are only a few, each with a word: converts the words, and lists them for completion. */
@@ -13,6 +14,21 @@ abstract class WordOption<T> implements ITypeConverter<T>, Iterable<String> {
         this.values = values;
     }
 
+    /** The values, in order. */
+    List<T> all() {
+        return values;
+    }
+
+    /** The value of a word; empty if there is none. */
+    Optional<T> find(String word) {
+        for (T value : all()) {
+            if (word(value).equals(word)) {
+                return Optional.of(value);
+            }
+        }
+        return Optional.empty();
+    }
+
     /** The word for a value. */
     String word(T value) {
         return value.toString();
@@ -20,7 +36,7 @@ abstract class WordOption<T> implements ITypeConverter<T>, Iterable<String> {
 
     final List<String> words() {
         List<String> words = new ArrayList<>();
-        for (T value : values) {
+        for (T value : all()) {
             words.add(word(value));
         }
         return words;
@@ -28,12 +44,11 @@ abstract class WordOption<T> implements ITypeConverter<T>, Iterable<String> {
 
     @Override
     public final T convert(String text) {
-        for (T value : values) {
-            if (word(value).equals(text)) {
-                return value;
-            }
+        Optional<T> value = find(text);
+        if (value.isEmpty()) {
+            throw BadValue.expected("one of " + String.join(", ", words()), text);
         }
-        throw BadValue.expected("one of " + String.join(", ", words()), text);
+        return value.get();
     }
 
     @Override

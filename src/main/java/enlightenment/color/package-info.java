@@ -1,2 +1,2 @@
-/** Colours as scene descriptions state them: display-referred, sRGB-encoded, 0 to 1. */
+/** Colours: display-referred as scene descriptions state them, and linear light; the curve between the two. */
 package enlightenment.color;

@@ -161,7 +161,7 @@ public final class CompiledScene {
 
     /** Whether a face of a primitive is made of glass. */
     public boolean isGlass(int id, int face) {
-        return material(id, face).kind == SurfaceMaterial.Kind.GLASS;
+        return material(id, face).isGlass;
     }
 
     /** The material of a face of a primitive. */

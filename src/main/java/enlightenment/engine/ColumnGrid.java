@@ -9,21 +9,12 @@ import enlightenment.scene.RenderSettings;
  * blocks of the whole picture, so that a part of it shares its blocks with the whole. Numbered column by column
  * from the left, each from the top.
  */
-final class ColumnGrid {
+final class ColumnGrid implements TileCut {
     /** Width of a tile, and what its first row is a multiple of. */
     private static final int SIDE = FilmTile.BLOCK_SIDE;
 
     /** At least this many tiles, if there are as many blocks: a hundred machines get dozens each. */
     private static final int FEWEST_TILES = 1 << 12;
-
-    /** More tiles than these cost the server more than they give. */
-    private static final int MOST_TILES = 1 << 18;
-
-    /**
-     * A render that is worth many machines is cut into tiles of this many camera rays, half a second of one processor or more: with
-     * shorter ones a thousand workers would be more than a server can listen to.
-     */
-    private static final double RAYS_PER_TILE = 1 << 21;
 
     /** A tile of this many rows is half a megabyte. */
     private static final int MOST_ROWS = 2048;
@@ -51,15 +42,16 @@ final class ColumnGrid {
     /** How many tiles to cut; there may be fewer blocks. */
     private static int tilesFor(RenderSettings.Crop region, RenderPlan plan) {
         double rays = (double) region.width() * region.height() * plan.samples();
-        return (int) Math.max(FEWEST_TILES, Math.min(MOST_TILES, rays / RAYS_PER_TILE));
+        return (int) Math.max(FEWEST_TILES, Math.min(WorkUnits.MOST_UNITS, rays / WorkUnits.RAYS_PER_UNIT));
     }
 
-    int tiles() {
+    @Override
+    public int tiles() {
         return tiles;
     }
 
-    /** The pixels of a tile, by their place in the whole picture. */
-    RenderSettings.Crop place(int tile) {
+    @Override
+    public RenderSettings.Crop place(int tile) {
         int left = (firstColumn + tile / down) * SIDE;
         int top = firstRow + tile % down * rows;
         return region.intersection(new RenderSettings.Crop(left, top, SIDE, rows));

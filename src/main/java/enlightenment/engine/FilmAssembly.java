@@ -1,51 +1,42 @@
 package enlightenment.engine;
 
 import enlightenment.compiled.RayCounters;
-import enlightenment.film.ErrorEstimate;
-import enlightenment.film.Film;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
-import enlightenment.plan.RenderPlan;
-import enlightenment.render.RenderReport;
-import enlightenment.render.RenderResult;
-import enlightenment.scene.RenderSettings;
+import enlightenment.report.RenderReport;
 import enlightenment.work.Phases;
 import enlightenment.work.PictureMemory;
-import enlightenment.work.RayCounts;
 import enlightenment.work.Stopwatch;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Puts tiles together to a picture: in any order, each as often as one likes, also in place of another. For use by several
- * threads at once.
+ * Puts results of units together to a picture: in any order, each as often as one likes, also in place of another. For use by
+ * several threads at once.
  */
 public final class FilmAssembly {
     private final RenderOutline outline;
-    private final ColumnGrid grid;
-    private final Film film;
+    private final WorkUnits units;
+    private final ResultForm form;
+    private final PictureFilm film;
     private final Phases phases;
     private final int round;
-    private final int kinds;
     private final Stopwatch time = Stopwatch.started();
 
-    /** Per tile: what it counted, null while it is missing. */
+    /** Per unit: what it counted, null while it is missing. */
     private final RayCounters[] counters;
 
     private final long[] surveyRays;
 
-    /** Tiles whose samples are differences: asked of those that are there, as one that is gone must leave nothing. */
+    /** Units whose samples are differences: asked of those that are there, as one that is gone must leave nothing. */
     private final BitSet differences = new BitSet();
 
-    private int done;
-    private long pixels;
+    private ResultStore store = ResultStore.NONE;
     private long peakMemory;
 
-    /** A picture without tiles yet. */
+    /** A picture of which nothing is there yet. */
     public FilmAssembly(RenderOutline outline) {
         this(outline, new Phases(), 1);
     }
@@ -55,143 +46,112 @@ public final class FilmAssembly {
         PictureMemory.check(outline.settings(), 0);
         this.outline = outline;
         this.phases = phases;
-        grid = new ColumnGrid(outline.settings(), outline.plan());
-        kinds = outline.kinds().size();
-        RenderSettings.Crop region = outline.settings().region();
-        film = new Film(region.x(), region.y(), region.width(), region.height());
-        counters = new RayCounters[grid.tiles()];
-        surveyRays = new long[grid.tiles()];
+        units = WorkUnits.forMachines(outline.settings(), outline.plan());
+        form = ResultForm.of(units, outline);
+        film = PictureFilm.of(units, outline, true);
+        counters = new RayCounters[units.count()];
+        surveyRays = new long[units.count()];
     }
 
-    /** Number of tiles, counted from 0. */
-    public int tiles() {
-        return counters.length;
+    /** Whether {@link #remove}, and {@link #put} in place of something else, needs a {@linkplain #keepIn store}. */
+    public boolean needsStore() {
+        return form.needsStore();
     }
 
-    /** Number of bytes of a tile. */
-    public int length(int tile) {
-        RenderSettings.Crop place = grid.place(Objects.checkIndex(tile, tiles()));
-        return TileBytes.length(place.width() * place.height(), kinds);
+    /** Keeps all results that are put from now on there, if they are needed. */
+    public void keepIn(ResultStore results) {
+        store = results;
     }
 
-    /** Why these bytes cannot be this tile: wrong size, what is no number or out of range; empty if they can. */
-    public Optional<String> problem(int tile, byte[] bytes) {
-        if (tile < 0 || tile >= tiles()) {
-            return Optional.of("there is no tile " + tile + "; they are 0.." + (tiles() - 1));
-        }
-        return TileBytes.problem(bytes, grid.place(tile), kinds);
+    /** Number of units, counted from 0. */
+    public int units() {
+        return units.count();
+    }
+
+    /** The greatest number of bytes that the result of a unit can have. */
+    public int longest(int unit) {
+        return form.longest(Objects.checkIndex(unit, units()));
+    }
+
+    /** Why these bytes cannot be the result of this unit: wrong size, what is no number or out of range; empty if they can. */
+    public Optional<String> problem(int unit, byte[] bytes) {
+        return form.problemOf(unit, bytes);
     }
 
     /**
-     * Puts a tile, in place of what is there of it.
+     * Puts the result of a unit, in place of what is there of it.
      *
      * @throws IllegalArgumentException if {@link #problem} has something to say
      */
-    public void put(int tile, byte[] bytes) {
-        problem(tile, bytes).ifPresent(reason -> {
-            throw new IllegalArgumentException("tile " + tile + ": " + reason);
+    public void put(int unit, byte[] bytes) {
+        problem(unit, bytes).ifPresent(reason -> {
+            throw new IllegalArgumentException("unit " + unit + ": " + reason);
         });
-        RayCounters mine = TileBytes.counters(bytes, kinds);
-        RenderSettings.Crop place = grid.place(tile);
+        int kinds = outline.kinds().size();
+        RayCounters mine = ResultHeader.counters(bytes, kinds);
         synchronized (this) {
-            TileBytes.into(film, bytes, place, kinds);
-            if (counters[tile] == null) {
-                done++;
-                pixels += (long) place.width() * place.height();
+            remove(unit);
+            form.put(film, unit, bytes);
+            if (form.needsStore()) {
+                store.keep(unit, bytes);
             }
-            counters[tile] = mine;
-            surveyRays[tile] = TileBytes.surveyRays(bytes);
-            differences.set(tile, TileBytes.samplesAreDifferences(bytes, kinds));
+            counters[unit] = mine;
+            surveyRays[unit] = ResultHeader.surveyRays(bytes);
+            differences.set(unit, ResultHeader.samplesAreDifferences(bytes, kinds));
             Runtime runtime = Runtime.getRuntime();
             peakMemory = Math.max(peakMemory, runtime.totalMemory() - runtime.freeMemory());
         }
     }
 
-    /** Takes a tile out again; nothing if it is not there. */
-    public synchronized void remove(int tile) {
-        if (counters[Objects.checkIndex(tile, tiles())] != null) {
-            RenderSettings.Crop place = grid.place(tile);
-            TileBytes.into(film, null, place, kinds);
-            counters[tile] = null;
-            surveyRays[tile] = 0;
-            differences.clear(tile);
-            done--;
-            pixels -= (long) place.width() * place.height();
+    /** Takes a unit out again; nothing if it is not there. */
+    public synchronized void remove(int unit) {
+        if (film.has(Objects.checkIndex(unit, units()))) {
+            form.remove(film, unit, store);
+            counters[unit] = null;
+            surveyRays[unit] = 0;
+            differences.clear(unit);
         }
     }
 
-    /** Whether a tile is there. */
-    public synchronized boolean has(int tile) {
-        return counters[tile] != null;
+    /** Whether a unit is there. */
+    public boolean has(int unit) {
+        return film.has(unit);
     }
 
-    /** Number of tiles that are there. */
-    public synchronized int done() {
-        return done;
+    /** Number of units that are there. */
+    public int done() {
+        return film.done();
     }
 
-    /** Number of pixels that are there. */
-    public synchronized long pixelsDone() {
-        return pixels;
+    /** How much is there, in pixels: a unit that is a share of several pixels counts as that share of them. */
+    public long pixelsDone() {
+        return film.pixelsDone();
     }
 
     /** Number of pixels in all. */
     public long pixels() {
-        RenderSettings.Crop region = outline.settings().region();
-        return (long) region.width() * region.height();
-    }
-
-    private RenderReport report(Image image, RayCounters all, long samples) {
-        ErrorEstimate error = film.error();
-        RenderPlan plan = outline.plan();
-        return new RenderReport(
-                outline.sceneName(),
-                outline.settings(),
-                outline.features(),
-                RayCounts.raysByKind(all),
-                all.lightSamples,
-                all.lightSamplesWithoutRay,
-                new RenderReport.Sampling(
-                        plan.method(),
-                        plan.decidedBy(),
-                        plan.samples(),
-                        samples / (double) Math.max(pixels, 1),
-                        error.rmse(),
-                        error.low(),
-                        error.high(),
-                        all.clusters,
-                        all.proposals,
-                        all.accepted,
-                        Rounding.of(image, outline.settings().budget().depth()),
-                        round),
-                RayCounts.byPrimitive(outline.kinds(), all.tests),
-                RayCounts.byPrimitive(outline.kinds(), all.hits),
-                all.textureLookups,
-                phases.list().stream()
-                        .map(t -> new RenderReport.Phase(t.name(), t.wallSeconds(), t.cpuSeconds()))
-                        .toList(),
-                pixels,
-                peakMemory);
+        return film.pixels();
     }
 
     /** The picture so far; what is missing is black. */
     public synchronized Image image() {
-        return film.toImage();
+        return film.image();
     }
 
     /** The picture so far with its report, whose phase of rendering began with this assembly. */
-    public synchronized RenderResult result() {
+    public synchronized Rendered result() {
         phases.add("render", time.seconds());
-        Image image = phases.run("finish", film::toImage);
-        RayCounters all = new RayCounters(kinds);
+        Image image = phases.run("finish", film::image);
+        RayCounters all = new RayCounters(outline.kinds().size());
         for (RayCounters one : counters) {
             if (one != null) {
                 all.add(one);
             }
         }
         film.samplesAreDifferences(!differences.isEmpty());
-        long samples = film.cameraSamples() + Arrays.stream(surveyRays).sum();
-        return new RenderResult(
-                image, report(image, all, samples), done == counters.length, pixels, Map.of(), List.of());
+        double rounding = Rounding.of(image, outline.settings().budget().depth());
+        RenderReport report =
+                Reports.of(outline, film, all, Arrays.stream(surveyRays).sum(), phases, rounding, round, peakMemory);
+        return new Rendered(image, report, film.isComplete(), film.shownPixels());
     }
 }

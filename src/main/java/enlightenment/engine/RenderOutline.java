@@ -1,27 +1,69 @@
 package enlightenment.engine;
 
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.film.SplatScale;
+import enlightenment.method.SplatIntegrator;
+import enlightenment.plan.Integrators;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 
 /**
- * What is needed to put the tiles of a render together and to report on it, without the scene.
+ * What is needed to put the units of a render together and to report on it, without the scene.
  *
  * @param sceneName the scene's name
  * @param settings the settings in force
- * @param plan what was decided before the first tile
+ * @param plan what was decided before the first unit
  * @param features what is modelled, in plain words
  * @param kinds the kinds of primitives in the scene, in the order of their counters
+ * @param splatScale the unit in which contributions of paths are summed; of no meaning where units are tiles
  */
 public record RenderOutline(
-        String sceneName, RenderSettings settings, RenderPlan plan, List<String> features, List<String> kinds) {
+        String sceneName,
+        RenderSettings settings,
+        RenderPlan plan,
+        List<String> features,
+        List<String> kinds,
+        SplatScale splatScale) {
+    private static final SplatScale NO_SCALE = new SplatScale(0);
+
     public RenderOutline {
         features = List.copyOf(features);
         kinds = List.copyOf(kinds);
     }
 
-    /** Number of tiles of the render. */
-    public int tiles() {
-        return new ColumnGrid(settings, plan).tiles();
+    /** An outline for units that are tiles. */
+    public RenderOutline(
+            String sceneName, RenderSettings settings, RenderPlan plan, List<String> features, List<String> kinds) {
+        this(sceneName, settings, plan, features, kinds, NO_SCALE);
+    }
+
+    /** The outline of a render of this scene. */
+    public static RenderOutline of(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
+        RenderOutline outline = new RenderOutline(sceneName, settings, plan, scene.features(), scene.kindNames);
+        RayCounters nobodys = new RayCounters(scene.kindNames.size());
+        if (!outline.areBatches()
+                || !(Integrators.of(plan, scene, settings, nobodys) instanceof SplatIntegrator integrator)) {
+            return outline;
+        }
+        long pixels = (long) settings.width() * settings.height();
+        long paths = WorkUnits.forMachines(settings, plan).paths();
+        return outline.withSplatScale(SplatScale.of(integrator.expectedContribution(), paths, pixels));
+    }
+
+    /** Whether the units are batches of paths. */
+    public boolean areBatches() {
+        return Integrators.traits(plan.method()).areBatches();
+    }
+
+    /** The same outline with another scale. */
+    public RenderOutline withSplatScale(SplatScale scale) {
+        return new RenderOutline(sceneName, settings, plan, features, kinds, scale);
+    }
+
+    /** Number of units of work, as they are handed out to many machines. */
+    public int units() {
+        return WorkUnits.forMachines(settings, plan).count();
     }
 }

@@ -114,6 +114,25 @@ public final class ErrorEstimate {
         return Math.sqrt(2 * trigamma);
     }
 
+    /**
+     * The error of pixels with these variances.
+     *
+     * @param inverse of the number of pixels that carry the error, as {@link #deviation} has it
+     */
+    static ErrorEstimate of(double[] variances, double inverse) {
+        float[] rounded = new float[variances.length];
+        double sum = 0;
+        for (int i = 0; i < variances.length; i++) {
+            rounded[i] = (float) variances[i];
+            sum += variances[i];
+        }
+        if (!(sum > 0)) {
+            return new ErrorEstimate(rounded, 0, 1, 1, 0, variances.length);
+        }
+        double chance = StrictMath.exp(TWO_SIDED_95 * deviation(inverse));
+        return new ErrorEstimate(rounded, sum / variances.length, 1 / chance, chance, 0, variances.length);
+    }
+
     /** The error of some tiles, as if they were all of the picture. */
     public static ErrorEstimate of(List<FilmTile> tiles) {
         int n = 0;

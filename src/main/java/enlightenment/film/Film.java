@@ -1,5 +1,6 @@
 package enlightenment.film;
 
+import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 
 /**
@@ -11,6 +12,7 @@ public final class Film {
     public final int y;
     public final int width;
     public final int height;
+    private final Encoding encoding;
     private final double[] rgb;
 
     /** Per pixel; see {@link FilmTile#halves} and {@link FilmTile#quarters}. */
@@ -21,8 +23,14 @@ public final class Film {
     private long surveyRays;
     private boolean differences;
 
-    /** A film for a rectangle of the whole picture. */
+    /** A film for a rectangle of the whole picture, display-referred. */
     public Film(int x, int y, int width, int height) {
+        this(x, y, width, height, Encoding.DISPLAY);
+    }
+
+    /** A film for a rectangle of the whole picture. */
+    public Film(int x, int y, int width, int height, Encoding encoding) {
+        this.encoding = encoding;
         this.x = x;
         this.y = y;
         this.width = width;
@@ -32,6 +40,11 @@ public final class Film {
         halves = new float[pixels];
         quarters = new float[pixels];
         counts = new int[pixels];
+    }
+
+    /** What the pixels mean. */
+    public Encoding encoding() {
+        return encoding;
     }
 
     /** Puts a finished tile. */

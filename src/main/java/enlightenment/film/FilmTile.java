@@ -100,6 +100,97 @@ public final class FilmTile {
         known[k + 3] = ofLight;
     }
 
+    /**
+     * Adds the sums, counts and survey rays of a later pass over the same pixels; its sums stay exact to about twice the precision of
+     * doubles (T. J. Dekker, "A floating-point technique for extending the available precision", 1971; the exact sum of two is D. E.
+     * Knuth's). What pixels tell of their error is not kept: {@link TilePasses}.
+     *
+     * @throws IllegalArgumentException if it has other pixels, or the samples of either are differences from something known
+     */
+    public void merge(FilmTile later) {
+        if (later.x != x || later.y != y || later.width != width || later.height != height) {
+            throw new IllegalArgumentException("tiles of different places");
+        }
+        if (known != null || later.known != null) {
+            throw new IllegalArgumentException("passes of differences");
+        }
+        for (int k = 0; k < sums.length; k += 2) {
+            double a = sums[k];
+            double b = later.sums[k];
+            double t = a + b;
+            double c = t - a;
+            sums[k] = t;
+            sums[k + 1] += later.sums[k + 1] + ((a - (t - c)) + (b - c));
+        }
+        for (int i = 0; i < counts.length; i++) {
+            counts[i] = Math.addExact(counts[i], later.counts[i]);
+        }
+        surveyRays += later.surveyRays;
+    }
+
+    /** Makes this the sum of four parts, each a quarter of the samples, from which the spreads follow as in {@link SampleSpread}. */
+    void setQuarters(FilmTile[] quarters) {
+        if (surveyRays != 0 || known != null || counts.length > 0 && counts[0] != 0) {
+            throw new IllegalArgumentException("a tile with samples");
+        }
+        double[] means = new double[3 * quarters.length];
+        int[] sizes = new int[quarters.length];
+        for (int i = 0; i < counts.length; i++) {
+            for (int q = 0; q < quarters.length; q++) {
+                sizes[q] = quarters[q].counts[i];
+                for (int c = 0; c < 3; c++) {
+                    int k = PER_PIXEL * i + 2 * c;
+                    means[3 * q + c] = quarters[q].sums[k] + quarters[q].sums[k + 1];
+                }
+            }
+            spreads[2 * i] = (float) SampleSpread.halves(means, sizes);
+            spreads[2 * i + 1] = (float) SampleSpread.quarters(means, sizes);
+        }
+        FilmTile first = copyOf(quarters[0]);
+        first.merge(quarters[1]);
+        FilmTile second = copyOf(quarters[2]);
+        second.merge(quarters[3]);
+        merge(first);
+        merge(second);
+    }
+
+    private static FilmTile copyOf(FilmTile tile) {
+        FilmTile copy = new FilmTile(tile.x, tile.y, tile.width, tile.height);
+        copy.merge(tile);
+        return copy;
+    }
+
+    /** The sum of the samples of component 0, 1 or 2 of a pixel, rounded; {@link #compensation} has the rest. */
+    public double sum(int column, int row, int component) {
+        return sums[PER_PIXEL * pixel(column, row) + 2 * component];
+    }
+
+    /** What has to be added to {@link #sum}. */
+    public double compensation(int column, int row, int component) {
+        return sums[PER_PIXEL * pixel(column, row) + 2 * component + 1];
+    }
+
+    /**
+     * Sets what a pass carries of a pixel.
+     *
+     * @param values sum and compensation of red, of green and of blue
+     * @param from where in {@code values} they begin
+     */
+    public void put(int column, int row, double[] values, int from, int count) {
+        int pixel = pixel(column, row);
+        System.arraycopy(values, from, sums, PER_PIXEL * pixel, PER_PIXEL);
+        counts[pixel] = count;
+    }
+
+    boolean hasPixelWithoutSamples() {
+        for (int count : counts) {
+            if (count < 1) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether the samples are differences from something known. */
     public boolean hasKnown() {
         return known != null;

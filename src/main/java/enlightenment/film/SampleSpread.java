@@ -58,9 +58,11 @@ public final class SampleSpread {
 
     /** (A − B)²/4 for the means A, B of the two halves, mean of the components; 0 for less than two samples. */
     public double halves() {
-        if (count < 2) {
-            return 0;
-        }
+        return count < 2 ? 0 : halves(sums, sizes);
+    }
+
+    /** The same for sums and sizes of the four quarters, neither half empty. */
+    static double halves(double[] sums, int[] sizes) {
         double first = 1.0 / (sizes[0] + sizes[1]);
         double second = 1.0 / (sizes[2] + sizes[3]);
         double sum = 0;
@@ -73,7 +75,12 @@ public final class SampleSpread {
 
     /** The same for the two quarters of each half, mean of both; 0 for less than four samples. */
     public double quarters() {
-        return count < QUARTERS ? 0 : (difference(0) + difference(2)) / 24;
+        return count < QUARTERS ? 0 : quarters(sums, sizes);
+    }
+
+    /** The same for sums and sizes of the four quarters, none of them empty. */
+    static double quarters(double[] sums, int[] sizes) {
+        return (difference(sums, sizes, 0) + difference(sums, sizes, 2)) / 24;
     }
 
     /** How many samples the pixel has. */
@@ -94,7 +101,7 @@ public final class SampleSpread {
         }
     }
 
-    private double difference(int quarter) {
+    private static double difference(double[] sums, int[] sizes, int quarter) {
         double sum = 0;
         for (int c = 0; c < 3; c++) {
             double d = sums[3 * quarter + c] / sizes[quarter] - sums[3 * quarter + 3 + c] / sizes[quarter + 1];

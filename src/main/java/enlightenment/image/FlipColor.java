@@ -1,7 +1,7 @@
 package enlightenment.image;
 
 import enlightenment.codec.PngWriter;
-import enlightenment.codec.Srgb;
+import enlightenment.color.TransferCurve;
 
 /**
  * The colour spaces of ꟻLIP (section 4.1 of its paper): sRGB, the linear opponent space YCxCz that the eye's filters work
@@ -32,7 +32,7 @@ final class FlipColor {
     static {
         for (int i = 0; i < 256; i++) {
             STORED[i] = (float) (i / 255.0);
-            LINEAR[i] = Srgb.decode(STORED[i]);
+            LINEAR[i] = TransferCurve.decode(STORED[i]);
         }
     }
 
@@ -41,9 +41,9 @@ final class FlipColor {
     /** Writes relative luminance, Cx and Cz of a row of the image. What cannot be displayed is clipped first. */
     static void toOpponent(Image image, int row, double[] luminance, double[] cx, double[] cz) {
         for (int x = 0; x < image.width(); x++) {
-            double r = decode(image.component(x, row, 0));
-            double g = decode(image.component(x, row, 1));
-            double b = decode(image.component(x, row, 2));
+            double r = decode(image.displayed(x, row, 0));
+            double g = decode(image.displayed(x, row, 1));
+            double b = decode(image.displayed(x, row, 2));
             double relativeX = dot(TO_XYZ, 0, r, g, b) / WHITE_X;
             double relativeY = dot(TO_XYZ, 3, r, g, b) / WHITE_Y;
             double relativeZ = dot(TO_XYZ, 6, r, g, b) / WHITE_Z;
@@ -88,7 +88,7 @@ final class FlipColor {
 
     private static double decode(float stored) {
         int step = PngWriter.quantize(stored, 255);
-        return STORED[step] == stored ? LINEAR[step] : Srgb.decode(clip(stored));
+        return STORED[step] == stored ? LINEAR[step] : TransferCurve.decode(clip(stored));
     }
 
     /** HyAB: the lightness as in a city of square blocks, the chroma as the crow flies (Abasi, Tehran, Fairchild 2020). */

@@ -1,23 +1,41 @@
 package enlightenment.image;
 
 import enlightenment.codec.PngWriter;
+import enlightenment.color.Encoding;
+import enlightenment.color.TransferCurve;
 import java.util.Objects;
 
 /**
- * A finished picture: display-referred float pixels, row by row from the top, red, green and blue interleaved. Immutable
- * as long as nobody keeps the array that it was made from.
+ * A finished picture: float pixels, row by row from the top, red, green and blue interleaved, and what they mean. Those of linear
+ * light become what a screen takes once, at output ({@link #displayed}). Immutable as long as nobody keeps the array that it was
+ * made from.
  */
 public final class Image {
     private final int width;
     private final int height;
     private final float[] rgb;
+    private final Encoding encoding;
 
     /**
+     * A display-referred picture.
+     *
      * @param width in pixels
      * @param height in pixels
      * @param rgb 3·width·height components, 0..1 where they can be displayed; taken over, not copied
      */
     public Image(int width, int height, float[] rgb) {
+        this(width, height, rgb, Encoding.DISPLAY);
+    }
+
+    /**
+     * A picture.
+     *
+     * @param width in pixels
+     * @param height in pixels
+     * @param rgb 3·width·height components; taken over, not copied
+     * @param encoding what they are
+     */
+    public Image(int width, int height, float[] rgb, Encoding encoding) {
         Objects.requireNonNull(rgb, "rgb");
         if (width < 1 || height < 1 || rgb.length != 3L * width * height) {
             throw new IllegalArgumentException(
@@ -26,6 +44,12 @@ public final class Image {
         this.width = width;
         this.height = height;
         this.rgb = rgb;
+        this.encoding = Objects.requireNonNull(encoding, "encoding");
+    }
+
+    /** What the components are. */
+    public Encoding encoding() {
+        return encoding;
     }
 
     /** The number of columns, at least 1. */
@@ -43,6 +67,33 @@ public final class Image {
         return rgb[3 * (y * width + x) + c];
     }
 
+    /**
+     * The same component as a screen takes it: as it is in a display-referred picture; linear light is limited to 0..1 and encoded
+     * by the sRGB curve, in double precision, then rounded to a float. NaN stays NaN.
+     */
+    public float displayed(int x, int y, int c) {
+        return displayed(component(x, y, c));
+    }
+
+    private float displayed(float value) {
+        if (encoding == Encoding.DISPLAY) {
+            return value;
+        }
+        return value >= 1 ? 1 : value <= 0 ? 0 : (float) TransferCurve.encode(value);
+    }
+
+    /** The same picture as a screen takes it; this one if it is display-referred. */
+    public Image toDisplay() {
+        if (encoding == Encoding.DISPLAY) {
+            return this;
+        }
+        float[] display = new float[rgb.length];
+        for (int i = 0; i < rgb.length; i++) {
+            display[i] = displayed(rgb[i]);
+        }
+        return new Image(width, height, display);
+    }
+
     /** A copy of all components: 3·width·height, in the order of the constructor. */
     public float[] toArray() {
         return rgb.clone();
@@ -51,14 +102,14 @@ public final class Image {
     /**
      * The pixels for a screen: width·height numbers 0xFFRRGGBB (opaque ARGB), row by row from the top, each row from the left,
      * as {@code java.awt.image.BufferedImage.setRGB} and most windowing toolkits take them. Every component is what it is in
-     * an 8-bit PNG file: limited to 0..1, then rounded to the nearest of 0..255, halves upwards; NaN becomes 0.
+     * an 8-bit PNG file: {@linkplain #displayed as a screen takes it}, limited to 0..1, then rounded to the nearest of 0..255, halves upwards; NaN becomes 0.
      */
     public int[] toArgb() {
         int[] argb = new int[rgb.length / 3];
         for (int i = 0; i < argb.length; i++) {
-            int red = PngWriter.quantize(rgb[3 * i], 255);
-            int green = PngWriter.quantize(rgb[3 * i + 1], 255);
-            int blue = PngWriter.quantize(rgb[3 * i + 2], 255);
+            int red = PngWriter.quantize(displayed(rgb[3 * i]), 255);
+            int green = PngWriter.quantize(displayed(rgb[3 * i + 1]), 255);
+            int blue = PngWriter.quantize(displayed(rgb[3 * i + 2]), 255);
             argb[i] = 0xff000000 | red << 16 | green << 8 | blue;
         }
         return argb;

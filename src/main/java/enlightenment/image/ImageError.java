@@ -1,9 +1,9 @@
 package enlightenment.image;
 
 /**
- * By how much one image differs from another, in figures. All of them are in display units: 0 is black, 1 is white, and the
- * components are taken as they are stored (an sRGB picture's are not linear light). Components outside 0..1 count as they
- * are. Means run over all components of all pixels, row by row, with compensated sums: the same images give the same bits on
+ * By how much one image differs from another, in figures. The components are taken as they are stored: display-referred pictures
+ * are compared in display units (0 is black, 1 is white), those of linear light in linear units, and one is not compared with
+ * the other. Components outside 0..1 count as they are. Means run over all components of all pixels, row by row, with compensated sums: the same images give the same bits on
  * every machine.
  *
  * @param meanSquaredError mean of (a − b)²
@@ -36,7 +36,8 @@ public record ImageError(
     /**
      * Compares two images. Only the relative error depends on which of them is the reference.
      *
-     * @throws enlightenment.math.InvalidValueException if the sizes differ (key "size", the message has both) or if a
+     * @throws enlightenment.math.InvalidValueException if the sizes differ (key "size", the message has both), if one holds
+     *     linear light and the other does not (key "encoding") or if a
      *     component is infinite or not a number (key "test" or "reference", the message tells where)
      */
     public static ImageError between(Image test, Image reference) {

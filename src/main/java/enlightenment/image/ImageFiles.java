@@ -4,6 +4,7 @@ import enlightenment.codec.PfmFormat;
 import enlightenment.codec.PngWriter;
 import enlightenment.codec.Raster;
 import enlightenment.codec.RasterFiles;
+import enlightenment.color.Encoding;
 import enlightenment.file.WholeFile;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -40,7 +41,7 @@ public final class ImageFiles {
         switch (format) {
             case PNG ->
                 new PngWriter(out, image.width(), image.height(), options.depth())
-                        .write(image::component, options.text());
+                        .write(image::displayed, options.text());
             case PFM -> PfmFormat.write(image.width(), image.height(), image::component, out);
             default -> throw new IllegalArgumentException("no " + format + " files are written");
         }
@@ -66,7 +67,7 @@ public final class ImageFiles {
     }
 
     /**
-     * Writes an sRGB PNG file: components are limited to 0..1 and rounded to the nearest step of 1/255 or 1/65535, halves
+     * Writes an sRGB PNG file: components, {@linkplain Image#displayed as a screen takes them}, are limited to 0..1 and rounded to the nearest step of 1/255 or 1/65535, halves
      * upwards; what is no number becomes 0.
      */
     public static void writePng(Image image, Path file, PngOptions options) throws IOException {
@@ -78,7 +79,10 @@ public final class ImageFiles {
         write(image, out, ImageFormat.PNG, options);
     }
 
-    /** Writes a portable float map: all components bit by bit, little-endian, the bottom row first. */
+    /**
+     * Writes a portable float map: all components bit by bit, little-endian, the bottom row first; those of linear light as linear
+     * light. The file does not say which of the two it holds.
+     */
     public static void writePfm(Image image, Path file) throws IOException {
         WholeFile.write(file, out -> toPfm(image, out));
     }
@@ -91,12 +95,24 @@ public final class ImageFiles {
     /**
      * Reads a file of any {@link ImageFormat} with at most 2^28 pixels; its first bytes tell which. Whole numbers become the
      * float next to their fraction of the maximum; a grey picture gets three equal components. Transparency, gamma and colour
-     * profiles are not applied, nor the scale of a float map.
+     * profiles are not applied, nor the scale of a float map. The picture is taken for display-referred.
      */
     public static Image read(Path file) throws IOException {
+        return read(file, Encoding.DISPLAY);
+    }
+
+    /**
+     * Reads a float map whose components are known to be linear light or display-referred, as {@link #read(Path)}.
+     *
+     * @throws IOException also if linear light is expected of a file of whole numbers, which holds none
+     */
+    public static Image read(Path file, Encoding encoding) throws IOException {
         return RasterFiles.read(file, bytes -> {
             Raster raster = RasterFiles.decode(bytes);
-            return new Image(raster.width(), raster.height(), raster.components());
+            if (encoding == Encoding.LINEAR && raster.floats() == null) {
+                throw new IOException("it holds no linear light, but whole numbers for a screen");
+            }
+            return new Image(raster.width(), raster.height(), raster.components(), encoding);
         });
     }
 }

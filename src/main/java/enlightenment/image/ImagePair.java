@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.color.Encoding;
 import enlightenment.math.InvalidValueException;
 
 /** What two images must have in common to be compared. */
@@ -8,11 +9,17 @@ final class ImagePair {
 
     private ImagePair() {}
 
-    /** Fails unless both have one size and finite components. */
+    /** Fails unless both have one size, one encoding and finite components. */
     static void check(Image test, Image reference) {
         if (test.width() != reference.width() || test.height() != reference.height()) {
             throw new InvalidValueException(
                     "size", "must be that of the reference, " + size(reference) + " pixels, not " + size(test));
+        }
+        if (test.encoding() != reference.encoding()) {
+            throw new InvalidValueException(
+                    "encoding",
+                    "must be that of the reference, which " + holds(reference) + "; the picture to judge "
+                            + holds(test));
         }
         checkFinite("test", test);
         checkFinite("reference", reference);
@@ -30,6 +37,10 @@ final class ImagePair {
                 }
             }
         }
+    }
+
+    private static String holds(Image image) {
+        return image.encoding() == Encoding.LINEAR ? "holds linear light" : "is display-referred";
     }
 
     static String size(Image image) {

@@ -3,10 +3,10 @@ package enlightenment.measure;
 import enlightenment.check.Check;
 import enlightenment.measure.trade.Spread;
 import enlightenment.render.RenderProgress;
-import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Method;
+import enlightenment.report.RenderReport;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -45,10 +45,9 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
     /** The settings of the paper's benchmark, for its scene fire and ice; all else is the scene's own. */
     public static RenderSettings paperSettings(Scene fireAndIce) {
         return RenderSettings.of(fireAndIce)
-                .withMethod(Method.RAYTRACE)
+                .using(new RayTraceSettings(PAPER_SHADOW_SAMPLES))
                 .withSize(PAPER_WIDTH, PAPER_HEIGHT)
                 .withAntialias(PAPER_ANTIALIAS)
-                .withShadowSamples(PAPER_SHADOW_SAMPLES)
                 .withThreads(PAPER_THREADS);
     }
 

@@ -114,8 +114,8 @@ final class EqualTimeRenders {
     }
 
     private static Image difference(Image a, Image b, int gain) {
-        float[] rgb = a.toArray();
-        float[] other = b.toArray();
+        float[] rgb = a.toDisplay().toArray();
+        float[] other = b.toDisplay().toArray();
         for (int i = 0; i < rgb.length; i++) {
             rgb[i] = Math.min(gain * Math.abs(rgb[i] - other[i]), 1);
         }

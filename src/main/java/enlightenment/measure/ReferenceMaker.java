@@ -171,7 +171,8 @@ final class ReferenceMaker {
             }
         }
         double variance = squares / mean.length / ((double) n * n * (n - 1));
-        return new Reference(Optional.of(new Image(width, height, mean)), variance, parts);
+        return new Reference(
+                Optional.of(new Image(width, height, mean, images.get(0).encoding())), variance, parts);
     }
 
     /**

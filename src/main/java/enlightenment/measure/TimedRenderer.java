@@ -5,9 +5,10 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.render.RenderProgress;
-import enlightenment.render.RenderReport;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
+import enlightenment.report.RenderReport;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.List;
@@ -59,7 +60,7 @@ final class TimedRenderer {
                 kind,
                 s.method().word(),
                 s.antialias(),
-                s.shadowSamples(),
+                RayTraceSettings.of(s).shadowSamples(),
                 s.threads(),
                 s.budget().samples().orElse(0),
                 s.seed(),

@@ -6,6 +6,7 @@ import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.TradeListener;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeSettings;
+import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -40,6 +41,8 @@ public final class Trade {
             TradeListener listener,
             BooleanSupplier cancelled)
             throws IOException {
+        // Before there is a folder of it.
+        settings.methods().forEach(word -> Method.requireSupport(Method.named(word), scene));
         TradeFolder files = TradeFolder.open(folder, settings, resume);
         Session session = new Session(scene, settings, files, listener, cancelled);
         Map<String, String> machine = Bench.machine();

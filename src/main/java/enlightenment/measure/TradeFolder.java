@@ -9,6 +9,9 @@ import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -81,6 +84,7 @@ final class TradeFolder {
     }
 
     private static void checkRuns(Path folder, List<TradeRun> runs, RenderSettings base) {
+        int lightSamples = RayTraceSettings.of(base).shadowSamples();
         boolean ran = false;
         for (TradeRun run : runs) {
             boolean series = run.kind().equals(TradeRun.BUDGET_SERIES);
@@ -88,11 +92,11 @@ final class TradeFolder {
                 throw new InvalidValueException(
                         "evaluate", folder + " holds runs with " + run.threads() + " threads, not " + base.threads());
             }
-            ran |= series && run.shadowSamples() == base.shadowSamples();
+            ran |= series && run.shadowSamples() == lightSamples;
         }
         if (!ran) {
             throw new InvalidValueException(
-                    "evaluate", folder + " holds no runs with " + base.shadowSamples() + " light samples");
+                    "evaluate", folder + " holds no runs with " + lightSamples + " light samples");
         }
     }
 
@@ -145,21 +149,25 @@ final class TradeFolder {
     private static List<String> identity(TradeSettings settings) {
         RenderSettings base = settings.base();
         RenderSettings.Crop c = base.region();
-        return List.of(
+        List<String> lines = new ArrayList<>(List.of(
                 "format=2",
                 "scene=" + settings.sceneKey(),
                 "methods=" + String.join(",", settings.methods()),
                 "size=" + base.width() + "x" + base.height(),
                 "crop=" + c.x() + "," + c.y() + "," + c.width() + "," + c.height(),
-                "antialias=" + base.antialias(),
-                "shadowSamples=" + base.shadowSamples(),
-                "proposal=" + base.proposal(),
+                "antialias=" + base.antialias()));
+        List<Method> methods = new ArrayList<>(BuiltInMethod.ALL);
+        settings.methods().forEach(word -> methods.add(Method.named(word)));
+        Method.settings(methods)
+                .forEach(s -> lines.add(s.key() + "=" + base.chosen().value(s)));
+        lines.addAll(List.of(
                 "seed=" + base.seed(),
                 "threads=" + base.threads(),
                 "reference="
                         + settings.reference()
                                 .map(r -> "given, " + Arrays.hashCode(r.toArray()))
-                                .orElse("auto"));
+                                .orElse("auto")));
+        return lines;
     }
 
     Path file(String name) {

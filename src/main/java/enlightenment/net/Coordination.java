@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
 import enlightenment.net.listen.ServerLog;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;
@@ -14,6 +14,7 @@ import enlightenment.net.server.Connections;
 import enlightenment.net.server.LocalWorker;
 import enlightenment.net.server.ServerConnection;
 import enlightenment.net.server.ServerJob;
+import java.io.UncheckedIOException;
 import java.security.SecureRandom;
 import java.util.List;
 
@@ -139,9 +140,19 @@ final class Coordination implements ServerConnection.Host {
             return;
         }
         for (Action action : coordinator.handle(System.nanoTime(), event)) {
-            if (!job.keep(action)) {
+            if (!keep(action)) {
                 perform(action);
             }
+        }
+    }
+
+    private boolean keep(Action action) {
+        try {
+            return job.keep(action);
+        } catch (UncheckedIOException | ArithmeticException e) {
+            // What does not count cannot be taken out of the picture, or the picture cannot hold what it should.
+            failed(e);
+            return true;
         }
     }
 
@@ -248,7 +259,7 @@ final class Coordination implements ServerConnection.Host {
     }
 
     /** What goes on with more samples: machines that were found out stay expelled. */
-    synchronized ServerJob jobFollowing(TiledRender more) {
+    synchronized ServerJob jobFollowing(DividedRender more) {
         return job.with(more, options.version, coordinator.expelled());
     }
 

@@ -1,7 +1,7 @@
 package enlightenment.net;
 
+import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
-import enlightenment.engine.TiledRender;
 import enlightenment.file.ContentHash;
 import enlightenment.net.checkpoint.Origin;
 import enlightenment.net.job.Build;
@@ -61,7 +61,7 @@ public final class EngineJob implements Closeable {
         if (checkpoint != null && settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException("a render with a checkpoint must not depend on the time that it takes");
         }
-        TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(log);
         ServerJob job = new ServerJob(render, JobContent.of(scene, render.outline(), Build.number()), log);
         if (checkpoint != null) {
@@ -99,7 +99,7 @@ public final class EngineJob implements Closeable {
         byHash.forEach((hash, bytes) -> byName.put(hash.toString(), bytes));
         JobContent.Document read = JobContent.read(document, byHash.keySet(), Build.number(), 1);
         try {
-            TiledRender render = TiledRender.planned(
+            DividedRender render = DividedRender.planned(
                     read.scene(), read.settings(), read.plan(), (Path file) -> byName.get(file.toString()));
             return () -> render.maker()::make;
         } catch (IllegalArgumentException | SceneException e) {
@@ -116,7 +116,7 @@ public final class EngineJob implements Closeable {
 
     /** Number of bytes of a tile. */
     public int length(int tile) {
-        return job.film().length(tile);
+        return job.film().longest(tile);
     }
 
     /**
@@ -148,7 +148,7 @@ public final class EngineJob implements Closeable {
 
     /** The picture so far, with its report. */
     public RenderResult result() {
-        return job.film().result();
+        return Results.of(job.film().result());
     }
 
     @Override

@@ -1,7 +1,7 @@
 package enlightenment.net;
 
+import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
-import enlightenment.engine.TiledRender;
 import enlightenment.file.ContentHash;
 import enlightenment.net.job.Build;
 import enlightenment.net.job.JobContent;
@@ -54,10 +54,10 @@ public final class RenderParts {
         if (settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException("parts of a render must not depend on the time that they take");
         }
-        TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(progress::note);
         ContentHash job = JobContent.of(scene, render.outline(), Build.number()).hash();
-        int[] tiles = IntStream.range(0, render.tiles())
+        int[] tiles = IntStream.range(0, render.units())
                 .filter(tile -> tile % parts == part - 1)
                 .toArray();
         Map<Integer, byte[]> made = make(render, tiles, progress, cancelled);
@@ -70,10 +70,10 @@ public final class RenderParts {
     }
 
     private static Map<Integer, byte[]> make(
-            TiledRender render, int[] tiles, RenderProgress progress, BooleanSupplier cancelled) {
+            DividedRender render, int[] tiles, RenderProgress progress, BooleanSupplier cancelled) {
         Map<Integer, byte[]> made = new TreeMap<>();
         FilmAssembly film = render.assembly();
-        long pixels = film.pixels() * tiles.length / render.tiles();
+        long pixels = film.pixels() * tiles.length / render.units();
         render.make(tiles, cancelled, (tile, bytes) -> {
             synchronized (made) {
                 made.put(tile, bytes);
@@ -108,8 +108,8 @@ public final class RenderParts {
                 if (first == null) {
                     first = part.head();
                     film = part.assembly();
-                    hashes = new ContentHash[film.tiles()];
-                    from = new Path[film.tiles()];
+                    hashes = new ContentHash[film.units()];
+                    from = new Path[film.units()];
                 }
                 checkSame(files.get(0), first, file, part.head());
                 add(part, film, hashes, from);
@@ -118,7 +118,7 @@ public final class RenderParts {
         if (first == null) {
             throw new IOException("there are no parts to merge");
         }
-        return new Merged(film.result(), first.text(), missing(first, film));
+        return new Merged(Results.of(film.result()), first.text(), missing(first, film));
     }
 
     private static void add(PartFile part, FilmAssembly film, ContentHash[] hashes, Path[] from) throws IOException {
@@ -150,7 +150,7 @@ public final class RenderParts {
     private static List<String> missing(PartFile.Head head, FilmAssembly film) {
         TreeMap<Integer, Integer> missing = new TreeMap<>();
         TreeSet<Integer> whole = new TreeSet<>();
-        for (int tile = 0; tile < film.tiles(); tile++) {
+        for (int tile = 0; tile < film.units(); tile++) {
             int part = tile % head.parts() + 1;
             if (film.has(tile)) {
                 whole.add(part);

@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.listen.ServerLog;
@@ -54,7 +54,7 @@ public final class RenderServer implements Closeable {
         // Before what takes long: these files may be of no use.
         Secrets secrets = Secrets.open(options.secrets(), log::say);
         Canary.hash();
-        TiledRender render = TiledRender.prepare(scene, settings, cancelled);
+        DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(log::say);
         JobContent content = JobContent.of(scene, render.outline(), options.version);
         ServerJob job = new ServerJob(render, content, log::say);
@@ -90,7 +90,7 @@ public final class RenderServer implements Closeable {
     public RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
         Interrupts stop = new Interrupts(cancelled);
         try {
-            return rounds.await(progress, stop);
+            return Results.of(rounds.await(progress, stop));
         } finally {
             stop.restore();
         }

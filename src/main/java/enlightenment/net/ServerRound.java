@@ -1,6 +1,7 @@
 package enlightenment.net;
 
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.Rendered;
 import enlightenment.image.Image;
 import enlightenment.net.listen.Acceptor;
 import enlightenment.net.listen.ServerLog;
@@ -13,7 +14,6 @@ import enlightenment.net.server.ServerConnection;
 import enlightenment.net.server.ServerJob;
 import enlightenment.net.status.StatusServer;
 import enlightenment.render.RenderProgress;
-import enlightenment.render.RenderResult;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -96,12 +96,12 @@ final class ServerRound implements StatusServer.Source {
      * @param more what it renders
      * @param following the options of this server, for that render
      */
-    ServerRound follow(TiledRender more, ServerOptions following) throws IOException {
+    ServerRound follow(DividedRender more, ServerOptions following) throws IOException {
         return start(following, log, coordination.secrets(), coordination.jobFollowing(more));
     }
 
     /** The options of the round that renders this after this one. */
-    ServerOptions optionsFor(TiledRender more) {
+    ServerOptions optionsFor(DividedRender more) {
         return options.following(port(), statusPort(), more.round());
     }
 
@@ -115,7 +115,7 @@ final class ServerRound implements StatusServer.Source {
     }
 
     /** Renders until the picture is done, it is cancelled or ended; leaves the server open. */
-    RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
+    Rendered await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
         long told = -1;
         while (!coordination.isOver() && !cancelled.getAsBoolean()) {
             coordination.awaitEnd(TICK_MILLIS);

@@ -1,9 +1,9 @@
 package enlightenment.net;
 
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.Rendered;
 import enlightenment.net.server.Connections;
 import enlightenment.render.RenderProgress;
-import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.util.function.BooleanSupplier;
 
@@ -24,12 +24,12 @@ final class ServerRounds {
     }
 
     /** Renders round after round; returns the last picture that became whole, or what there is of the first. */
-    RenderResult await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
-        RenderResult best = first.await(progress, cancelled);
+    Rendered await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
+        Rendered best = first.await(progress, cancelled);
         ServerRound next = after(first, best, cancelled);
         while (next != null) {
             try {
-                RenderResult result = next.await(progress, cancelled);
+                Rendered result = next.await(progress, cancelled);
                 best = result.complete() ? result : best;
                 next = after(next, result, cancelled);
             } catch (IOException e) {
@@ -42,8 +42,8 @@ final class ServerRounds {
     }
 
     /** Ends a round; returns the one that goes on, or null if there is no more to do. */
-    private ServerRound after(ServerRound round, RenderResult result, BooleanSupplier cancelled) {
-        TiledRender more = cancelled.getAsBoolean() || isStopped()
+    private ServerRound after(ServerRound round, Rendered result, BooleanSupplier cancelled) {
+        DividedRender more = cancelled.getAsBoolean() || isStopped()
                 ? null
                 : round.job().render().next(result, round::say).orElse(null);
         if (more == null) {
@@ -55,7 +55,7 @@ final class ServerRounds {
         return begun(round, options, more);
     }
 
-    private ServerRound begun(ServerRound before, ServerOptions options, TiledRender more) {
+    private ServerRound begun(ServerRound before, ServerOptions options, DividedRender more) {
         for (int k = 1; !isStopped(); k++) {
             try {
                 return put(before.follow(more, options));

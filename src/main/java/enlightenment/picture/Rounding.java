@@ -20,7 +20,7 @@ public final class Rounding {
             double row = 0;
             for (int x = 0; x < image.width(); x++) {
                 for (int c = 0; c < 3; c++) {
-                    row += square(image.component(x, y, c), depth);
+                    row += square(image.displayed(x, y, c), depth);
                 }
             }
             sum += row;

@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 /** The number of samples that an error takes, as far as trials tell. */
 final class ErrorPlanner {
     /** What a search begins with where no picture is surveyed. */
-    private static final double FIRST_SAMPLES = 2;
+    private static final double FEW_SAMPLES = 2;
 
     /** Where rounding takes more than this share of the squared error, a file with more bits would take far fewer samples. */
     private static final double MUCH_ROUNDING = 0.5;
@@ -49,16 +49,16 @@ final class ErrorPlanner {
     }
 
     private double search(ErrorTrials trials, double most) {
+        MethodTraits traits = plans.traits();
         if (!plans.isSurveyed(most)) {
-            return trials.search(1, FIRST_SAMPLES, most, 0);
+            return trials.search(1, FEW_SAMPLES, most, 0);
         }
         // The error jumps where surveys begin: both sides of it are searched. Where evenly spaced rays are enough, they
         // are fewer.
-        double plain = trials.search(1, 1, SamplePlans.MOST_WITHOUT_SURVEY, 0);
-        return plain <= SamplePlans.MOST_WITHOUT_SURVEY || trials.isHopeless()
+        double plain = trials.search(1, 1, traits.mostBelow(), 0);
+        return plain <= traits.mostBelow() || trials.isHopeless()
                 ? plain
-                : trials.search(
-                        SamplePlans.FEWEST_OF_CLUSTER, SamplePlans.FIRST_OF_CLUSTER, most, plans.planningRays());
+                : trials.search(traits.fewest(), traits.first(), most, plans.planningRays());
     }
 
     /** Refuses an error that no number of samples can keep in this file. */

@@ -15,6 +15,9 @@ import java.util.function.BooleanSupplier;
  * budget becomes a number, whatever it asks; where that cannot keep it, {@link #notes} says so.
  */
 public final class Planner {
+    /** The first picture of paths that may end anywhere has this many to a pixel where an error is asked for. */
+    private static final double FIRST_PATHS = 4;
+
     private final RenderSettings settings;
     private final BooleanSupplier cancelled;
     private final SamplePlans plans;
@@ -39,23 +42,40 @@ public final class Planner {
      */
     public RenderPlan plan(Stopwatch time, double previewed) {
         Budget budget = settings.budget();
+        noteCrop();
         if (budget.isNone()) {
             return plans.ofAntialias();
         }
         double samples = budget.samples().orElse(Budget.MAX_SAMPLES);
         String by = "samples";
         if (budget.error().isPresent()) {
-            double n = new ErrorPlanner(settings, plans, trial, endOfErrorTrials(time), notes::add).samples(samples);
+            double n = samplesForError(samples, time);
             by = n < samples ? "error" : by;
             samples = Math.min(samples, n);
         }
         if (budget.seconds().isPresent()) {
-            double n = new TimePlanner(settings, plans, trial, cancelled, notes::add)
+            double n = new TimePlanner(plans, trial, cancelled, notes::add)
                     .samples(budget.seconds().getAsDouble(), time, 1 + previewed);
             by = n < samples ? "time" : by;
             samples = Math.min(samples, n);
         }
         return plans.of(samples, by);
+    }
+
+    private double samplesForError(double most, Stopwatch time) {
+        if (!plans.traits().areBatches()) {
+            return new ErrorPlanner(settings, plans, trial, endOfErrorTrials(time), notes::add).samples(most);
+        }
+        notes.add(settings.method() + " has no trials for an error: a first picture with " + Rounds.number(FIRST_PATHS)
+                + " paths per pixel tells how many it takes");
+        return Math.min(most, FIRST_PATHS);
+    }
+
+    private void noteCrop() {
+        if (plans.traits().areBatches() && settings.crop().isPresent()) {
+            notes.add("a crop saves no time with " + settings.method()
+                    + ": its paths may end anywhere, and what they bring elsewhere is dropped");
+        }
     }
 
     /** When to stop looking for the samples that an error takes: where there is not much time, time decides. */

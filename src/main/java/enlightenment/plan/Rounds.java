@@ -1,7 +1,7 @@
 package enlightenment.plan;
 
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
-import enlightenment.scene.Method;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -36,22 +36,6 @@ public final class Rounds {
     private double error;
     private boolean isLimited;
 
-    /**
-     * What a finished picture was made with, and what became of it.
-     *
-     * @param asked the method of the settings
-     * @param used the method that made the samples
-     * @param samples the samples per pixel that were planned
-     * @param errorHigh the upper end of the interval that is to hold the error
-     * @param rounding the error of rounding to the depth of the file
-     */
-    public record Outcome(Method asked, Method used, double samples, double errorHigh, double rounding) {
-        /** The error that is to be counted on. */
-        private double error() {
-            return Math.hypot(errorHigh, rounding);
-        }
-    }
-
     /** The rounds of one render with this budget. */
     public Rounds(Budget budget) {
         this.budget = budget;
@@ -60,27 +44,29 @@ public final class Rounds {
     /**
      * The number of samples for the next round; empty if the picture is exact enough, or nothing more can be done.
      *
-     * @param outcome of the round that is over
+     * @param report of the round that is over
      * @param took seconds that its rendering took
      * @param now seconds since the budget began
      */
-    public OptionalDouble next(Outcome outcome, double took, double now) {
-        double n = outcome.samples;
+    public OptionalDouble next(RenderReport report, double took, double now) {
+        RenderReport.Sampling outcome = report.sampling();
+        double n = outcome.plannedSamples();
         double most = budget.samples().orElse(Budget.MAX_SAMPLES);
-        double aim = aim(outcome.rounding);
+        double aim = aim(outcome.rounding());
         // What cannot be reached is come as near to as other limits allow.
         boolean isEndless =
                 !(aim > 0) && budget.samples().isEmpty() && budget.seconds().isEmpty();
         if (isMet(outcome) || !(n < most) || isEndless) {
             return OptionalDouble.empty();
         }
-        double next = samplesFor(n, outcome.errorHigh, aim);
-        if (outcome.used == Method.RAYTRACE && outcome.asked == Method.CLUSTER) {
-            // The error of evenly spaced rays tells little of that of surveyed ones: it may be far smaller.
-            next = Math.min(next, SamplePlans.FIRST_OF_CLUSTER);
+        double next = samplesFor(n, outcome.errorHigh(), aim);
+        if (outcome.method() != report.settings().method()) {
+            // The error of the method that is used for few samples tells little of that of the other: it may be far
+            // smaller.
+            next = Math.min(next, Integrators.traits(report.settings().method()).first());
         }
         samples = n;
-        error = outcome.errorHigh;
+        error = outcome.errorHigh();
         if (budget.seconds().isPresent()) {
             double left = PLANNED_TIME * (budget.seconds().getAsDouble() - now);
             double affordable = n * left / took;
@@ -94,18 +80,27 @@ public final class Rounds {
         return OptionalDouble.of(Math.min(Tidy.of(next), most));
     }
 
+    /**
+     * About how many samples per pixel would keep the error that was asked for, whatever other limits there were; empty if it is
+     * kept, or no number of samples would do.
+     */
+    public static OptionalDouble samplesForError(RenderReport report) {
+        OptionalDouble error = report.settings().budget().error();
+        return error.isEmpty() ? error : new Rounds(Budget.NONE.withError(error.getAsDouble())).next(report, 0, 0);
+    }
+
     /** What decided about the last number: error, samples or time. */
     public String decidedBy(double next) {
         return isLimited ? "time" : next < budget.samples().orElse(Budget.MAX_SAMPLES) ? "error" : "samples";
     }
 
     /** What is said of a picture that another one follows. */
-    public String note(Outcome outcome, double next) {
+    public String note(RenderReport report, double next) {
         return String.format(
                 Locale.ROOT,
                 "error up to %.3g with %s samples per pixel, more than %s: once more with %s",
-                outcome.error(),
-                number(outcome.samples),
+                report.sampling().errorInFile(),
+                number(report.sampling().plannedSamples()),
                 number(budget.error().orElse(0)),
                 number(next));
     }
@@ -115,8 +110,9 @@ public final class Rounds {
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
     }
 
-    private boolean isMet(Outcome outcome) {
-        return budget.error().isEmpty() || outcome.error() <= budget.error().getAsDouble();
+    private boolean isMet(RenderReport.Sampling outcome) {
+        return budget.error().isEmpty()
+                || outcome.errorInFile() <= budget.error().getAsDouble();
     }
 
     /** The error that the samples may leave. */

@@ -1,9 +1,6 @@
 package enlightenment.plan;
 
-import enlightenment.film.FilmTile;
-import enlightenment.scene.RenderSettings;
 import enlightenment.work.Stopwatch;
-import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
@@ -14,20 +11,13 @@ final class TimePlanner {
 
     private static final double FEWEST_BLOCKS = 64;
 
-    private final RenderSettings settings;
     private final SamplePlans plans;
     private final Trial trial;
     private final BooleanSupplier cancelled;
     private final Consumer<String> notes;
 
     /** @param notes hears what cannot be kept */
-    TimePlanner(
-            RenderSettings settings,
-            SamplePlans plans,
-            Trial trial,
-            BooleanSupplier cancelled,
-            Consumer<String> notes) {
-        this.settings = settings;
+    TimePlanner(SamplePlans plans, Trial trial, BooleanSupplier cancelled, Consumer<String> notes) {
         this.plans = plans;
         this.trial = trial;
         this.cancelled = cancelled;
@@ -42,13 +32,8 @@ final class TimePlanner {
      * @param passes how much time the render takes, in multiples of what its samples take
      */
     double samples(double seconds, Stopwatch time, double passes) {
-        TrialBlocks blocks = new TrialBlocks(settings);
-        double share = Math.max(SHARE, FEWEST_BLOCKS / blocks.count());
-        RenderSettings.Crop region = settings.region();
-        int trialPixels = blocks.phase(0, share).stream()
-                .mapToInt(b -> b.width * b.height)
-                .sum();
-        Pace pace = new Pace(seconds, (double) region.width() * region.height() * passes, trialPixels);
+        Trial.Piece piece = trial.piece(SHARE, FEWEST_BLOCKS);
+        Pace pace = new Pace(seconds, plans.tracedPixels() * passes, piece.pixels());
         BooleanSupplier over = () -> cancelled.getAsBoolean() || time.seconds() >= seconds;
         boolean surveyed = false;
         do {
@@ -59,9 +44,8 @@ final class TimePlanner {
                 // What is worked out only once must not count as part of a trial.
                 plans.prepareSurveyed();
             }
-            List<FilmTile> tiles = blocks.phase(0, share);
             double before = time.seconds();
-            trial.render(n, tiles, over);
+            piece.render(n, over);
             double now = time.seconds();
             if (!over.getAsBoolean()) {
                 pace.tried(n, now - before, now);
@@ -72,6 +56,6 @@ final class TimePlanner {
             notes.accept(
                     "time " + Rounds.number(seconds) + " s is too short: the least is taken, one sample per pixel");
         }
-        return plans.isSurveyed(planned) && !surveyed ? SamplePlans.MOST_WITHOUT_SURVEY : Tidy.of(planned);
+        return plans.isSurveyed(planned) && !surveyed ? plans.traits().mostBelow() : Tidy.of(planned);
     }
 }

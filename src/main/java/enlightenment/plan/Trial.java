@@ -3,7 +3,10 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
-import enlightenment.method.TileMethod;
+import enlightenment.film.SplatBatch;
+import enlightenment.film.SplatScale;
+import enlightenment.method.SplatIntegrator;
+import enlightenment.method.TileIntegrator;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
@@ -11,7 +14,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 
-/** Renders some blocks with random numbers that are not the picture's: nothing may depend on what it is decided about. */
+/** Renders some blocks, or follows some paths, with random numbers that are not the picture's: nothing may depend on what it is decided about. */
 final class Trial {
     /** Keeps the trial's random numbers apart from the picture's. */
     private static final long PURPOSE = 0x747269616cL;
@@ -26,11 +29,95 @@ final class Trial {
         this.plans = plans;
     }
 
+    /** What a trial for a time does: a part of the picture, and of a method whose paths may end anywhere some of the paths. */
+    interface Piece {
+        /** How many pixels take about as long. */
+        double pixels();
+
+        /** Renders it with this many samples per pixel, unless it is stopped. */
+        void render(double samples, BooleanSupplier stop);
+    }
+
+    /**
+     * A piece of the picture that is rendered, the same each time.
+     *
+     * @param share how large it should be, of the whole
+     * @param fewestBlocks how large it should be at least
+     */
+    Piece piece(double share, double fewestBlocks) {
+        if (Integrators.traits(settings.method()).areBatches()) {
+            double blocks = plans.tracedPixels() / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
+            return new Paths(Math.max(share, Math.min(fewestBlocks / blocks, 1)) * plans.tracedPixels());
+        }
+        TrialBlocks blocks = new TrialBlocks(settings);
+        return new Blocks(blocks, Math.max(share, fewestBlocks / blocks.count()));
+    }
+
+    private final class Blocks implements Piece {
+        private final TrialBlocks blocks;
+        private final double share;
+
+        Blocks(TrialBlocks blocks, double share) {
+            this.blocks = blocks;
+            this.share = share;
+        }
+
+        @Override
+        public double pixels() {
+            return blocks.phase(0, share).stream()
+                    .mapToInt(b -> b.width * b.height)
+                    .sum();
+        }
+
+        @Override
+        public void render(double samples, BooleanSupplier stop) {
+            Trial.this.render(samples, blocks.phase(0, share), stop);
+        }
+    }
+
+    private final class Paths implements Piece {
+        /** So many at a time: enough that who begins and ends does not matter, few enough to be stopped soon. */
+        private static final int AT_ONCE = 1 << 12;
+
+        private final double pixels;
+
+        Paths(double pixels) {
+            this.pixels = pixels;
+        }
+
+        @Override
+        public double pixels() {
+            return pixels;
+        }
+
+        @Override
+        public void render(double samples, BooleanSupplier stop) {
+            RenderPlan plan = plans.of(samples, "trial");
+            int batches = (int) Math.min(Math.max(Math.rint(samples * pixels / AT_ONCE), 1), Integer.MAX_VALUE);
+            RenderSettings.Crop region = settings.region();
+            Workers.run(settings.threads(), batches, stop, () -> {
+                RayCounters counters = new RayCounters(scene.kindNames.size());
+                SplatIntegrator method = (SplatIntegrator) Integrators.of(plan, scene, settings, counters);
+                method.stopWhen(stop);
+                SplatScale scale = SplatScale.of(
+                        method.expectedContribution(), (long) batches * AT_ONCE, (long) plans.tracedPixels());
+                SplatBatch out = new SplatBatch(region.x(), region.y(), region.width(), region.height(), scale);
+                return (IntConsumer) i -> {
+                    out.begin(AT_ONCE);
+                    method.trace((long) i * AT_ONCE, AT_ONCE, out);
+                    // Nobody looks at them, but they take time.
+                    out.sums();
+                };
+            });
+        }
+    }
+
     /** Renders these blocks with this many samples per pixel, unless it is stopped. */
     void render(double samples, List<FilmTile> blocks, BooleanSupplier stop) {
         RenderPlan plan = plans.of(samples, "trial");
         Workers.run(settings.threads(), blocks.size(), stop, () -> {
-            TileMethod method = TileMethods.of(plan, scene, settings, new RayCounters(scene.kindNames.size()));
+            TileIntegrator method =
+                    (TileIntegrator) Integrators.of(plan, scene, settings, new RayCounters(scene.kindNames.size()));
             method.stopWhen(stop);
             return (IntConsumer) i -> method.render(blocks.get(i));
         });

@@ -2,13 +2,13 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.engine.TileGrid;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
+import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
-import enlightenment.plan.TileMethods;
-import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
 import java.util.function.BooleanSupplier;
@@ -64,17 +64,18 @@ final class Preview {
     /** @param few the method's plan for this number of samples, or null if that is too few for it */
     private void pass(double samples, RenderPlan few, RenderProgress progress, BooleanSupplier cancelled) {
         boolean own = few != null;
-        // Too few for the method: evenly spaced rays with one light sample each, if need be not in all pixels.
-        RenderSettings how =
-                own ? settings : settings.withMethod(Method.RAYTRACE).withShadowSamples(1);
-        RenderPlan plan = own ? few : new RenderPlan(Method.RAYTRACE, Math.max(samples, 1), samples, "preview");
+        // Too few for the method: the cheapest that resembles it, if need be not in all pixels.
+        RenderSettings how = own ? settings : Integrators.cheapest(settings);
+        RenderPlan plan = own ? few : new RenderPlan(how.method(), Math.max(samples, 1), samples, "preview");
         int side = own || samples >= 1 ? 0 : Math.min((int) Math.ceil(Math.sqrt(1 / samples)), COARSEST);
         long total = (long) region.width() * region.height();
-        Workers.run(settings.threads(), grid.count, cancelled, () -> {
-            TileMethod method = TileMethods.of(plan, scene, how, new RayCounters(scene.kindNames.size()));
+        Workers.run(settings.threads(), grid.tiles(), cancelled, () -> {
+            TileIntegrator method =
+                    (TileIntegrator) Integrators.of(plan, scene, how, new RayCounters(scene.kindNames.size()));
             method.stopWhen(cancelled);
             return turn -> {
-                FilmTile tile = grid.tile(turn);
+                RenderSettings.Crop place = grid.place(turn);
+                FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height());
                 if (side == 0) {
                     method.render(tile);
                     put(tile);
@@ -89,7 +90,7 @@ final class Preview {
     }
 
     /** One sample for each square of pixels; squares are cut from the whole picture's corner and at the tile's border. */
-    private void renderSquares(TileMethod method, FilmTile tile, int side) {
+    private void renderSquares(TileIntegrator method, FilmTile tile, int side) {
         int right = tile.x + tile.width;
         int bottom = tile.y + tile.height;
         for (int y = tile.y; y < bottom; y = (y / side + 1) * side) {

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 
 /**
  * Hears how a render gets on. Called from the thread that asked for the render or from one of its helpers, one call at a time;
- * threads that finish a tile meanwhile wait, so a call should be short. What it throws ends the render.
+ * threads that finish a unit of work meanwhile wait, so a call should be short. What it throws ends the render.
  */
 @FunctionalInterface
 public interface RenderProgress {
@@ -15,10 +15,12 @@ public interface RenderProgress {
     /**
      * Some more of the picture is done.
      *
-     * @param done pixels finished; 0 while a progressive render refines its first coarse pass
+     * @param done pixels finished, where a unit of work that is a share of several pixels counts as that share of them; 0 while a
+     *     progressive render refines its first coarse pass
      * @param total pixels in all
      * @param soFar makes the picture so far, when it is called before this method returns. What is not rendered yet is black;
-     *     in a progressive render there is no such thing, because the first call comes after the first coarse pass
+     *     in a progressive render there is no such thing, because the first call comes after the first coarse pass, nor with a
+     *     method whose paths may end anywhere: there it is the picture of the paths so far
      */
     void progress(long done, long total, Supplier<Image> soFar);
 

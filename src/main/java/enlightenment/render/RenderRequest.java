@@ -20,7 +20,7 @@ import java.util.function.BooleanSupplier;
  *     thread that renders is the same wish
  * @param auxiliary what to tell of each pixel beside its colour
  * @param progressive whether coarse passes over the whole picture come first, so that from then on there is always a whole
- *     picture to show; they take about a seventh more time
+ *     picture to show; they take about a seventh more time. A method whose paths may end anywhere needs none
  * @param clusters whether to tell of the ray clusters
  */
 public record RenderRequest(

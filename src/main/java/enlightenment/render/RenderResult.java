@@ -1,10 +1,13 @@
 package enlightenment.render;
 
 import enlightenment.image.Image;
+import enlightenment.plan.Rounds;
+import enlightenment.report.RenderReport;
 import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 
 /**
  * What a render gave.
@@ -31,6 +34,14 @@ public record RenderResult(
         copy.putAll(auxiliary);
         clusters = List.copyOf(clusters);
         auxiliary = Collections.unmodifiableMap(copy);
+    }
+
+    /**
+     * About how many samples per pixel would keep the error that was asked for, whatever other limits there were; empty if it is
+     * kept, or no number of samples would do.
+     */
+    public OptionalDouble samplesForError() {
+        return Rounds.samplesForError(report);
     }
 
     /** The same result, to be kept in a file, with the root mean square of what its rounding changes. */

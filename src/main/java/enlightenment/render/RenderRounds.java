@@ -6,6 +6,7 @@ import enlightenment.picture.Rounding;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Phases;
 import enlightenment.work.Stopwatch;
@@ -59,12 +60,11 @@ final class RenderRounds {
             }
             best = result;
             double now = time.seconds();
-            Rounds.Outcome outcome = result.report().outcome();
-            OptionalDouble next = rounds.next(outcome, now - before, now);
+            OptionalDouble next = rounds.next(result.report(), now - before, now);
             if (next.isEmpty() || request.cancelled().getAsBoolean()) {
                 return best;
             }
-            request.progress().note(rounds.note(outcome, next.getAsDouble()));
+            request.progress().note(rounds.note(result.report(), next.getAsDouble()));
             phases.again();
             plan = phases.run(
                     "plan", () -> planner.withSamples(next.getAsDouble(), rounds.decidedBy(next.getAsDouble())));
@@ -73,7 +73,8 @@ final class RenderRounds {
     }
 
     private RenderResult render(RenderPlan plan, int round) {
-        TileRender render = new TileRender(scene, settings, plan, request.progress(), request.cancelled(), preview);
+        LocalRender render = new LocalRender(
+                request.scene().name(), scene, settings, plan, request.progress(), request.cancelled(), preview);
         if (request.clusters()) {
             render.gatherClusters();
         }
@@ -82,11 +83,12 @@ final class RenderRounds {
         Map<Auxiliary, Image> auxiliary = pass.images();
         for (Auxiliary kind : request.auxiliary()) {
             if (!kind.needsRays()) {
-                auxiliary.put(kind, new PixelStatistics(render.film()).of(kind));
+                auxiliary.put(kind, new PixelStatistics(render.film(), settings.region()).of(kind));
             }
         }
         double rounding = Rounding.of(image, settings.budget().depth());
-        RenderReport report = render.report(request.scene().name(), phases.list(), rounding, round);
-        return new RenderResult(image, report, render.isComplete(), render.shownPixels(), auxiliary, render.clusters());
+        RenderReport report = render.report(phases, rounding, round);
+        return new RenderResult(
+                image, report, render.film().isComplete(), render.shownPixels(), auxiliary, render.clusters());
     }
 }

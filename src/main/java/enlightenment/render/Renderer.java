@@ -6,6 +6,7 @@ import enlightenment.compiled.SceneHints;
 import enlightenment.image.Image;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -24,11 +25,11 @@ import java.util.function.BooleanSupplier;
  * number of threads, on any machine.
  *
  * <p><b>Threads.</b> A render uses the calling thread and, with more than one thread in its settings, helpers of its own that
- * end before it returns. {@code cancelled} is asked from all of them, by several at once: between any two tiles and between
- * the phases. The listener is called from any of them, too, but by one at a time; while it runs, threads that finish a tile
- * wait for it. Neither should block. What they throw ends the render, which throws it on.
+ * end before it returns. {@code cancelled} is asked from all of them, by several at once: between any two units of work (a tile,
+ * a pass over one, a batch of paths), now and then within one, and between the phases. The listener is called from any of them, too,
+ * but by one at a time; while it runs, threads that finish a unit wait for it. Neither should block. What they throw ends the render, which throws it on.
  *
- * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the tiles under way are finished
+ * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the units under way are given up
  * and the render returns with what it has: {@link RenderResult#complete} is false. An interrupt stays set: whoever goes on with
  * what there is, and writes it to a file, has to take it back first ({@link Thread#interrupted}), since channels to files do
  * not work on an interrupted thread. An interrupt of a helper has no effect.
@@ -103,11 +104,13 @@ public final class Renderer {
         if (request.auxiliary().stream().anyMatch(Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(cancelled));
         }
+        // Paths that may end anywhere show something of the whole picture from the first on.
+        boolean previewed = request.progressive() && settings.method().kind() == Method.Kind.TILES;
         Planner planner = new Planner(scene, settings, cancelled);
-        RenderPlan plan = phases.run("plan", () -> planner.plan(time, request.progressive() ? Preview.SHARE : 0));
+        RenderPlan plan = phases.run("plan", () -> planner.plan(time, previewed ? Preview.SHARE : 0));
         planner.notes().forEach(request.progress()::note);
         request.progress().planned(plan.samples(), plan.decidedBy());
-        Preview preview = request.progressive() ? new Preview(scene, settings, planner) : null;
+        Preview preview = previewed ? new Preview(scene, settings, planner) : null;
         if (preview != null) {
             phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
         }

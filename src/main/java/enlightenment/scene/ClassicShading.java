@@ -13,7 +13,7 @@ import java.util.Objects;
  * @param background what is seen where nothing is
  * @param maxBounces how often a path may be reflected or refracted, 0..1,000,000; beyond that it sees black
  */
-public record ClassicShading(double ambient, double shadow, DisplayRgb background, int maxBounces) {
+public record ClassicShading(double ambient, double shadow, DisplayRgb background, int maxBounces) implements Shading {
     /** The greatest limit on mirrors and glass surfaces that a path may follow. */
     public static final int MAX_BOUNCES = 1_000_000;
 
@@ -28,5 +28,10 @@ public record ClassicShading(double ambient, double shadow, DisplayRgb backgroun
                 maxBounces >= 0 && maxBounces <= MAX_BOUNCES,
                 "maxBounces",
                 "must be a whole number in 0.." + MAX_BOUNCES + ", not " + maxBounces);
+    }
+
+    @Override
+    public Model model() {
+        return Model.CLASSIC;
     }
 }

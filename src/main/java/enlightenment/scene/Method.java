@@ -1,77 +1,96 @@
 package enlightenment.scene;
 
-import enlightenment.check.Check;
-import java.util.Arrays;
-import java.util.Collections;
-import java.util.EnumSet;
+import enlightenment.math.InvalidValueException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
 /**
- * The methods of rendering: which samples are taken, and how they become pixels. This is the one list of them; the scene
- * format, the command line, reports, protocols and measurements take names, descriptions and settings from here.
+ * A method of rendering: which samples are taken, and how they become pixels. This says what a method is called, what it can
+ * do and what there is to choose; the class that does it lies elsewhere. Scene files, their schema, the command line, reports,
+ * protocols and measurements ask here, so that a method that is added is known to all of them. Two methods are equal only if
+ * they are the same object.
+ *
+ * <p>The methods of this program are {@link BuiltInMethod}; others are found as services, see {@link MethodExtension}. They are
+ * looked for only where a word is none of ours, or where all methods are listed: what needs none of them does not pay for it.
  */
-public enum Method {
+// No default methods: an interface that has some is initialised before the classes that implement it, and these
+// constants
+// would be null to whoever meets the enum first.
+public sealed interface Method permits BuiltInMethod, MethodExtension {
     /** Evenly spaced camera rays, the same number of light samples at every hit. */
-    RAYTRACE(
-            "raytrace",
-            "evenly spaced camera rays, a fixed number of light samples at every hit",
-            Setting.SHADOW_SAMPLES),
+    Method RAYTRACE = BuiltInMethod.RAYTRACE;
 
     /** The paper's ray clusters: a survey allots samples to pixels and learns which light points to propose. */
-    CLUSTER(
-            "cluster",
-            "a survey of the picture allots camera rays and light samples, and ray clusters propose light points",
-            Setting.PROPOSAL);
+    Method CLUSTER = BuiltInMethod.CLUSTER;
 
-    /** A setting that only some methods look at. */
-    public enum Setting {
-        /** {@link RenderSettings#shadowSamples}: light samples per hit and light. Other methods choose their number. */
-        SHADOW_SAMPLES,
+    /** What a unit of a method's work is. */
+    enum Kind {
+        /** The pixels of one tile: units write disjoint parts of the picture. */
+        TILES,
 
-        /** {@link RenderSettings#proposal}: the family of distributions that light points are proposed from. */
-        PROPOSAL
+        /** Paths that may end anywhere: units add to the whole picture. */
+        SPLATS
     }
 
-    private final String word;
-    private final String description;
-    private final Set<Setting> settings;
-
-    Method(String word, String description, Setting setting) {
-        this.word = word;
-        this.description = description;
-        settings = Collections.unmodifiableSet(EnumSet.of(setting));
-    }
-
-    /** The name in scene files, on the command line and in reports. */
-    public String word() {
-        return word;
-    }
+    /** The name in scene files, on the command line and in reports: letters, digits and hyphens. */
+    String word();
 
     /** What it does, in one line without a full stop. */
-    public String description() {
-        return description;
+    String description();
+
+    /** What a unit of its work is. */
+    Kind kind();
+
+    /** What it can render; at least one. */
+    Set<Shading.Model> shadings();
+
+    /** Its settings, each with its key, its range and its default, in the order in which they are told. */
+    List<MethodSetting> settings();
+
+    /** What makes the samples in its place where there are too few of them for its survey; empty if none are too few. */
+    Optional<Method> standIn();
+
+    /** Whether it learns ray clusters that can be told of. */
+    boolean hasClusters();
+
+    /** All methods: our own in order, then those from outside by their words. */
+    static List<Method> all() {
+        List<Method> all = new ArrayList<>(BuiltInMethod.ALL);
+        all.addAll(Extensions.FOUND);
+        return List.copyOf(all);
     }
 
-    /** Those of the settings which only some methods look at that have an influence on this one's pictures. */
-    public Set<Setting> settings() {
-        return settings;
+    /** The names of all methods, in the order of {@link #all}. */
+    static List<String> words() {
+        return words(all());
     }
 
-    /** Whether a setting has an influence on this method's pictures. */
-    public boolean has(Setting setting) {
-        return settings.contains(setting);
-    }
-
-    /** The names of all methods, in order. */
-    public static List<String> words() {
-        return Arrays.stream(values()).map(Method::word).toList();
+    /** The names of these methods. */
+    static List<String> words(List<? extends Method> methods) {
+        List<String> words = new ArrayList<>();
+        for (Method method : methods) {
+            words.add(method.word());
+        }
+        return List.copyOf(words);
     }
 
     /** The method with this name; empty if there is none. */
-    public static Optional<Method> of(String word) {
-        return Arrays.stream(values()).filter(m -> m.word.equals(word)).findFirst();
+    static Optional<Method> of(String word) {
+        Optional<Method> own = find(BuiltInMethod.ALL, word);
+        return own.isPresent() ? own : find(Extensions.FOUND, word);
+    }
+
+    private static Optional<Method> find(List<Method> methods, String word) {
+        for (Method method : methods) {
+            if (method.word().equals(word)) {
+                return Optional.of(method);
+            }
+        }
+        return Optional.empty();
     }
 
     /**
@@ -79,15 +98,51 @@ public enum Method {
      *
      * @throws enlightenment.math.InvalidValueException if there is none
      */
-    public static Method named(String word) {
+    static Method named(String word) {
         Optional<Method> method = of(word);
-        Check.that(method.isPresent(), "method", "must be one of " + words() + ", not \"" + word + "\"");
-        return method.orElseThrow();
+        if (method.isEmpty()) {
+            throw new InvalidValueException("method", "must be one of " + words() + ", not \"" + word + "\"");
+        }
+        return method.get();
     }
 
-    /** The {@link #word}. */
-    @Override
-    public String toString() {
-        return word;
+    /** The settings of these methods, each once although several may have it, in order. */
+    static List<MethodSetting> settings(List<? extends Method> methods) {
+        // By key, which settles it: to compare records takes a hundred classes more to start.
+        Map<String, MethodSetting> settings = new LinkedHashMap<>();
+        for (Method method : methods) {
+            for (MethodSetting setting : method.settings()) {
+                settings.putIfAbsent(setting.key(), setting);
+            }
+        }
+        return List.copyOf(settings.values());
+    }
+
+    /**
+     * The settings that have an influence on a method's pictures: its own, and those of what stands in for it where samples are
+     * few.
+     */
+    static List<MethodSetting> influences(Method method) {
+        Optional<Method> standIn = method.standIn();
+        return settings(standIn.isPresent() ? List.of(method, standIn.get()) : List.of(method));
+    }
+
+    /**
+     * Fails unless a method can render a scene.
+     *
+     * @throws SceneException that names the place, the method and what it can render
+     */
+    static void requireSupport(Method method, Scene scene) {
+        Shading.Model model = scene.shading().model();
+        if (method.shadings().contains(model)) {
+            return;
+        }
+        List<String> able =
+                words(all().stream().filter(m -> m.shadings().contains(model)).toList());
+        throw SceneException.of(
+                "/shading/model",
+                "the method " + method.word() + " cannot render " + model.word() + " shading, only "
+                        + Shading.Model.words(method.shadings()) + "; "
+                        + (able.isEmpty() ? "no method can yet" : "what can: " + String.join(", ", able)));
     }
 }

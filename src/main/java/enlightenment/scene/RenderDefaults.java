@@ -8,18 +8,15 @@ import java.util.Objects;
  *
  * @param method which samples are taken, {@link Method#RAYTRACE} unless given
  * @param antialias n for n × n positions per pixel, 1..256
- * @param shadowSamples light samples per hit and light, 1..1,000,000
+ * @param chosen what the scene says of the settings that only some methods look at; not only of those of its own method
  * @param seed what all random numbers are derived from
  */
-public record RenderDefaults(Method method, int antialias, int shadowSamples, long seed) {
+public record RenderDefaults(Method method, int antialias, ChosenSettings chosen, long seed) {
     /** The largest n for n × n positions per pixel. */
     public static final int MAX_ANTIALIAS = 256;
 
-    /** The largest number of light samples per hit and light. */
-    public static final int MAX_SHADOW_SAMPLES = 1_000_000;
-
     /** What a scene asks for that says nothing. */
-    public static final RenderDefaults DEFAULT = new RenderDefaults(Method.RAYTRACE, 4, 10, 0);
+    public static final RenderDefaults DEFAULT = new RenderDefaults(Method.RAYTRACE, 4, ChosenSettings.NONE, 0);
 
     /**
      * Checks the ranges.
@@ -32,9 +29,6 @@ public record RenderDefaults(Method method, int antialias, int shadowSamples, lo
                 antialias >= 1 && antialias <= MAX_ANTIALIAS,
                 "antialias",
                 "must lie in 1.." + MAX_ANTIALIAS + ", not " + antialias);
-        Check.that(
-                shadowSamples >= 1 && shadowSamples <= MAX_SHADOW_SAMPLES,
-                "shadowSamples",
-                "must lie in 1.." + MAX_SHADOW_SAMPLES + ", not " + shadowSamples);
+        Objects.requireNonNull(chosen, "chosen");
     }
 }

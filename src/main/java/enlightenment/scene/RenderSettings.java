@@ -1,7 +1,6 @@
 package enlightenment.scene;
 
 import enlightenment.check.Check;
-import enlightenment.sampling.Distribution;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -14,11 +13,9 @@ import java.util.Optional;
  * @param height height of the whole picture in pixels
  * @param crop the part to render; its pixels are the same as in the whole picture
  * @param antialias n for n × n positions per pixel, 1..256
- * @param shadowSamples light samples per hit and light, 1..1,000,000
  * @param seed what all random numbers are derived from
  * @param budget what ends the render, if not the number of positions
- * @param proposal the family of distributions that ray clusters propose light points from: {@code "normal"}, {@code "zeta"} or
- *     {@code "linear"}
+ * @param chosen the settings that only some methods look at, of any method: {@link RayTraceSettings#of} and its like tell one's
  * @param threads how many threads share the work, 1..4096; has no influence on the picture
  * @param tileSize side of the square tiles in pixels that the work is cut into, at least 1; has no influence on the picture
  */
@@ -28,10 +25,9 @@ public record RenderSettings(
         int height,
         Optional<Crop> crop,
         int antialias,
-        int shadowSamples,
         long seed,
         Budget budget,
-        String proposal,
+        ChosenSettings chosen,
         int threads,
         int tileSize) {
     private static final int DEFAULT_TILE_SIZE = 8;
@@ -63,7 +59,6 @@ public record RenderSettings(
      */
     public RenderSettings {
         Objects.requireNonNull(budget, "budget");
-        Distribution.of(proposal);
         Scene.checkSize(width, height);
         if (crop.isPresent()) {
             Crop c = crop.get();
@@ -80,7 +75,7 @@ public record RenderSettings(
                             + c.width + "," + c.height);
         }
         // One place knows the limits.
-        new RenderDefaults(method, antialias, shadowSamples, seed);
+        new RenderDefaults(method, antialias, chosen, seed);
         Check.that(
                 threads >= 1 && threads <= MAX_THREADS,
                 "threads",
@@ -97,10 +92,9 @@ public record RenderSettings(
                 scene.height(),
                 Optional.empty(),
                 d.antialias(),
-                d.shadowSamples(),
                 d.seed(),
                 Budget.NONE,
-                Distribution.NAMES.get(0),
+                d.chosen(),
                 Runtime.getRuntime().availableProcessors(),
                 DEFAULT_TILE_SIZE);
     }
@@ -130,9 +124,19 @@ public record RenderSettings(
         return toBuilder().antialias(value).build();
     }
 
-    /** The same settings with another number of light samples per hit and light. */
-    public RenderSettings withShadowSamples(int value) {
-        return toBuilder().shadowSamples(value).build();
+    /** The same settings with other values of one method's own, whichever method is in use. */
+    public RenderSettings with(MethodSettings value) {
+        return toBuilder().with(value).build();
+    }
+
+    /** The same settings with another value of a setting that only some methods look at. */
+    public RenderSettings with(MethodSetting setting, Object value) {
+        return toBuilder().chosen(chosen.with(setting, value)).build();
+    }
+
+    /** The same settings with the method of these, and with these. */
+    public RenderSettings using(MethodSettings value) {
+        return toBuilder().method(value.method()).with(value).build();
     }
 
     /** The same settings with other random numbers. */
@@ -143,11 +147,6 @@ public record RenderSettings(
     /** The same settings with another budget. */
     public RenderSettings withBudget(Budget value) {
         return toBuilder().budget(value).build();
-    }
-
-    /** The same settings with another family of distributions to propose light points from. */
-    public RenderSettings withProposal(String value) {
-        return toBuilder().proposal(value).build();
     }
 
     /** The same settings on another number of threads. */
@@ -172,10 +171,9 @@ public record RenderSettings(
         private int height;
         private Optional<Crop> crop;
         private int antialias;
-        private int shadowSamples;
         private long seed;
         private Budget budget;
-        private String proposal;
+        private ChosenSettings chosen;
         private int threads;
         private int tileSize;
 
@@ -185,10 +183,9 @@ public record RenderSettings(
             height = s.height;
             crop = s.crop;
             antialias = s.antialias;
-            shadowSamples = s.shadowSamples;
             seed = s.seed;
             budget = s.budget;
-            proposal = s.proposal;
+            chosen = s.chosen;
             threads = s.threads;
             tileSize = s.tileSize;
         }
@@ -224,12 +221,6 @@ public record RenderSettings(
             return this;
         }
 
-        /** Sets {@link RenderSettings#shadowSamples}. */
-        public Builder shadowSamples(int value) {
-            shadowSamples = value;
-            return this;
-        }
-
         /** Sets {@link RenderSettings#seed}. */
         public Builder seed(long value) {
             seed = value;
@@ -242,9 +233,15 @@ public record RenderSettings(
             return this;
         }
 
-        /** Sets {@link RenderSettings#proposal}. */
-        public Builder proposal(String value) {
-            proposal = value;
+        /** Sets {@link RenderSettings#chosen}. */
+        public Builder chosen(ChosenSettings value) {
+            chosen = value;
+            return this;
+        }
+
+        /** Sets all settings of one method. */
+        public Builder with(MethodSettings value) {
+            chosen = chosen.with(value);
             return this;
         }
 
@@ -266,8 +263,7 @@ public record RenderSettings(
          * @throws enlightenment.math.InvalidValueException if one is out of its range, or the crop not inside the picture
          */
         public RenderSettings build() {
-            return new RenderSettings(
-                    method, width, height, crop, antialias, shadowSamples, seed, budget, proposal, threads, tileSize);
+            return new RenderSettings(method, width, height, crop, antialias, seed, budget, chosen, threads, tileSize);
         }
     }
 }

@@ -21,7 +21,7 @@ public final class SceneBuilder {
     private int width = 800;
     private int height = 400;
     private Camera camera;
-    private ClassicShading shading = ClassicShading.DEFAULT;
+    private Shading shading = ClassicShading.DEFAULT;
     private final Map<String, Texture> textures = new LinkedHashMap<>();
     private final Map<String, Material> materials = new LinkedHashMap<>();
     private final List<Light> lights = new ArrayList<>();
@@ -51,7 +51,7 @@ public final class SceneBuilder {
     }
 
     /** How surfaces are shaded; {@link ClassicShading#DEFAULT} unless set. */
-    public SceneBuilder shading(ClassicShading value) {
+    public SceneBuilder shading(Shading value) {
         shading = value;
         return this;
     }

@@ -2,7 +2,7 @@ package enlightenment.texture;
 
 import enlightenment.codec.Raster;
 import enlightenment.codec.RasterFiles;
-import enlightenment.codec.Srgb;
+import enlightenment.color.TransferCurve;
 import enlightenment.image.ImageFormat;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -64,7 +64,7 @@ public final class ImageTexture {
     }
 
     private static double displayed(double value, boolean linear) {
-        return linear && value < 1 ? Srgb.encode(value) : value; // rounding would leave white just below 1
+        return linear && value < 1 ? TransferCurve.encode(value) : value; // rounding would leave white just below 1
     }
 
     /**

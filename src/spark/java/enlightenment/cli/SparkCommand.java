@@ -124,6 +124,6 @@ public final class SparkCommand extends Subcommand {
         if (!result.complete()) {
             throw StoppedRender.after(result, output, "");
         }
-        RequestedError.require(result.report());
+        RequestedError.require(result);
     }
 }

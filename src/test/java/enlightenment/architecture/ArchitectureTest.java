@@ -61,6 +61,10 @@ class ArchitectureTest {
             .definedBy("enlightenment.primitive")
             .layer("sampling")
             .definedBy("enlightenment.sampling")
+            .layer("bsdf")
+            .definedBy("enlightenment.bsdf")
+            .layer("emitter")
+            .definedBy("enlightenment.emitter")
             .layer("descriptions")
             .definedBy("enlightenment.material", "enlightenment.light", "enlightenment.camera")
             .layer("scene")
@@ -81,12 +85,14 @@ class ArchitectureTest {
             .definedBy("enlightenment.method..")
             .layer("work")
             .definedBy("enlightenment.work")
+            .layer("report")
+            .definedBy("enlightenment.report")
             .layer("plan")
             .definedBy("enlightenment.plan")
-            .layer("render")
-            .definedBy("enlightenment.render")
             .layer("engine")
             .definedBy("enlightenment.engine")
+            .layer("render")
+            .definedBy("enlightenment.render")
             .layer("net")
             .definedBy("enlightenment.net..")
             .layer("measure")
@@ -105,12 +111,14 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
             .mayOnlyBeAccessedByLayers("cli")
-            .whereLayer("engine")
-            .mayOnlyBeAccessedByLayers("net")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("engine", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("net", "measure", "cli")
+            .whereLayer("engine")
+            .mayOnlyBeAccessedByLayers("render", "net")
             .whereLayer("plan")
             .mayOnlyBeAccessedByLayers("render", "engine", "net")
+            .whereLayer("report")
+            .mayOnlyBeAccessedByLayers("plan", "engine", "render", "net", "measure", "cli")
             .whereLayer("work")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine")
             .whereLayer("nff")
@@ -123,6 +131,10 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("method")
             .whereLayer("film")
             .mayOnlyBeAccessedByLayers("shading", "method", "plan", "render", "engine", "net")
+            .whereLayer("bsdf")
+            .mayOnlyBeAccessedByLayers("compiled", "shading")
+            .whereLayer("emitter")
+            .mayOnlyBeAccessedByLayers("compiled", "shading")
             .whereLayer("primitive")
             .mayOnlyBeAccessedByLayers("accel", "compiled", "shading", "method", "render")
             .whereLayer("compiled")
@@ -137,16 +149,18 @@ class ArchitectureTest {
                     "shading",
                     "method",
                     "work",
+                    "report",
                     "plan",
-                    "render",
                     "engine",
+                    "render",
                     "net",
                     "measure",
                     "cli")
             .whereLayer("descriptions")
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
-            .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "plan", "render", "net", "cli")
+            .mayOnlyBeAccessedByLayers(
+                    "bsdf", "emitter", "scene", "compiled", "shading", "method", "plan", "render", "net", "cli")
             .whereLayer("text")
             .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
             .whereLayer("codec")
@@ -314,6 +328,8 @@ class ArchitectureTest {
                     "enlightenment.color",
                     "enlightenment.geometry",
                     "enlightenment.sampling",
+                    "enlightenment.bsdf",
+                    "enlightenment.emitter",
                     "enlightenment.accel",
                     "enlightenment.compiled",
                     "enlightenment.film",

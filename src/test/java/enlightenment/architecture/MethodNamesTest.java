@@ -3,6 +3,7 @@ package enlightenment.architecture;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,7 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** The names of the methods stand in {@link Method} and nowhere else in the code. */
+/** The names of our methods stand in {@link BuiltInMethod} and nowhere else in the code. */
 class MethodNamesTest {
     private static final Path SOURCES = Path.of("src/main/java");
 
@@ -22,7 +23,8 @@ class MethodNamesTest {
     private static final Pattern LITERAL_OR_COMMENT =
             Pattern.compile("(\"(?:[^\"\\\\\\n]|\\\\.)*\")|//[^\\n]*|/\\*(?s:.*?)\\*/|'(?:[^'\\\\\\n]|\\\\.)+'");
 
-    private static final Pattern NAME = Pattern.compile("\\b(?:" + String.join("|", Method.words()) + ")\\b");
+    private static final Pattern NAME =
+            Pattern.compile("\\b(?:" + String.join("|", Method.words(BuiltInMethod.ALL)) + ")\\b");
 
     private static List<String> literalsWithNames(String source) {
         List<String> found = new ArrayList<>();
@@ -42,7 +44,7 @@ class MethodNamesTest {
         try (Stream<Path> all = Files.walk(SOURCES)) {
             files = all.filter(f -> f.toString().endsWith(".java")).sorted().toList();
         }
-        Path registry = SOURCES.resolve("enlightenment/scene/Method.java");
+        Path registry = SOURCES.resolve("enlightenment/scene/BuiltInMethod.java");
         for (Path file : files) {
             for (String literal : literalsWithNames(Files.readString(file))) {
                 if (!file.equals(registry)) {
@@ -52,13 +54,13 @@ class MethodNamesTest {
         }
         assertEquals(List.of(), found);
         assertEquals(
-                Method.words().size(),
+                BuiltInMethod.ALL.size(),
                 literalsWithNames(Files.readString(registry)).size());
     }
 
     @Test
     void theSearchFindsLiteralsAndPassesOverComments() {
-        String name = Method.values()[0].word();
+        String name = BuiltInMethod.RAYTRACE.word();
         assertEquals(
                 List.of("\"\\\"take " + name + "\""),
                 literalsWithNames("/* \"" + name + "\" */ // \"" + name + "\"\nf('\"', \"\\\"take " + name + "\");"));

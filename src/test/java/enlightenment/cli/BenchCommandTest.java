@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.measure.Bench;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
@@ -37,8 +38,8 @@ class BenchCommandTest {
         RenderSettings s = Bench.paperSettings(SceneReader.read(scene));
         assertEquals(
                 "raytrace 400x200 2 5 12",
-                s.method() + " " + s.width() + "x" + s.height() + " " + s.antialias() + " " + s.shadowSamples() + " "
-                        + s.threads());
+                s.method() + " " + s.width() + "x" + s.height() + " " + s.antialias() + " "
+                        + RayTraceSettings.of(s).shadowSamples() + " " + s.threads());
     }
 
     @Test

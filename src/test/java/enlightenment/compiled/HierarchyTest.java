@@ -26,6 +26,7 @@ import enlightenment.method.RayTraceMethod;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.primitive.Ray;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -157,7 +158,7 @@ class HierarchyTest {
                         ExactPoint.of(20, -6, -20)),
                 materials[0]);
         Scene scene = b.build();
-        RenderSettings settings = RenderSettings.of(scene).withAntialias(2).withShadowSamples(5);
+        RenderSettings settings = RenderSettings.of(scene).withAntialias(2).with(new RayTraceSettings(5));
         FilmTile tree = render(scene, settings, true);
         FilmTile loop = render(scene, settings, false);
         for (int y = 0; y < 32; y++) {
@@ -172,7 +173,8 @@ class HierarchyTest {
     private static FilmTile render(Scene scene, RenderSettings settings, boolean withBvh) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings, withBvh);
         FilmTile tile = new FilmTile(0, 0, 48, 32);
-        new RayTraceMethod(compiled, settings, new RayCounters(compiled.kindNames.size())).render(tile);
+        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
+                .render(tile);
         return tile;
     }
 }

@@ -8,6 +8,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
 import enlightenment.render.TestScenes;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.HashSet;
@@ -64,10 +65,10 @@ class SpreadPlacesTest {
     @ValueSource(doubles = {1, 1.3, 2, 2.75, 4, 5.5, 6, 13.9})
     void raytraceTakesSoManySamplesInTheMeanAndPowersOfTwoInEachPixel(double samples) {
         Scene scene = TestScenes.whiteFireAndIce().size(64, 64).build();
-        RenderSettings settings = RenderSettings.of(scene).withShadowSamples(1);
+        RenderSettings settings = RenderSettings.of(scene).with(new RayTraceSettings(1));
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         FilmTile tile = new FilmTile(0, 0, 64, 64);
-        RayTraceMethod.withMeanSamples(compiled, settings, new RayCounters(compiled.kindNames.size()), samples)
+        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), samples)
                 .render(tile);
         long sum = 0;
         int low = Integer.highestOneBit((int) samples);

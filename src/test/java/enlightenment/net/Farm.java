@@ -8,6 +8,7 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.ByteArrayOutputStream;
@@ -30,7 +31,7 @@ public final class Farm implements AutoCloseable {
     static final RenderSettings SETTINGS = RenderSettings.of(SCENE)
             .withSize(75, 42)
             .withAntialias(2)
-            .withShadowSamples(2)
+            .with(new RayTraceSettings(2))
             .withThreads(1);
 
     /** Deadlines short enough for tests. */

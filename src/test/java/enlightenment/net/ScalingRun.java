@@ -1,5 +1,6 @@
 package enlightenment.net;
 
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 
 /**
@@ -14,7 +15,7 @@ final class ScalingRun {
     /** The share of their time for which so many workers slept. */
     private static double busy(int workers) throws Exception {
         RenderSettings settings =
-                Farm.SETTINGS.withSize(400, 200).withAntialias(1).withShadowSamples(1);
+                Farm.SETTINGS.withSize(400, 200).withAntialias(1).with(new RayTraceSettings(1));
         ServerOptions.Builder options = Farm.options().awaitWorkers(workers, 30).auditRate(0);
         try (Farm farm = new Farm(Farm.SCENE, settings, options)) {
             for (int i = 0; i < workers; i++) {

@@ -209,7 +209,7 @@ class ServerFaultsTest {
 
     @Test
     void resultsOfWrongSizeOrWithNanExpelTheirMachine() throws Exception {
-        int length = farm.server.round().job().film().length(0);
+        int length = farm.server.round().job().film().longest(0);
         byte[] nan =
                 ByteBuffer.allocate(length).putDouble(length - 36, Double.NaN).array();
         int n = 0;

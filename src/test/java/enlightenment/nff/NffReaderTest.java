@@ -19,6 +19,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
+import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -72,7 +73,7 @@ class NffReaderTest {
         assertEquals(512, scene.width());
         assertEquals(3, scene.lights().size());
         assertEquals(2, scene.materials().size());
-        assertEquals(new DisplayRgb(0.078, 0.361, 0.753), scene.shading().background());
+        assertEquals(new DisplayRgb(0.078, 0.361, 0.753), ((ClassicShading) scene.shading()).background());
     }
 
     @Test

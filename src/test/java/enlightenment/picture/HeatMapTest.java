@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.codec.Srgb;
+import enlightenment.color.TransferCurve;
 import enlightenment.image.Flip;
 import enlightenment.image.Image;
 import enlightenment.image.TestImages;
@@ -22,7 +22,9 @@ class HeatMapTest {
         double[] lightness = new double[256];
         for (int i = 0; i < 256; i++) {
             float[] c = color(i / 255.0);
-            double y = 0.2126 * Srgb.decode(c[0]) + 0.7152 * Srgb.decode(c[1]) + 0.0722 * Srgb.decode(c[2]);
+            double y = 0.2126 * TransferCurve.decode(c[0])
+                    + 0.7152 * TransferCurve.decode(c[1])
+                    + 0.0722 * TransferCurve.decode(c[2]);
             // L* of CIELAB.
             lightness[i] = y > 216 / 24389.0 ? 116 * Math.cbrt(y) - 16 : y * 24389 / 27;
         }

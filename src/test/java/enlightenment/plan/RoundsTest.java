@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.render.RenderReport;
 import enlightenment.render.TestScenes;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -41,12 +41,6 @@ class RoundsTest {
                 0);
     }
 
-    private static Rounds.Outcome outcome(RenderReport report) {
-        RenderReport.Sampling s = report.sampling();
-        return new Rounds.Outcome(
-                report.settings().method(), s.method(), s.plannedSamples(), s.errorHigh(), s.rounding());
-    }
-
     /** What all rounds took, and the number of the last. */
     private record End(double last, double all, int rounds, RenderReport report, String by) {}
 
@@ -63,7 +57,7 @@ class RoundsTest {
             assertTrue(k < 200, "there is no end to it");
             all += n;
             RenderReport report = report(budget, n, error.applyAsDouble(n), rounding);
-            OptionalDouble next = rounds.next(outcome(report), cost * n, cost * all);
+            OptionalDouble next = rounds.next(report, cost * n, cost * all);
             if (next.isEmpty()) {
                 return new End(n, all, k, report, by);
             }
@@ -121,7 +115,7 @@ class RoundsTest {
         assertEquals(123.4, end.last);
         assertEquals("samples", end.by);
         assertFalse(end.report.isErrorMet());
-        assertTrue(end.report.samplesForError().getAsDouble() > 123.4);
+        assertTrue(Rounds.samplesForError(end.report).getAsDouble() > 123.4);
         assertEquals(1, render(Budget.NONE.withError(0.01).withSamples(1), 1, error, 0).rounds);
     }
 

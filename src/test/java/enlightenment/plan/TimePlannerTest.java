@@ -7,6 +7,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -46,14 +47,14 @@ class TimePlannerTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void theSameClockGivesTheSamePlanAndAFasterMachineMoreSamples(Method method) {
         assertPlans(method, 400_000, 100_000);
     }
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void soItIsOnMachinesTenTimesAsFast(Method method) {
         assertPlans(method, 100_000, 10_000);
     }

@@ -5,9 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.engine.TileMaker;
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.UnitMaker;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -43,7 +44,7 @@ class CancelledRenderTest {
 
     @Test
     void whateverIsPlannedOrRendered() {
-        for (Method method : Method.values()) {
+        for (Method method : BuiltInMethod.ALL) {
             for (Budget budget : BUDGETS) {
                 for (int patience : new int[] {1, 7, 60}) {
                     AtomicInteger asked = new AtomicInteger();
@@ -64,9 +65,9 @@ class CancelledRenderTest {
     @Test
     void aTileThatIsMadeElsewhere() {
         RenderSettings settings = RenderSettings.of(scene).withThreads(1);
-        TiledRender render = TiledRender.prepare(scene, settings, () -> false);
+        DividedRender render = DividedRender.prepare(scene, settings, () -> false);
         AtomicInteger asked = new AtomicInteger();
-        TileMaker maker = render.maker(() -> asked.incrementAndGet() >= 3);
+        UnitMaker maker = render.maker(() -> asked.incrementAndGet() >= 3);
         assertThrows(CancellationException.class, () -> maker.make(0));
         assertTrue(asked.get() >= 3);
     }

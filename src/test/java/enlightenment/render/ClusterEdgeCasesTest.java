@@ -15,8 +15,10 @@ import enlightenment.math.Vec3;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -126,7 +128,7 @@ class ClusterEdgeCasesTest {
 
     /** Alarms falsely at 1 % per scene and budget, whatever the seeds; finds differences of 1/sqrt(seeds) in size. */
     private static void compareWithTraced(String what, Scene scene, int seeds) {
-        RenderSettings traced = RenderSettings.of(scene).withAntialias(3).withShadowSamples(4);
+        RenderSettings traced = RenderSettings.of(scene).withAntialias(3).with(new RayTraceSettings(4));
         List<double[]> expected = rgb(ManySeeds.render(scene, traced, 1000, seeds));
         BlockMeans blocks = new BlockMeans(24, 16);
         for (double samples : new double[] {1, 20}) {
@@ -157,7 +159,7 @@ class ClusterEdgeCasesTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void aPictureOfNothingIsItsBackgroundExactlyAndHasNoError(Method method) {
         Scene scene = Scene.builder()
                 .size(20, 11)

@@ -13,6 +13,7 @@ import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.Budget;
+import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
@@ -173,7 +174,13 @@ class ClusterInvarianceTest {
 
     private static ClusterMethod method(CompiledScene scene, RenderSettings settings, double effort, double samples) {
         RayCounters counters = new RayCounters(scene.kindNames.size());
-        return new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort, samples);
+        return new ClusterMethod(
+                scene,
+                settings,
+                counters,
+                Distribution.of(ClusterSettings.of(settings).proposal()),
+                effort,
+                samples);
     }
 
     private static void assertSame(FilmTile first, FilmTile again) {

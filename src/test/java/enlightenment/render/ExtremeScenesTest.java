@@ -3,6 +3,7 @@ package enlightenment.render;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -53,7 +54,7 @@ class ExtremeScenesTest {
             RenderSettings settings = RenderSettings.of(scene)
                     .withMethod(method)
                     .withAntialias(1)
-                    .withShadowSamples(2)
+                    .with(new RayTraceSettings(2))
                     .withThreads(1);
             for (double c : RawPicture.of(scene, settings).rgb()) {
                 if (!(c >= 0 && c <= 1 + 1e-9)) {

@@ -3,7 +3,9 @@ package enlightenment.render;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.ManySeeds.Picture;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -32,7 +34,7 @@ class HardIntervalTest {
         RenderSettings fine = base.withMethod(Method.RAYTRACE).withThreads(2).withSeed(987654321);
         double[] truth = ManySeeds.render(scene, fine.withBudget(Budget.NONE.withSamples(finest)))
                 .rgb();
-        for (Method method : Method.values()) {
+        for (Method method : BuiltInMethod.ALL) {
             for (double samples : numbers) {
                 if (samples > FEW || method == Method.RAYTRACE) {
                     RenderSettings s = base.withMethod(method).withBudget(Budget.NONE.withSamples(samples));

@@ -5,7 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -24,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class InterruptTest {
     private static final Scene SCENE = TestScenes.whiteFireAndIce().size(80, 40).build();
     private static final RenderSettings QUICK =
-            RenderSettings.of(SCENE).withAntialias(1).withShadowSamples(1);
+            RenderSettings.of(SCENE).withAntialias(1).with(new RayTraceSettings(1));
     private static final int TILE = 8 * 8;
 
     @AfterEach
@@ -95,7 +96,7 @@ class InterruptTest {
     @Test
     void tilesStopToo() {
         Thread caller = Thread.currentThread();
-        TiledRender render = TiledRender.prepare(SCENE, QUICK.withThreads(1), () -> false);
+        DividedRender render = DividedRender.prepare(SCENE, QUICK.withThreads(1), () -> false);
         Set<Integer> made = ConcurrentHashMap.newKeySet();
         int[] all = {0, 1, 2};
         render.make(all, () -> false, (tile, bytes) -> {

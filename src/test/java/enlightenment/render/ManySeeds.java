@@ -2,12 +2,15 @@ package enlightenment.render;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.work.Phases;
 import enlightenment.work.Stopwatch;
 import java.nio.file.Path;
 import java.util.List;
@@ -34,9 +37,9 @@ final class ManySeeds {
     }
 
     static Picture render(CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
-        TileRender render = new TileRender(compiled, settings, plan, RenderProgress.NONE, () -> false, null);
+        LocalRender render = new LocalRender("", compiled, settings, plan, RenderProgress.NONE, () -> false, null);
         render.run();
-        Film film = render.film();
+        Film film = ((TilePicture) render.film()).film();
         RenderSettings.Crop region = settings.region();
         double[] rgb = new double[3 * region.width() * region.height()];
         int[] counts = new int[rgb.length / 3];
@@ -46,7 +49,7 @@ final class ManySeeds {
             rgb[i] = film.component(x, y, i % 3);
             counts[i / 3] = film.count(x, y);
         }
-        return new Picture(rgb, counts, film, render.report("", List.of(), 0, 1), plan);
+        return new Picture(rgb, counts, film, render.report(new Phases(), 0, 1), plan);
     }
 
     static Picture render(Scene scene, RenderSettings settings) {

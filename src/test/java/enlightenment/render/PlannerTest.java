@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.ManySeeds.Picture;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -114,7 +117,7 @@ class PlannerTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void theErrorThatIsAskedForIsKeptAndNotFarUndercut(Method method) {
         int seeds = 20;
         List<String> failures = new ArrayList<>();
@@ -192,7 +195,7 @@ class PlannerTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void soItDoesWithMoreBudgets(Method method) {
         assertReplayed(
                 method,
@@ -210,7 +213,7 @@ class PlannerTest {
     @ValueSource(doubles = {1, 12.341})
     void aNumberOfSamplesIsDecisiveWhereTheErrorCannotBeReached(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        for (Method method : Method.values()) {
+        for (Method method : BuiltInMethod.ALL) {
             RenderSettings s = settings(scene, method, 32, 16)
                     .withBudget(Budget.NONE.withError(1e-7).withSamples(samples));
             RenderReport p = render(scene, s).report();
@@ -266,7 +269,7 @@ class PlannerTest {
     @Test
     void anErrorThatIsReachedAtOnceTakesTheFewestSamples() {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        for (Method method : Method.values()) {
+        for (Method method : BuiltInMethod.ALL) {
             RenderSettings s = settings(scene, method, 64, 32).withBudget(Budget.NONE.withError(0.9));
             Picture p = ManySeeds.render(scene, s);
             assertEquals("error", p.sampling().decidedBy(), method.word());
@@ -279,7 +282,7 @@ class PlannerTest {
     @ValueSource(doubles = {1.37, 2.5, 12.3})
     void raytraceTakesTheSamplesThatItMayTake(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        RenderSettings s = settings(scene, Method.RAYTRACE, 96, 48).withShadowSamples(1);
+        RenderSettings s = settings(scene, Method.RAYTRACE, 96, 48).with(new RayTraceSettings(1));
         for (RenderSettings settings : List.of(s, s.withCrop(new RenderSettings.Crop(13, 5, 61, 33)))) {
             RenderReport report = render(scene, settings.withBudget(Budget.NONE.withSamples(samples)))
                     .report();

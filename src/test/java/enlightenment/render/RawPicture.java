@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
@@ -30,7 +31,8 @@ record RawPicture(int width, double[] rgb, byte[] png) {
     }
 
     static RawPicture of(CompiledScene compiled, RenderSettings settings) {
-        TileRender render = new TileRender(
+        LocalRender render = new LocalRender(
+                "",
                 compiled,
                 settings,
                 new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0),
@@ -38,7 +40,7 @@ record RawPicture(int width, double[] rgb, byte[] png) {
                 () -> false,
                 null);
         render.run();
-        Film film = render.film();
+        Film film = ((TilePicture) render.film()).film();
         double[] rgb = new double[3 * settings.width() * settings.height()];
         for (int i = 0; i < rgb.length; i++) {
             int pixel = i / 3;

@@ -12,9 +12,12 @@ import enlightenment.image.Image;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -36,8 +39,10 @@ class RenderRequestTest {
             .size(80, 40)
             .shading(new ClassicShading(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
             .build();
-    private static final RenderSettings QUICK =
-            RenderSettings.of(SMALL).withAntialias(4).withShadowSamples(4).withThreads(2);
+    private static final RenderSettings QUICK = RenderSettings.of(SMALL)
+            .withAntialias(4)
+            .with(new RayTraceSettings(4))
+            .withThreads(2);
 
     /** A ball of radius 1 straight ahead, 5 before the eye, a wall beside it, a light beyond, and nothing elsewhere. */
     private static Scene ballAndLight() {
@@ -93,7 +98,7 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void countsAndErrorsAgreeWithTheReport(Method method) {
         RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(12));
         RenderResult result = Renderer.render(
@@ -124,7 +129,7 @@ class RenderRequestTest {
     @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,2", "CLUSTER,4"})
     void thePassesDoNotChangeABit(Method method, int antialias) {
         RenderSettings settings =
-                QUICK.withMethod(method).withAntialias(antialias).withShadowSamples(1);
+                QUICK.withMethod(method).withAntialias(antialias).with(new RayTraceSettings(1));
         RenderResult plain = Renderer.render(RenderRequest.of(SMALL, settings));
         RenderResult passes = Renderer.render(
                 RenderRequest.of(SMALL, settings).withProgressive(true).withAuxiliary(ALL));
@@ -201,9 +206,9 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void aTimeBecomesANumberOfSamplesThatMakesTheSamePicture(Method method) {
-        RenderSettings settings = QUICK.withMethod(method).withShadowSamples(1);
+        RenderSettings settings = QUICK.withMethod(method).with(new RayTraceSettings(1));
         AtomicReference<String> told = new AtomicReference<>();
         RenderResult timed = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSeconds(0.5)))
                 .withProgress(new RenderProgress() {
@@ -234,7 +239,7 @@ class RenderRequestTest {
     /** A 64th of these samples would take an hour. */
     @ParameterizedTest
     @Timeout(600)
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void theFirstPassCostsTheSameWhateverIsAskedFor(Method method) {
         AtomicBoolean stop = new AtomicBoolean();
         RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(Budget.MAX_SAMPLES));

@@ -18,6 +18,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
 import enlightenment.scene.Scene;
@@ -33,8 +34,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class RendererTest {
     private static final Scene SMALL = TestScenes.whiteFireAndIce().size(80, 40).build();
-    private static final RenderSettings QUICK =
-            RenderSettings.of(SMALL).withAntialias(2).withShadowSamples(4).withThreads(1);
+    private static final RenderSettings QUICK = RenderSettings.of(SMALL)
+            .withAntialias(2)
+            .with(new RayTraceSettings(4))
+            .withThreads(1);
 
     @Test
     void theNumberOfThreadsDoesNotChangeABit() {

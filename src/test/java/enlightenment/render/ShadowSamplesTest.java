@@ -12,6 +12,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.sampling.RunningStatistics;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import org.junit.jupiter.api.Test;
@@ -55,7 +56,7 @@ class ShadowSamplesTest {
     private static double render(Scene scene, int shadowSamples, long seed) {
         RenderSettings settings = RenderSettings.of(scene)
                 .withAntialias(1)
-                .withShadowSamples(shadowSamples)
+                .with(new RayTraceSettings(shadowSamples))
                 .withThreads(1)
                 .withSeed(seed);
         Image image = Renderer.render(scene, settings);

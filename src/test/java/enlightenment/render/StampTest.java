@@ -7,8 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.Rendered;
 import enlightenment.image.Image;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
@@ -16,8 +17,11 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.picture.Rounding;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -137,7 +141,7 @@ class StampTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void theErrorIsKeptWithNearlyAllSeedsAndNeverSaidToBeMetByAnEstimateAboveIt(Method method) {
         // One in forty is allowed to be above: of 5, two or more have a probability of 0.6 %.
         errorIsKept(method, 5, 1);
@@ -145,7 +149,7 @@ class StampTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void theErrorIsKeptWithNearlyAllOfManySeeds(Method method) {
         // One in forty is allowed to be above: of 16, three or more have a probability of 0.7 %.
         errorIsKept(method, 16, 2);
@@ -171,14 +175,14 @@ class StampTest {
 
     /** Whatever rounds there were: the last is the picture of its number of samples, to the last bit. */
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void aPictureOfSeveralRoundsIsThatOfItsSamples(Method method) {
         severalRounds(method, 2);
     }
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void picturesOfSeveralRoundsWithMoreSeedsAreThoseOfTheirSamples(Method method) {
         severalRounds(method, 4);
     }
@@ -210,11 +214,11 @@ class StampTest {
     void theTilesOfARenderAreMadeAgainAsOneProcessDoes() {
         RenderSettings settings = settings(Method.RAYTRACE).withCrop(CROP).withBudget(Budget.NONE.withError(0.02));
         RenderResult alone = render(settings);
-        TiledRender tiled = TiledRender.prepare(SCENE, settings, () -> false);
-        RenderResult result = made(tiled);
+        DividedRender tiled = DividedRender.prepare(SCENE, settings, () -> false);
+        Rendered result = made(tiled);
         List<String> log = new ArrayList<>();
         for (var next = tiled.next(result, log::add); next.isPresent(); ) {
-            TiledRender more = next.get();
+            DividedRender more = next.get();
             assertTrue(more.plan().samples() > tiled.plan().samples());
             result = made(more);
             next = more.next(result, log::add);
@@ -225,9 +229,9 @@ class StampTest {
         assertEquals(result.report().sampling().rounds() - 1, log.size());
     }
 
-    private static RenderResult made(TiledRender render) {
+    private static Rendered made(DividedRender render) {
         FilmAssembly film = render.assembly();
-        int[] tiles = new int[render.tiles()];
+        int[] tiles = new int[render.units()];
         Arrays.setAll(tiles, k -> k);
         render.make(tiles, () -> false, film::put);
         return film.result();
@@ -277,7 +281,7 @@ class StampTest {
 
     /** The stamp is an eighth of the crop and a 128th of the picture: as an error of the crop, the same is eleven times as hard. */
     @ParameterizedTest
-    @EnumSource(Method.class)
+    @EnumSource(BuiltInMethod.class)
     void ofACropItsOwnErrorCounts(Method method) {
         Image truth = truth(CROP);
         double asked = 0.02;
@@ -305,7 +309,8 @@ class StampTest {
 
     private static void rounding(int width, int height) {
         Scene scene = TestScenes.whiteFireAndIce().size(width, height).build();
-        RenderSettings settings = RenderSettings.of(scene).withShadowSamples(4).withThreads(2);
+        RenderSettings settings =
+                RenderSettings.of(scene).with(new RayTraceSettings(4)).withThreads(2);
         Image truth = Renderer.render(scene, settings.withSeed(77).withBudget(Budget.NONE.withSamples(512)));
         double asked = 0.004;
         RenderResult result = Renderer.render(RenderRequest.of(

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.codec.Srgb;
+import enlightenment.color.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
@@ -148,8 +148,8 @@ class ImageTextureTest {
         for (int depth : new int[] {8, 16}) {
             ImageTexture image = ImageTexture.readLinear(file(depth));
             double[] rgb = nearest(image, 0.3, 0.7);
-            assertEquals(Srgb.encode(100 / 255.0), rgb[0], 1e-7);
-            assertEquals(Srgb.encode(155 / 255.0), rgb[1], 1e-7);
+            assertEquals(TransferCurve.encode(100 / 255.0), rgb[0], 1e-7);
+            assertEquals(TransferCurve.encode(155 / 255.0), rgb[1], 1e-7);
         }
         Path file = folder.resolve("ends.png");
         ImageFiles.writePng(new Image(1, 1, new float[] {1, 0, 1}), file);

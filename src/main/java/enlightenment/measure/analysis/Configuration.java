@@ -4,7 +4,7 @@ import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,7 +22,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
 
     /** A method with the scene's own number of light samples. */
     public static Configuration ofScene(TradeSettings settings, String method) {
-        return new Configuration(method, settings.base().shadowSamples(), false);
+        return new Configuration(method, RayTraceSettings.of(settings.base()).shadowSamples(), false);
     }
 
     /** The configuration of a run. */
@@ -42,7 +42,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
         for (int n = 1; 2 * n <= own.lightSamples; n *= STEP) {
             variants.add(new Configuration(own.method, n, false));
         }
-        if (own.lightSamples <= RenderDefaults.MAX_SHADOW_SAMPLES / STEP) {
+        if (own.lightSamples <= RayTraceSettings.SHADOW_SAMPLES.max() / STEP) {
             variants.add(new Configuration(own.method, STEP * own.lightSamples, false));
         }
         return variants;
@@ -51,7 +51,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     /** Whether the method takes a fixed number of light samples per hit instead of choosing it. */
     private boolean takesLightSamples() {
         return Method.of(method)
-                .filter(m -> m.has(Method.Setting.SHADOW_SAMPLES))
+                .filter(m -> m.settings().contains(RayTraceSettings.SHADOW_SAMPLES))
                 .isPresent();
     }
 
@@ -63,7 +63,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     /** The settings of a render with this budget of camera rays per pixel. */
     public RenderSettings settings(RenderSettings base, double samples, long seed) {
         RenderSettings own = base.withMethod(Method.named(method))
-                .withShadowSamples(lightSamples)
+                .with(RayTraceSettings.SHADOW_SAMPLES, lightSamples)
                 .withSeed(seed);
         return grid
                 ? own.withAntialias(side(samples)).withBudget(Budget.NONE)
@@ -90,7 +90,9 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     String options(double samples, int sceneLightSamples) {
         String budget = grid ? " --antialias " + side(samples) : " --samples " + Digits.samples(samples);
         return "--method " + method
-                + (lightSamples == sceneLightSamples ? "" : " --shadow-samples " + lightSamples)
+                + (lightSamples == sceneLightSamples
+                        ? ""
+                        : " " + RayTraceSettings.SHADOW_SAMPLES.option() + " " + lightSamples)
                 + budget;
     }
 }

@@ -4,6 +4,7 @@ import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.Advice.Basis;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeSettings;
+import enlightenment.scene.RayTraceSettings;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -231,7 +232,10 @@ public record Verdict(
 
     /** The options of {@code render} for a cost, ready to be typed. */
     public static String arguments(CostEstimate cost, TradeSettings settings) {
-        return cost.configuration().options(cost.samples(), settings.base().shadowSamples())
+        return cost.configuration()
+                        .options(
+                                cost.samples(),
+                                RayTraceSettings.of(settings.base()).shadowSamples())
                 + (cost.target() < NEEDS_SIXTEEN_BITS ? " --depth 16" : "");
     }
 }

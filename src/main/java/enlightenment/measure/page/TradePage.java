@@ -14,6 +14,7 @@ import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.chart.Chart;
 import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeResult;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -67,7 +68,8 @@ public final class TradePage {
         RenderSettings.Crop region = s.region();
         html.element(
                 "p class=\"quiet\"",
-                region.width() + " × " + region.height() + " pixels, " + s.shadowSamples() + " light samples per hit, "
+                region.width() + " × " + region.height() + " pixels, "
+                        + RayTraceSettings.of(s).shadowSamples() + " light samples per hit, "
                         + s.threads() + (s.threads() == 1 ? " thread" : " threads")
                         + ". The figures hold for this size and these settings.");
         if (!result.result().conditions().complete()) {

@@ -2,6 +2,8 @@ package enlightenment.measure.trade;
 
 import enlightenment.check.Check;
 import enlightenment.image.Image;
+import enlightenment.math.InvalidValueException;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.HashSet;
@@ -47,10 +49,9 @@ public record TradeSettings(
         methods = List.copyOf(methods);
         sweeps = List.copyOf(sweeps);
         Check.that(!methods.isEmpty(), "methods", "must name at least one method");
-        Check.that(
-                Method.words().containsAll(methods),
-                "methods",
-                "must be some of " + Method.words() + ", not " + methods);
+        if (!methods.stream().allMatch(word -> Method.of(word).isPresent())) {
+            throw new InvalidValueException("methods", "must be some of " + Method.words() + ", not " + methods);
+        }
         Check.that(new HashSet<>(methods).size() == methods.size(), "methods", "must name each method once");
         Check.that(
                 budgetSeconds > 0 && budgetSeconds < Double.POSITIVE_INFINITY,
@@ -71,9 +72,10 @@ public record TradeSettings(
         }
     }
 
-    /** All methods, {@link #BUDGET_SECONDS}, {@link #SEEDS}, no sweeps, and a reference to be made. */
+    /** All methods of this program, {@link #BUDGET_SECONDS}, {@link #SEEDS}, no sweeps, and a reference to be made. */
     public static TradeSettings of(RenderSettings base, String sceneKey) {
-        return new TradeSettings(base, Method.words(), BUDGET_SECONDS, SEEDS, List.of(), Optional.empty(), sceneKey);
+        return new TradeSettings(
+                base, Method.words(BuiltInMethod.ALL), BUDGET_SECONDS, SEEDS, List.of(), Optional.empty(), sceneKey);
     }
 
     /** The same with another list of {@link #methods}. */

@@ -6,6 +6,7 @@ import enlightenment.method.Dither;
 import enlightenment.method.SpreadPlaces;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Hash;
+import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -64,8 +65,13 @@ public final class ClusterCost {
     }
 
     private ClusterMethod method(double effort, double samples) {
-        ClusterMethod method =
-                new ClusterMethod(scene, settings, counters, Distribution.of(settings.proposal()), effort, samples);
+        ClusterMethod method = new ClusterMethod(
+                scene,
+                settings,
+                counters,
+                Distribution.of(ClusterSettings.of(settings).proposal()),
+                effort,
+                samples);
         method.stopWhen(cancelled);
         return method;
     }

@@ -4,13 +4,14 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
+import enlightenment.film.TilePasses;
 import enlightenment.method.Dither;
-import enlightenment.method.TileMethod;
+import enlightenment.method.TileIntegrator;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Distribution;
+import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
-import enlightenment.shading.SampleAddress;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -23,7 +24,7 @@ import java.util.function.Consumer;
  * <p>Unbiased, because every decision about a pixel is made before and without its own samples: numbers of samples from the
  * survey, proposals from the survey and the pixels before it.
  */
-public final class ClusterMethod implements TileMethod {
+public final class ClusterMethod implements TileIntegrator {
     /** A block is surveyed again, with more light points, if it will take at least this many times as many of them itself. */
     private static final double LEAST_USE_OF_SECOND_SURVEY = 1;
 
@@ -49,7 +50,7 @@ public final class ClusterMethod implements TileMethod {
     private final ClusterGuide guide;
     private final ClusterRecorder recorder;
     private final Ray ray = new Ray();
-    private final SampleAddress address = new SampleAddress();
+    private final SobolSampler sampler = new SobolSampler();
     private final SampleSpread spread = new SampleSpread();
     private final double[] color = new double[3];
 
@@ -103,7 +104,9 @@ public final class ClusterMethod implements TileMethod {
         firstSamples = firstSamples(samples);
         shader = new ClassicShader(scene, 1, counters);
         recorder = clusters == null ? null : new ClusterRecorder(clusters);
-        shader.observer(recorder);
+        if (recorder != null) {
+            shader.report().keepRays();
+        }
         survey = new Survey(scene, settings, shader, recorder);
         guide = new ClusterGuide(proposal, counters);
     }
@@ -122,8 +125,15 @@ public final class ClusterMethod implements TileMethod {
         shader.stopWhen(cancelled);
     }
 
+    /** Samples learn from those before. */
     @Override
-    public void render(FilmTile tile) {
+    public boolean dividesIntoPasses() {
+        return false;
+    }
+
+    @Override
+    public void render(FilmTile tile, int pass, int passes) {
+        TilePasses.checkOne(pass, passes);
         int right = tile.x + tile.width;
         int bottom = tile.y + tile.height;
         for (int y = tile.y / Block.SIDE * Block.SIDE; y < bottom; y += Block.SIDE) {
@@ -249,7 +259,7 @@ public final class ClusterMethod implements TileMethod {
         for (int s = 0; s < count; s++) {
             sample(block.x() + i, block.y() + j, i, j, s);
             System.arraycopy(color, 0, first, 3 * (count * k + s), 3);
-            sum += Evidence.of(color, shader.pathKey() == key, needs, k, 1 << points[k]);
+            sum += Evidence.of(color, shader.report().pathKey == key, needs, k, 1 << points[k]);
         }
         evidence.tell(k, key != Survey.DIFFERENT, sum / count);
     }
@@ -263,7 +273,7 @@ public final class ClusterMethod implements TileMethod {
     /** Turns to a pixel. */
     private void turn(Block block, int i, int j, long seed) {
         shader.lightPoints(1 << points[Block.SIDE * j + i]);
-        address.pixel(seed, block.x() + i, block.y() + j);
+        sampler.pixel(seed, block.x() + i, block.y() + j);
         interpolate(i, j);
         if (guided) {
             guide.pixel(i, j);
@@ -280,8 +290,8 @@ public final class ClusterMethod implements TileMethod {
         spread.begin(samples);
         for (int s = 0; s < samples; s++) {
             if (s < done) {
-                address.sample(s);
-                spread.at(address.filmX(), address.filmY());
+                sampler.sample(s);
+                spread.at(sampler.filmX(), sampler.filmY());
                 System.arraycopy(first, 3 * (done * k + s), color, 0, 3);
             } else {
                 sample(x, y, i, j, s);
@@ -299,9 +309,9 @@ public final class ClusterMethod implements TileMethod {
 
     /** Sets the colour of a sample minus the control variate: the interpolation of the corners there. */
     private void sample(int x, int y, int i, int j, int index) {
-        address.sample(index);
-        double dx = address.filmX();
-        double dy = address.filmY();
+        sampler.sample(index);
+        double dx = sampler.filmX();
+        double dy = sampler.filmY();
         spread.at(dx, dy);
         scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
         if (guided) {
@@ -310,7 +320,13 @@ public final class ClusterMethod implements TileMethod {
         if (recorder != null) {
             recorder.camera(ray);
         }
-        shader.shade(ray, address, color);
+        shader.shade(ray, sampler, color);
+        if (recorder != null) {
+            recorder.read(shader.report());
+        }
+        if (guided) {
+            guide.read(shader.report());
+        }
         double dxy = dx * dy;
         for (int c = 0; c < 3; c++) {
             int k = 4 * c;

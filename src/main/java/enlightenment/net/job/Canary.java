@@ -1,9 +1,11 @@
 package enlightenment.net.job;
 
-import enlightenment.engine.TileMaker;
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.UnitMaker;
 import enlightenment.file.ContentHash;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -12,7 +14,7 @@ import java.security.MessageDigest;
 
 /**
  * A small picture that every machine computes before it joins: who gets other bits here would spoil pictures. It has glass,
- * a mirror, a checkerboard, a torus (cubic and quartic equations), soft shadows and both methods.
+ * a mirror, a checkerboard, a torus (cubic and quartic equations), soft shadows and all methods of this program.
  */
 public final class Canary {
     private static final String SCENE =
@@ -51,15 +53,15 @@ public final class Canary {
     private static ContentHash compute() {
         Scene scene = SceneReader.readString(SCENE, Path.of(""), "canary");
         MessageDigest digest = ContentHash.sha256();
-        for (Method method : Method.values()) {
+        for (Method method : BuiltInMethod.ALL) {
             RenderSettings settings = RenderSettings.of(scene)
                     .withMethod(method)
                     .withAntialias(1)
-                    .withShadowSamples(2)
+                    .with(new RayTraceSettings(2))
                     .withThreads(1);
-            TiledRender render = TiledRender.prepare(scene, settings, () -> false);
-            TileMaker maker = render.maker();
-            for (int tile = 0; tile < render.tiles(); tile++) {
+            DividedRender render = DividedRender.prepare(scene, settings, () -> false);
+            UnitMaker maker = render.maker();
+            for (int tile = 0; tile < render.units(); tile++) {
                 digest.update(maker.make(tile));
             }
         }

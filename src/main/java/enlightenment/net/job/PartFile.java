@@ -4,6 +4,7 @@ import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.RenderOutline;
 import enlightenment.file.ContentHash;
 import enlightenment.file.WholeFile;
+import enlightenment.film.SplatScale;
 import java.io.BufferedInputStream;
 import java.io.Closeable;
 import java.io.DataInputStream;
@@ -28,7 +29,7 @@ import java.util.Map;
  * all that. Numbers with their most significant byte first.
  */
 public final class PartFile implements Closeable {
-    private static final byte[] MAGIC = "ENLPART1".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "ENLPART2".getBytes(StandardCharsets.US_ASCII);
     private static final int BUFFER = 1 << 16;
 
     private final Path file;
@@ -71,6 +72,7 @@ public final class PartFile implements Closeable {
         out.writeUTF(Build.number());
         out.write(head.job().toBytes());
         SettingsBytes.write(out, head.outline());
+        out.writeInt(head.outline().splatScale().exponent());
         List<String> text = new ArrayList<>();
         head.text().forEach((key, value) -> text.addAll(List.of(key, value)));
         SettingsBytes.write(out, text);
@@ -89,7 +91,7 @@ public final class PartFile implements Closeable {
                 throw new IOException(file + ": was made by version " + build + ", this is " + Build.number());
             }
             ContentHash job = ContentHash.fromBytes(in.readNBytes(ContentHash.BYTES));
-            RenderOutline outline = SettingsBytes.readOutline(in, 1);
+            RenderOutline outline = SettingsBytes.readOutline(in, 1).withSplatScale(new SplatScale(in.readInt()));
             List<String> list = SettingsBytes.readTexts(in);
             Map<String, String> text = new LinkedHashMap<>();
             for (int i = 0; i + 1 < list.size(); i += 2) {
@@ -187,7 +189,7 @@ public final class PartFile implements Closeable {
         left--;
         int tile = in.readInt();
         int length = in.readInt();
-        if (tile < 0 || tile >= film.tiles() || length != film.length(tile)) {
+        if (tile < 0 || tile >= film.units() || length < 0 || length > film.longest(tile)) {
             throw new IOException(file + ": tile " + tile + " with " + length + " bytes makes no sense");
         }
         byte[] bytes = in.readNBytes(length);

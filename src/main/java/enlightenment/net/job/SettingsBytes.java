@@ -3,7 +3,9 @@ package enlightenment.net.job;
 import enlightenment.engine.RenderOutline;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
@@ -37,17 +39,47 @@ final class SettingsBytes {
         out.writeInt(region.width());
         out.writeInt(region.height());
         out.writeInt(s.antialias());
-        out.writeInt(s.shadowSamples());
         out.writeLong(s.seed());
         write(out, s.budget().samples());
         write(out, s.budget().error());
         write(out, s.budget().seconds());
-        text(out, s.proposal());
+        write(out, chosen(s));
         out.writeInt(s.tileSize());
         text(out, plan.method().word());
         out.writeDouble(plan.level());
         out.writeDouble(plan.samples());
         text(out, plan.decidedBy());
+    }
+
+    /**
+     * The settings that have an influence on the pictures of the method in use, as a list of keys and values, so that a reader that
+     * does not know the method can go on behind them.
+     */
+    private static List<String> chosen(RenderSettings s) {
+        List<String> texts = new ArrayList<>();
+        for (MethodSetting setting : Method.influences(s.method())) {
+            texts.addAll(List.of(setting.key(), s.chosen().value(setting).toString()));
+        }
+        return texts;
+    }
+
+    private static ChosenSettings chosen(Method method, List<String> texts) {
+        ChosenSettings chosen = ChosenSettings.NONE;
+        List<MethodSetting> settings = Method.influences(method);
+        if (texts.size() != 2 * settings.size()) {
+            throw new IllegalArgumentException(
+                    method.word() + " has " + settings.size() + " settings, not these: " + texts);
+        }
+        for (int i = 0; i < settings.size(); i++) {
+            MethodSetting setting = settings.get(i);
+            if (!texts.get(2 * i).equals(setting.key())) {
+                throw new IllegalArgumentException("the setting " + setting.key() + " is missing: " + texts);
+            }
+            String value = texts.get(2 * i + 1);
+            chosen = chosen.with(
+                    setting, setting instanceof MethodSetting.Whole ? (Object) Integer.valueOf(value) : value);
+        }
+        return chosen;
     }
 
     private static void write(DataOutputStream out, OptionalDouble value) throws IOException {
@@ -71,7 +103,6 @@ final class SettingsBytes {
         boolean cropped = in.readBoolean();
         RenderSettings.Crop region = new RenderSettings.Crop(in.readInt(), in.readInt(), in.readInt(), in.readInt());
         int antialias = in.readInt();
-        int shadowSamples = in.readInt();
         long seed = in.readLong();
         // For which file the error was planned matters to nobody who has the plan.
         Budget budget = new Budget(readOptional(in), readOptional(in), readOptional(in), 0);
@@ -81,10 +112,9 @@ final class SettingsBytes {
                 height,
                 cropped ? Optional.of(region) : Optional.empty(),
                 antialias,
-                shadowSamples,
                 seed,
                 budget,
-                text(in),
+                chosen(method, readTexts(in)),
                 threads,
                 in.readInt());
         return new Decided(

@@ -5,8 +5,11 @@ public final class Limits {
     /** Largest frame body before a worker has proved that it knows the token. */
     public static final int FRAME_BEFORE_AUTHENTICATION = 4 << 10;
 
-    /** Largest frame body after that. */
-    public static final int FRAME = 8 << 20;
+    /** Largest frame body after that: a batch of paths may reach a million pixels. */
+    public static final int FRAME = 32 << 20;
+
+    /** Largest result of a unit, in bytes. */
+    public static final int RESULT = FRAME - (4 << 10);
 
     /** Deepest nesting of a frame body. */
     public static final int NESTING = 16;

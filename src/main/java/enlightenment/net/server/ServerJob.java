@@ -1,12 +1,13 @@
 package enlightenment.net.server;
 
+import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
-import enlightenment.engine.TiledRender;
 import enlightenment.file.ContentHash;
 import enlightenment.net.checkpoint.CheckpointJournal;
 import enlightenment.net.checkpoint.JournalRecord;
 import enlightenment.net.checkpoint.Origin;
 import enlightenment.net.checkpoint.Restored;
+import enlightenment.net.checkpoint.ResultJournal;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.schedule.Action;
 import java.io.Closeable;
@@ -25,7 +26,7 @@ public final class ServerJob implements Closeable {
     /** Fewer digits may be those of two machines. */
     private static final int FEWEST_DIGITS = 8;
 
-    private final TiledRender render;
+    private final DividedRender render;
     private final JobContent content;
     private final FilmAssembly film;
     private final Consumer<String> log;
@@ -33,20 +34,27 @@ public final class ServerJob implements Closeable {
     /** The hashes of the tiles that are kept. */
     private final ContentHash[] kept;
 
+    /** What has to be looked at again when it is taken out. */
+    private final ResultJournal results;
+
     private Restored restored = Restored.NOTHING;
     private CheckpointJournal journal;
     private Set<Origin.Peer> alreadyExpelled = Set.of();
 
-    public ServerJob(TiledRender render, JobContent content, Consumer<String> log) {
+    public ServerJob(DividedRender render, JobContent content, Consumer<String> log) {
         this.render = render;
         this.content = content;
         this.log = log;
         film = render.assembly();
-        kept = new ContentHash[render.tiles()];
+        kept = new ContentHash[render.units()];
+        results = new ResultJournal(film.needsStore() ? render.units() : 0);
+        if (film.needsStore()) {
+            film.keepIn(results);
+        }
     }
 
     /** The job of the same picture with more samples; machines that were found out stay expelled. */
-    public ServerJob with(TiledRender more, String build, Set<Origin.Peer> expelled) {
+    public ServerJob with(DividedRender more, String build, Set<Origin.Peer> expelled) {
         ServerJob next = new ServerJob(more, content.with(more.outline(), build), log);
         next.alreadyExpelled = Set.copyOf(expelled);
         return next;
@@ -179,7 +187,7 @@ public final class ServerJob implements Closeable {
         }
     }
 
-    public TiledRender render() {
+    public DividedRender render() {
         return render;
     }
 
@@ -205,14 +213,16 @@ public final class ServerJob implements Closeable {
     }
 
     public int tiles() {
-        return render.tiles();
+        return render.units();
     }
 
     @Override
     public void close() throws IOException {
-        if (journal != null) {
-            journal.close();
-            journal = null;
+        try (results) {
+            if (journal != null) {
+                journal.close();
+                journal = null;
+            }
         }
     }
 }

@@ -1,8 +1,9 @@
 package enlightenment.net.worker;
 
-import enlightenment.engine.TileMaker;
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.UnitMaker;
 import enlightenment.net.job.TileData;
+import enlightenment.net.protocol.Limits;
 import enlightenment.net.schedule.WorkerCore;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,7 +21,7 @@ public final class RenderPool implements AutoCloseable {
         byte[] change(int tile, byte[] bytes);
     }
 
-    private final TiledRender render;
+    private final DividedRender render;
     private final WorkerCore core;
     private final Consumer<Throwable> failed;
     private final Tamper tamper;
@@ -35,12 +36,12 @@ public final class RenderPool implements AutoCloseable {
      * @param window largest number of tiles that are sent and not acknowledged
      * @param failed hears of what went wrong in a thread, which has then ended
      */
-    public RenderPool(TiledRender render, int threads, int window, Consumer<Throwable> failed) {
+    public RenderPool(DividedRender render, int threads, int window, Consumer<Throwable> failed) {
         this(render, threads, window, failed, (tile, bytes) -> bytes);
     }
 
     /** @param tamper what a faulty machine makes of a tile, for tests */
-    public RenderPool(TiledRender render, int threads, int window, Consumer<Throwable> failed, Tamper tamper) {
+    public RenderPool(DividedRender render, int threads, int window, Consumer<Throwable> failed, Tamper tamper) {
         this.tamper = tamper;
         this.render = render;
         this.failed = failed;
@@ -64,9 +65,9 @@ public final class RenderPool implements AutoCloseable {
 
     private void work() {
         try {
-            TileMaker maker = render.maker(() -> closed);
+            UnitMaker maker = render.maker(() -> closed);
             for (WorkerCore.Task task = next(); task != null; task = next()) {
-                TileData data = TileData.of(tamper.change(task.tile(), maker.make(task.tile())));
+                TileData data = TileData.of(tamper.change(task.tile(), checked(maker.make(task.tile()))));
                 finished(task, data);
                 flush.run();
             }
@@ -76,6 +77,14 @@ public final class RenderPool implements AutoCloseable {
         } catch (RuntimeException | Error e) {
             failed.accept(e);
         }
+    }
+
+    private static byte[] checked(byte[] result) {
+        if (result.length > Limits.RESULT) {
+            throw new IllegalStateException("a unit of work has a result of " + result.length + " bytes; at most "
+                    + Limits.RESULT + " can be sent");
+        }
+        return result;
     }
 
     private synchronized WorkerCore.Task next() {

@@ -1,6 +1,6 @@
 package enlightenment.net.worker;
 
-import enlightenment.engine.TiledRender;
+import enlightenment.engine.DividedRender;
 import enlightenment.file.ContentHash;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.protocol.Limits;
@@ -54,7 +54,7 @@ public final class WorkerJobs implements AutoCloseable {
                 return pool;
             }
         }
-        TiledRender render = render(wanted);
+        DividedRender render = render(wanted);
         synchronized (this) {
             end();
             job = wanted.job();
@@ -65,7 +65,7 @@ public final class WorkerJobs implements AutoCloseable {
         }
     }
 
-    private TiledRender render(Message.Job wanted) throws IOException {
+    private DividedRender render(Message.Job wanted) throws IOException {
         List<ContentHash> images =
                 wanted.contents().subList(1, wanted.contents().size());
         Map<String, byte[]> byName = new LinkedHashMap<>();
@@ -76,11 +76,11 @@ public final class WorkerJobs implements AutoCloseable {
         }
         JobContent.Document read = JobContent.read(document, images, version, threads);
         try {
-            TiledRender render = TiledRender.planned(
+            DividedRender render = DividedRender.planned(
                     read.scene(), read.settings(), read.plan(), (Path file) -> byName.get(file.toString()));
-            if (render.tiles() != wanted.tiles()) {
+            if (render.units() != wanted.tiles()) {
                 throw new IOException(
-                        "the job has " + wanted.tiles() + " tiles at the server, " + render.tiles() + " here");
+                        "the job has " + wanted.tiles() + " tiles at the server, " + render.units() + " here");
             }
             return render;
         } catch (IllegalArgumentException | SceneException e) {

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Supplier;
 
 /**
@@ -31,13 +32,22 @@ final class Fields {
 
     /** A part with these keys; null after a problem where the value is no object. */
     static Fields of(JsonValue v, JsonPointer place, Keys keys, Values values) {
+        return of(v, place, keys, Map.of(), values);
+    }
+
+    /**
+     * The same.
+     *
+     * @param refused keys that it does not have, although somebody may expect them, and what to say of them
+     */
+    static Fields of(JsonValue v, JsonPointer place, Keys keys, Map<String, String> refused, Values values) {
         int before = values.problems().count();
         JsonValue.Obj o = values.object(v, place, keys.noun());
         if (o == null) {
             return null;
         }
         Fields fields = new Fields(o, place, values, before);
-        fields.checkKeys(keys, List.of());
+        fields.checkKeys(keys, List.of(), refused);
         return fields;
     }
 
@@ -60,11 +70,11 @@ final class Fields {
             return null;
         }
         Fields fields = new Fields(o, place, values, before);
-        fields.checkKeys(family.keys(name), family.plannedKeys());
+        fields.checkKeys(family.keys(name), family.plannedKeys(), Map.of());
         return fields;
     }
 
-    private void checkKeys(Keys keys, Collection<String> planned) {
+    private void checkKeys(Keys keys, Collection<String> planned, Map<String, String> refused) {
         for (String required : keys.required()) {
             if (!has(required)) {
                 values.problems().add(object, place.child(required), "missing; " + keys.noun() + " needs it");
@@ -75,9 +85,12 @@ final class Fields {
             if (keys.has(key)) {
                 continue;
             }
-            String message = planned.contains(key)
-                    ? "is for physical shading, which is not available yet"
-                    : "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
+            String message = refused.get(key);
+            if (message == null) {
+                message = planned.contains(key)
+                        ? "is for physical shading, which is not available yet"
+                        : "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
+            }
             values.problems().add(object.value(i), place.child(key), message);
         }
     }

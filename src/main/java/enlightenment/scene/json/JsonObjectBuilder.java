@@ -1,6 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
@@ -141,6 +142,11 @@ final class JsonObjectBuilder {
         return put(
                 key,
                 JsonValue.Arr.of(colors.stream().map(c -> color(c, asNumbers)).toList()));
+    }
+
+    /** Linear light as three numbers. */
+    JsonObjectBuilder linear(String key, Rgb c) {
+        return put(key, JsonValue.Arr.of(List.of(number(c.r()), number(c.g()), number(c.b()))));
     }
 
     private static JsonValue color(DisplayRgb c, boolean asNumbers) {

@@ -1,14 +1,13 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
-import enlightenment.color.DisplayRgb;
 import enlightenment.light.Light;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
-import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -27,18 +26,25 @@ final class SceneBinder {
         this.values = new Values(problems, new Library(folder, fileNames));
     }
 
-    /** The scene at a frame, or as it is written; null after a problem. */
-    Scene bind(JsonValue root, OptionalInt frame) {
-        Fields f = Fields.of(root, JsonPointer.ROOT, Vocabulary.SCENE, values);
+    /** The scene that a text holds, at a frame or as it is written; null after a problem. */
+    Scene read(JsonTree.Source source, OptionalInt frame) {
+        ObjectStream objects = new ObjectStream(source, values);
+        JsonValue root = objects.readAll();
+        Fields f = root == null ? null : Fields.of(root, JsonPointer.ROOT, Vocabulary.SCENE, values);
         if (f == null) {
             return null;
         }
-        Animation animation =
-                f.has("animation") ? new Tracks(root, values).read(f.get("animation"), f.at("animation")) : null;
+        JsonValue.Obj scene = (JsonValue.Obj) root;
+        Animation animation = null;
+        if (f.has("animation")) {
+            objects.keepTargets(scene);
+            animation = new Tracks(root, values).read(f.get("animation"), f.at("animation"));
+        }
         if (frame.isPresent()) {
             setFrame(f, animation, frame.getAsInt(), root);
         }
-        return scene(f, animation);
+        objects.prepare(scene, animation != null && frame.isPresent());
+        return scene(f, animation, objects);
     }
 
     private static void setFrame(Fields f, Animation animation, int frame, JsonValue root) {
@@ -51,24 +57,20 @@ final class SceneBinder {
         }
     }
 
-    private Scene scene(Fields f, Animation animation) {
+    private Scene scene(Fields f, Animation animation, ObjectStream stream) {
         f.text("$schema", "the address of the schema");
         String name = f.text("name", "a text");
         Fields image = f.has("image") ? Fields.of(f.get("image"), f.at("image"), Vocabulary.IMAGE, values) : null;
         int width = image == null ? 1 : image.integer("width", 1, Scene.MAX_SIDE, 1);
         int height = image == null ? 1 : image.integer("height", 1, Scene.MAX_SIDE, 1);
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
-        ClassicShading shading = shading(f);
-        if (f.has("textures")) {
-            Textures.readNamed(f.get("textures"), f.at("textures"), values);
-        }
-        if (f.has("materials")) {
-            Materials.readNamed(f.get("materials"), f.at("materials"), values);
-        }
+        Shading shading =
+                f.has("shading") ? Shadings.read(f.get("shading"), f.at("shading"), values) : ClassicShading.DEFAULT;
+        stream.tellLibrary();
         List<Light> lights = f.has("lights") ? Lights.read(f.get("lights"), f.at("lights"), values) : List.of();
-        List<SceneObject> objects =
-                f.has("objects") ? new SceneObjects(values).read(f.get("objects"), f.at("objects")) : List.of();
-        RenderDefaults render = render(f);
+        List<SceneObject> objects = f.has("objects") ? stream.objects(f.get("objects"), f.at("objects")) : List.of();
+        RenderDefaults render =
+                f.has("render") ? RenderPart.read(f.get("render"), f.at("render"), values) : RenderDefaults.DEFAULT;
         return f.make(() -> new Scene(
                 name == null ? "" : name,
                 width,
@@ -81,38 +83,5 @@ final class SceneBinder {
                 objects,
                 render,
                 Optional.ofNullable(animation)));
-    }
-
-    private ClassicShading shading(Fields scene) {
-        if (!scene.has("shading")) {
-            return ClassicShading.DEFAULT;
-        }
-        Fields f = Fields.of(scene.get("shading"), scene.at("shading"), Vocabulary.SHADING, values);
-        if (f == null) {
-            return null;
-        }
-        f.word("model", Vocabulary.SHADING_MODELS, Vocabulary.PLANNED_SHADING_MODELS, "classic");
-        ClassicShading d = ClassicShading.DEFAULT;
-        double ambient = f.number("ambient", d.ambient());
-        double shadow = f.number("shadow", d.shadow());
-        DisplayRgb background = f.color("background", d.background());
-        int maxBounces = f.integer("maxBounces", 0, ClassicShading.MAX_BOUNCES, d.maxBounces());
-        return f.make(() -> new ClassicShading(ambient, shadow, background, maxBounces));
-    }
-
-    private RenderDefaults render(Fields scene) {
-        if (!scene.has("render")) {
-            return RenderDefaults.DEFAULT;
-        }
-        Fields f = Fields.of(scene.get("render"), scene.at("render"), Vocabulary.RENDER, values);
-        if (f == null) {
-            return null;
-        }
-        RenderDefaults d = RenderDefaults.DEFAULT;
-        String method = f.word("method", Method.words(), List.of(), d.method().word());
-        int antialias = f.integer("antialias", 1, RenderDefaults.MAX_ANTIALIAS, d.antialias());
-        int shadowSamples = f.integer("shadowSamples", 1, RenderDefaults.MAX_SHADOW_SAMPLES, d.shadowSamples());
-        long seed = f.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, d.seed());
-        return f.make(() -> new RenderDefaults(Method.named(method), antialias, shadowSamples, seed));
     }
 }

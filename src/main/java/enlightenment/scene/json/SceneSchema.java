@@ -1,16 +1,42 @@
 package enlightenment.scene.json;
 
+import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
+import enlightenment.scene.RenderDefaults;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.stream.Collectors;
 
 /** The JSON Schema of the scene format, for editors and other programs. */
 public final class SceneSchema {
+    /** Where the resource has the methods' words and settings. */
+    private static final String WORDS = "\"@methods\"";
+
+    private static final String USUAL = "\"@method\"";
+    private static final String SETTINGS = "\"@settings\": {}";
+
     private SceneSchema() {}
 
-    /** The schema's text (JSON Schema 2020-12). */
+    /** The schema's text (JSON Schema 2020-12), with all methods that there are. */
     public static String text() {
+        return text(Method.all());
+    }
+
+    /** The schema's text with these methods. */
+    static String text(List<Method> methods) {
+        String words = methods.stream().map(m -> quoted(m.word())).collect(Collectors.joining(", "));
+        String settings =
+                Method.settings(methods).stream().map(SceneSchema::property).collect(Collectors.joining(",\n"));
+        return resource()
+                .replace(WORDS, words)
+                .replace(USUAL, quoted(RenderDefaults.DEFAULT.method().word()))
+                .replace("        " + SETTINGS, settings);
+    }
+
+    private static String resource() {
         try (InputStream in = SceneSchema.class.getResourceAsStream("scene.schema.json")) {
             if (in == null) {
                 throw new IllegalStateException("the schema is missing from the program");
@@ -19,5 +45,24 @@ public final class SceneSchema {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    private static String property(MethodSetting setting) {
+        String description = setting.description();
+        String sentence = Character.toUpperCase(description.charAt(0)) + description.substring(1) + ".";
+        String values = setting instanceof MethodSetting.Whole w
+                ? "\"type\": \"integer\",\n          \"minimum\": " + w.min() + ",\n          \"maximum\": " + w.max()
+                        + ",\n          \"default\": " + w.usualValue()
+                : "\"enum\": ["
+                        + ((MethodSetting.Word) setting)
+                                .words().stream().map(SceneSchema::quoted).collect(Collectors.joining(", "))
+                        + "],\n          \"default\": " + quoted((String) setting.usual());
+        return "        " + quoted(setting.key()) + ": {\n          \"description\": " + quoted(sentence)
+                + ",\n          " + values + "\n        }";
+    }
+
+    /** As JSON. What stands here are words and descriptions of methods; quotes and backslashes are all that needs care. */
+    private static String quoted(String text) {
+        return "\"" + text.replace("\\", "\\\\").replace("\"", "\\\"") + "\"";
     }
 }

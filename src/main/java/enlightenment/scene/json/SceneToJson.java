@@ -2,8 +2,6 @@ package enlightenment.scene.json;
 
 import enlightenment.material.Material;
 import enlightenment.scene.Animation;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.nio.file.Path;
@@ -35,7 +33,7 @@ final class SceneToJson {
                         .whole("height", scene.height())
                         .json());
         root.put("camera", json(Cameras.FAMILY, scene.camera(), root.child("camera")));
-        root.put("shading", shading(scene.shading(), root.child("shading")));
+        root.put("shading", Shadings.write(scene.shading(), root.child("shading")));
         putNamed(root, "textures", Textures.FAMILY, names.textures());
         putNamed(root, "materials", Materials.FAMILY, scene.materials());
         if (!scene.lights().isEmpty()) {
@@ -46,7 +44,7 @@ final class SceneToJson {
         List<JsonValue> objects = new ArrayList<>(scene.objects().size());
         scene.objects().forEach(o -> objects.add(object(o, root.child("objects", objects.size()))));
         root.put("objects", JsonValue.Arr.of(objects));
-        root.put("render", render(scene.render(), root.child("render")));
+        root.put("render", RenderPart.write(scene.render(), root.child("render")));
         scene.animation().ifPresent(a -> root.put("animation", animation(a, root.child("animation"))));
         return root.json();
     }
@@ -62,18 +60,6 @@ final class SceneToJson {
         if (!all.isEmpty()) {
             root.put(key, all.json());
         }
-    }
-
-    private static JsonValue shading(ClassicShading s, JsonObjectBuilder p) {
-        p.text("model", "classic").number("ambient", s.ambient()).number("shadow", s.shadow());
-        p.colorUnless(ClassicShading.DEFAULT.background(), "background", s.background());
-        return p.wholeUnless(ClassicShading.DEFAULT.maxBounces(), "maxBounces", s.maxBounces())
-                .json();
-    }
-
-    private static JsonValue render(RenderDefaults r, JsonObjectBuilder p) {
-        p.text("method", r.method().word()).whole("antialias", r.antialias()).whole("shadowSamples", r.shadowSamples());
-        return p.wholeUnless(0, "seed", r.seed()).json();
     }
 
     /** Calls image files by their paths relative to a folder. */

@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.scene.BuiltInMethod;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -14,8 +15,11 @@ final class Vocabulary {
             "image camera objects",
             "$schema name shading textures materials lights render animation");
     static final Keys IMAGE = Keys.of("image", "an image", "width height", "");
-    static final Keys SHADING = Keys.of("shading", "the shading", "", "model ambient shadow background maxBounces");
-    static final Keys RENDER = Keys.of("render", "the render part", "", "method antialias shadowSamples seed");
+    static final Keys CLASSIC_SHADING =
+            Keys.of("classicShading", "the shading", "", "model ambient shadow background maxBounces");
+    static final Keys PHYSICAL_SHADING =
+            Keys.of("physicalShading", "physical shading", "model", "background maxBounces");
+    static final Keys LINEAR_COLOR = Keys.of("linearColor", "a linear colour", "linear", "");
     static final Keys ANIMATION = Keys.of("animation", "an animation", "frames framesPerSecond tracks", "");
     static final Keys TRACK = Keys.of("track", "a track", "target keys", "");
     static final Keys TEXTURE_REFERENCE = Keys.of("textureReference", "a reference to a texture", "texture", "");
@@ -29,9 +33,6 @@ final class Vocabulary {
     /** Keys of lights that only physical shading will look at. */
     static final List<String> PLANNED_LIGHT_KEYS = List.of("radiance", "power", "intensity");
 
-    static final List<String> SHADING_MODELS = List.of("classic");
-    static final List<String> PLANNED_SHADING_MODELS = List.of("physical");
-
     private Vocabulary() {}
 
     /** All parts that come in several kinds. */
@@ -39,9 +40,19 @@ final class Vocabulary {
         return List.of(Cameras.FAMILY, Shapes.FAMILY, Materials.FAMILY, Lights.FAMILY, Textures.FAMILY);
     }
 
-    /** Every part of the format. */
+    /** Every part of the format, without what methods from outside add to it. */
     static List<Keys> all() {
-        List<Keys> all = new ArrayList<>(List.of(SCENE, IMAGE, SHADING, RENDER, ANIMATION, TRACK, TEXTURE_REFERENCE));
+        Keys render = RenderPart.keys(BuiltInMethod.ALL);
+        List<Keys> all = new ArrayList<>(List.of(
+                SCENE,
+                IMAGE,
+                CLASSIC_SHADING,
+                PHYSICAL_SHADING,
+                LINEAR_COLOR,
+                render,
+                ANIMATION,
+                TRACK,
+                TEXTURE_REFERENCE));
         families().forEach(family -> all.addAll(family.keys()));
         return all;
     }

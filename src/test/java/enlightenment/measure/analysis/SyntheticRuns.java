@@ -5,7 +5,9 @@ import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Budget;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -81,7 +83,16 @@ public final class SyntheticRuns {
 
     public static TradeSettings settings() {
         RenderSettings base = new RenderSettings(
-                Method.RAYTRACE, 8, 8, Optional.empty(), 4, LIGHT_SAMPLES, 0, Budget.NONE, "normal", 2, 8);
+                Method.RAYTRACE,
+                8,
+                8,
+                Optional.empty(),
+                4,
+                0,
+                Budget.NONE,
+                ChosenSettings.of(new RayTraceSettings(LIGHT_SAMPLES)),
+                2,
+                8);
         return new TradeSettings(base, List.of("raytrace", "cluster"), 1, 1, List.of(), Optional.empty(), "a scene");
     }
 }

@@ -291,23 +291,23 @@ final class ScalingSimulation {
             return new Job(width, height, minutes, place);
         }
 
-        int tiles() {
+        private RenderOutline outline() {
             Scene scene = TestScenes.whiteFireAndIce().build();
             double samples = 60 * minutes * RAYS_PER_SECOND / ((double) width * height);
             RenderSettings settings = RenderSettings.of(scene).withSize(width, height);
             return new RenderOutline(
-                            "", settings, new RenderPlan(Method.RAYTRACE, 1, samples, "samples"), List.of(), List.of())
-                    .tiles();
+                    "", settings, new RenderPlan(Method.RAYTRACE, 1, samples, "samples"), List.of(), List.of());
         }
 
-        /** Seconds of each tile, by its column: from 0.2 to 3.2 times something. */
-        double[] tileSeconds() {
-            double[] cost = new double[tiles()];
+        /** Seconds of each unit, by the column of its tile: from 0.2 to 3.2 times something. */
+        double[] unitSeconds() {
+            double[] cost = new double[outline().units()];
             int across = (width + 7) / 8;
-            int down = cost.length / across;
+            // Passes of a tile, and tiles of a column, have consecutive numbers.
+            int ofColumn = cost.length / across;
             double sum = 0;
             for (int t = 0; t < cost.length; t++) {
-                double x = (t / down + 0.5) / across - expensive;
+                double x = (t / ofColumn + 0.5) / across - expensive;
                 cost[t] = 0.2 + 3 * Math.exp(-x * x / (2 * 0.1 * 0.1));
                 sum += cost[t];
             }
@@ -348,7 +348,7 @@ final class ScalingSimulation {
         // With more workers that job is over in seconds: five minutes for each of them instead.
         for (int workers : new int[] {3_000, 10_000}) {
             Job job = new Job(8_000, 4_000, 5 * workers, 0.5);
-            double[] tiles = job.tileSeconds();
+            double[] tiles = job.unitSeconds();
             double alike = run(tiles, costs, new Fleet(workers, 1, 0, 0), 0, 1).efficiency;
             System.out.println(String.format(
                     Locale.ROOT,
@@ -365,7 +365,7 @@ final class ScalingSimulation {
     }
 
     private static String row(int workers, Job job, Costs costs) {
-        double[] tiles = job.tileSeconds();
+        double[] tiles = job.unitSeconds();
         // Mixed: the fastest is four times as fast as the slowest, with the same power on the whole as if all were
         // alike.
         double[] mixed = tiles.clone();
@@ -377,7 +377,7 @@ final class ScalingSimulation {
                 "%s %.4f | %.4f | %.4f | %.4f | %.4f | %.4f |",
                 head(workers, job, tiles.length),
                 run(tiles, costs, new Fleet(workers, 1, 0, 0), 0, 1).efficiency,
-                run(job.withExpensive(1).tileSeconds(), costs, new Fleet(workers, 1, 0, 0), 0, 1).efficiency,
+                run(job.withExpensive(1).unitSeconds(), costs, new Fleet(workers, 1, 0, 0), 0, 1).efficiency,
                 run(mixed, costs, new Fleet(workers, 4, 0, 0), 0, 1).efficiency,
                 run(mixed, costs, new Fleet(workers, 4, 0.5, 0.02), 0, 1).efficiency,
                 run(tiles, costs, new Fleet(workers, 1, 0, 0), CoordinatorSettings.AUDIT_RATE, 1).efficiency,

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 
 class ScalingSimulationTest {
     /** The paper's job: 900 minutes of one machine. */
-    private static final double[] JOB = ScalingSimulation.PAPERS.tileSeconds();
+    private static final double[] JOB = ScalingSimulation.PAPERS.unitSeconds();
 
     private static Outcome run(int workers, double spread) {
         return ScalingSimulation.run(JOB, MEASURED, new Fleet(workers, spread, 0, 0), 0, 1);
@@ -36,7 +36,7 @@ class ScalingSimulationTest {
 
     @Test
     void eightMachinesAreBusyToTheEndThoughTheExpensivePartComesLast() {
-        double[] job = ScalingSimulation.PAPERS.withExpensive(1).tileSeconds();
+        double[] job = ScalingSimulation.PAPERS.withExpensive(1).unitSeconds();
         double efficiency = ScalingSimulation.run(job, MEASURED, new Fleet(8, 1, 0, 0), 0, 1)
                 .efficiency();
         assertTrue(efficiency > 0.99 && efficiency <= 1, "efficiency " + efficiency);
@@ -45,7 +45,7 @@ class ScalingSimulationTest {
     @Test
     void aThousandMachinesDoTheWorkOfNineHundredAndFiftyWhereThereArePixelsForThem() {
         double efficiency = ScalingSimulation.run(
-                        ScalingSimulation.LARGE.tileSeconds(), MEASURED, new Fleet(1_000, 1, 0, 0), 0, 1)
+                        ScalingSimulation.LARGE.unitSeconds(), MEASURED, new Fleet(1_000, 1, 0, 0), 0, 1)
                 .efficiency();
         assertTrue(efficiency > 0.95 && efficiency <= 1, "efficiency " + efficiency);
     }
@@ -56,7 +56,7 @@ class ScalingSimulationTest {
         // left of the
         // power is 0.97, and the end waits for nobody, as a tile takes seconds and not minutes.
         Outcome outcome = ScalingSimulation.run(
-                ScalingSimulation.LARGE.tileSeconds(), MEASURED, new Fleet(100, 4, 0.5, 0.05), 0, 1);
+                ScalingSimulation.LARGE.unitSeconds(), MEASURED, new Fleet(100, 4, 0.5, 0.05), 0, 1);
         assertTrue(outcome.crashes() > 0);
         assertTrue(outcome.efficiency() > 0.93, outcome.toString());
     }
@@ -71,7 +71,7 @@ class ScalingSimulationTest {
     @Tag("full")
     void threeThousandMachinesAreStillBusy() {
         // Five minutes of work for each.
-        double[] job = new ScalingSimulation.Job(8_000, 4_000, 15_000, 0.5).tileSeconds();
+        double[] job = new ScalingSimulation.Job(8_000, 4_000, 15_000, 0.5).unitSeconds();
         double efficiency = ScalingSimulation.run(job, MEASURED, new Fleet(3_000, 1, 0, 0), 0, 1)
                 .efficiency();
         assertTrue(efficiency > 0.98, "efficiency " + efficiency);

@@ -121,7 +121,33 @@ final class BadDocuments {
             edit("\"method\": \"cluster\"", "\"method\": \"path\"", "/render/method", "expected one of \"raytrace\""),
             edit("\"model\": \"classic\"", "\"model\": \"classical\"", "/shading/model", "did you mean \"classic\"?"),
             // What is planned.
-            edit("\"model\": \"classic\"", "\"model\": \"physical\"", "/shading/model", "not available yet"),
+            // What is only classic.
+            edit(
+                    "\"model\": \"classic\", \"ambient\": 0.25, \"shadow\": 0.75",
+                    "\"model\": \"physical\", \"ambient\": 0.25",
+                    "/shading/ambient",
+                    "all light comes from the lights"),
+            edit(
+                    "\"model\": \"classic\", \"ambient\": 0.25, \"shadow\": 0.75",
+                    "\"model\": \"physical\", \"shadow\": 0.75",
+                    "/shading/shadow",
+                    "nothing of a hidden light arrives"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"linear\": [0, -1, 2e9]}",
+                    "/shading/background/linear/1",
+                    "at least 0"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {}",
+                    "/shading/background/linear",
+                    "a linear colour needs it"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"linear\": [0, 1]}",
+                    "/shading/background/linear",
+                    "three numbers"),
+            edit("\"shadowSamples\": 7", "\"proposal\": \"gauss\"", "/render/proposal", "expected one of"),
             edit("\"maxBounces\": 7", "\"maxBounces\": -1", "/shading/maxBounces", "whole number"),
             edit("\"type\": \"triangle\"", "\"type\": \"mesh\"", "/objects/8/type", "not available yet"),
             edit("\"type\": \"mirror\"", "\"type\": \"glossy\"", "/materials/chrome/type", "not available yet"),

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
 import java.nio.file.Path;
 import java.util.List;
@@ -21,7 +22,7 @@ class ColorNamesTest {
 
     private DisplayRgb background(String color) {
         Scene scene = Documents.read(Documents.edited("\"#102030\"", "\"" + color + "\""), Documents.withImage(folder));
-        return scene.shading().background();
+        return ((ClassicShading) scene.shading()).background();
     }
 
     @Test

@@ -2,6 +2,7 @@ package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -18,11 +19,16 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.Method;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.nio.file.Path;
@@ -31,6 +37,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Random;
 import java.util.TreeMap;
 import java.util.function.Supplier;
@@ -68,14 +75,13 @@ final class RandomScenes {
         for (int i = random.nextInt(20); i > 0; i--) {
             objects.add(object(random.nextBoolean() ? "" : "object " + i));
         }
+        Shading shading = shading();
         return new Scene(
                 NAMES[random.nextInt(NAMES.length)],
                 1 + random.nextInt(Scene.MAX_SIDE),
                 1 + random.nextInt(Scene.MAX_SIDE),
                 retry(this::camera),
-                random.nextBoolean()
-                        ? ClassicShading.DEFAULT
-                        : new ClassicShading(unit(), unit(), color(), random.nextInt(1000)),
+                shading,
                 textures,
                 materials,
                 lights,
@@ -85,9 +91,22 @@ final class RandomScenes {
                         : new RenderDefaults(
                                 Method.CLUSTER,
                                 1 + random.nextInt(256),
-                                1 + random.nextInt(1_000_000),
+                                ChosenSettings.of(new RayTraceSettings(1 + random.nextInt(1_000_000)))
+                                        .with(new ClusterSettings(random.nextBoolean() ? "zeta" : "normal")),
                                 random.nextLong()),
-                random.nextBoolean() ? Optional.empty() : Optional.of(animation(objects)));
+                random.nextBoolean() ? Optional.empty() : Optional.of(animation(shading, objects)));
+    }
+
+    private Shading shading() {
+        return switch (random.nextInt(4)) {
+            case 0 -> ClassicShading.DEFAULT;
+            case 1 -> PhysicalShading.DEFAULT;
+            case 2 ->
+                new PhysicalShading(
+                        OptionalInt.of(random.nextInt(1000)),
+                        new Rgb(1e9 * unit(), random.nextDouble(), random.nextDouble() * 1e-9));
+            default -> new ClassicShading(unit(), unit(), color(), random.nextInt(1000));
+        };
     }
 
     /** Some random values make no shape: then others do. */
@@ -101,9 +120,11 @@ final class RandomScenes {
         }
     }
 
-    private Animation animation(List<SceneObject> objects) {
+    private Animation animation(Shading shading, List<SceneObject> objects) {
         List<Animation.Track> tracks = new ArrayList<>();
-        tracks.add(new Animation.Track("/shading/background/" + random.nextInt(3), keys()));
+        tracks.add(new Animation.Track(
+                "/shading/background/" + (shading instanceof PhysicalShading ? "linear/" : "") + random.nextInt(3),
+                keys()));
         tracks.add(new Animation.Track("/render/seed", keys()));
         for (int i = 0; i < objects.size(); i++) {
             SceneObject o = objects.get(i);

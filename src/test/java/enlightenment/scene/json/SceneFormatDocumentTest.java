@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.material.Texture;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -29,7 +30,7 @@ import tools.jackson.databind.json.JsonMapper;
 class SceneFormatDocumentTest {
     private static final JsonMapper JSON = JsonMapper.builder().build();
     private static final JsonNode DEFINITIONS =
-            JSON.readTree(SceneSchema.text()).get("$defs");
+            JSON.readTree(SceneSchema.text(BuiltInMethod.ALL)).get("$defs");
     private static final Pattern CODE = Pattern.compile("`([^`]*)`");
 
     /** Keys of all objects, which stand above the table. */
@@ -137,8 +138,9 @@ class SceneFormatDocumentTest {
 
     static List<Part> parts() {
         return List.of(
-                new Part("### Shading", List.of(Vocabulary.SHADING)),
-                new Part("### Render", List.of(Vocabulary.RENDER)),
+                new Part("#### Classic", List.of(Vocabulary.CLASSIC_SHADING)),
+                new Part("#### Physical", List.of(Vocabulary.PHYSICAL_SHADING)),
+                new Part("### Render", List.of(RenderPart.keys(BuiltInMethod.ALL))),
                 new Part("### Animation", List.of(Vocabulary.ANIMATION, Vocabulary.TRACK)));
     }
 
@@ -204,8 +206,8 @@ class SceneFormatDocumentTest {
     @Test
     void everyWordIsExplained() {
         Stream.of(
-                        Method.words(),
-                        Vocabulary.SHADING_MODELS,
+                        Method.words(BuiltInMethod.ALL),
+                        Shadings.models(),
                         Fields.words(Texture.Filter.class),
                         Fields.words(Texture.Encoding.class))
                 .flatMap(List::stream)
@@ -215,8 +217,7 @@ class SceneFormatDocumentTest {
                                 .flatMap(f -> Stream.of(f.plannedTypes(), f.plannedKeys()))
                                 .flatMap(w -> w.stream()),
                         Stream.concat(
-                                Vocabulary.PLANNED_SHADING_MODELS.stream(),
-                                Vocabulary.TEXTURE_REFERENCE.all().stream()))
+                                Vocabulary.LINEAR_COLOR.all().stream(), Vocabulary.TEXTURE_REFERENCE.all().stream()))
                 .forEach(w -> assertTrue(document.contains("`" + w + "`") || document.contains("\"" + w + "\": "), w));
     }
 }

@@ -22,8 +22,10 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -67,7 +69,7 @@ class SceneReaderTest {
         assertEquals(Map.of("ice", matte, "chrome", chrome, "glass", glass), s.materials());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
         assertEquals(new ClassicShading(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());
-        assertEquals(new RenderDefaults(Method.CLUSTER, 3, 7, 99), s.render());
+        assertEquals(new RenderDefaults(Method.CLUSTER, 3, ChosenSettings.of(new RayTraceSettings(7)), 99), s.render());
         assertEquals(
                 List.of(
                         new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE),

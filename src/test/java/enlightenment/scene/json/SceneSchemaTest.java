@@ -9,6 +9,7 @@ import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import enlightenment.material.Texture;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
 import java.io.IOException;
@@ -40,7 +41,7 @@ class SceneSchemaTest {
             .build();
     private static final SchemaRegistry REGISTRY =
             SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12);
-    private static final JsonNode TEXT = JSON.readTree(SceneSchema.text());
+    private static final JsonNode TEXT = JSON.readTree(SceneSchema.text(BuiltInMethod.ALL));
     private static final Schema SCHEMA = REGISTRY.getSchema(TEXT);
 
     private static List<String> complaints(String json) {
@@ -52,7 +53,7 @@ class SceneSchemaTest {
     @Test
     void theDocumentedSchemaIsTheProgramsSchema() throws IOException {
         byte[] documented = Files.readAllBytes(Documents.projectFolder().resolve("docs/scene.schema.json"));
-        assertArrayEquals(documented, SceneSchema.text().getBytes(StandardCharsets.UTF_8));
+        assertArrayEquals(documented, SceneSchema.text(BuiltInMethod.ALL).getBytes(StandardCharsets.UTF_8));
     }
 
     @Test
@@ -142,10 +143,14 @@ class SceneSchemaTest {
                                 .asString());
             }
         }
-        assertEquals(words(Method.words()), strings(property("render", "method").get("enum")));
         assertEquals(
-                words(Vocabulary.SHADING_MODELS),
-                strings(property("shading", "model").get("enum")));
+                words(Method.words(BuiltInMethod.ALL)),
+                strings(property("render", "method").get("enum")));
+        assertEquals(
+                Shadings.models(),
+                List.of(
+                        property("classicShading", "model").get("const").asString(),
+                        property("physicalShading", "model").get("const").asString()));
         assertEquals(
                 words(Fields.words(Texture.Filter.class)),
                 strings(property("fileTexture", "filter").get("enum")));
@@ -173,9 +178,8 @@ class SceneSchemaTest {
             root.remove("animation");
             Map<ObjectNode, JsonNode> parts = new IdentityHashMap<>();
             parts.put(root, TEXT.get("$defs").get("scene"));
-            for (String part : List.of("shading", "render")) {
-                parts.put((ObjectNode) root.get(part), TEXT.get("$defs").get(part));
-            }
+            parts.put((ObjectNode) root.get("shading"), TEXT.get("$defs").get("classicShading"));
+            parts.put((ObjectNode) root.get("render"), TEXT.get("$defs").get("render"));
             addKinds(parts, Cameras.FAMILY, List.of(root.get("camera")));
             addKinds(parts, Shapes.FAMILY, root.get("objects"));
             addKinds(parts, Materials.FAMILY, root.get("materials"));

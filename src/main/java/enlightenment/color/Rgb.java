@@ -1,0 +1,35 @@
+package enlightenment.color;
+
+import enlightenment.check.Check;
+
+/**
+ * Linear light: three independent bands with the primaries and the white of Rec. 709 (ITU-R BT.709, those of sRGB), not encoded
+ * and without an upper limit. As a reflectance each component is the share that is reflected; as a radiance it is in the unit
+ * of lights, which is relative: only ratios are visible.
+ *
+ * @param r red, finite and at least 0
+ * @param g green, finite and at least 0
+ * @param b blue, finite and at least 0
+ */
+public record Rgb(double r, double g, double b) {
+    /** All components 0. */
+    public static final Rgb BLACK = new Rgb(0, 0, 0);
+
+    /**
+     * The colour with these components.
+     *
+     * @throws enlightenment.math.InvalidValueException (key {@code r}, {@code g} or {@code b}) for a component that is negative,
+     *     infinite or NaN
+     */
+    public Rgb {
+        Check.notNegative("r", r);
+        Check.notNegative("g", g);
+        Check.notNegative("b", b);
+    }
+
+    /** What a screen shows for a colour, as light: each component decoded by {@link TransferCurve#decode}, 0..1. */
+    public static Rgb of(DisplayRgb color) {
+        return new Rgb(
+                TransferCurve.decode(color.r()), TransferCurve.decode(color.g()), TransferCurve.decode(color.b()));
+    }
+}

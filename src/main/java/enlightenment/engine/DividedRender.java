@@ -1,0 +1,213 @@
+package enlightenment.engine;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.plan.Planner;
+import enlightenment.plan.RenderPlan;
+import enlightenment.plan.Rounds;
+import enlightenment.report.RenderReport;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.work.Cancellation;
+import enlightenment.work.Phases;
+import enlightenment.work.PictureMemory;
+import enlightenment.work.Stopwatch;
+import enlightenment.work.Workers;
+import java.nio.ByteBuffer;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Function;
+
+/**
+ * One render as units of work that may be done anywhere, by anyone, in any order: the ground of server, workers and job
+ * arrays. {@link FilmAssembly} puts the results together to the picture that {@code enlightenment.render.Renderer} makes, bit for bit.
+ */
+public final class DividedRender {
+    private final CompiledScene compiled;
+    private final RenderOutline outline;
+    private final WorkUnits units;
+    private final ResultForm form;
+    private final Phases phases;
+
+    /** What makes further plans, or null where it was planned elsewhere. */
+    private final Planner planner;
+
+    private final Rounds rounds;
+    private final int round;
+    /** Since it was asked for. */
+    private final Stopwatch time;
+
+    private DividedRender(
+            String name,
+            CompiledScene compiled,
+            RenderSettings settings,
+            RenderPlan plan,
+            Phases phases,
+            Planner planner,
+            Rounds rounds,
+            int round,
+            Stopwatch time) {
+        this.compiled = compiled;
+        this.phases = phases;
+        this.planner = planner;
+        this.rounds = rounds;
+        this.round = round;
+        this.time = time;
+        outline = RenderOutline.of(name, compiled, settings, plan);
+        units = WorkUnits.forMachines(settings, plan);
+        form = ResultForm.of(units, outline);
+    }
+
+    /**
+     * Compiles the scene and plans the render.
+     *
+     * @param cancelled asked from several threads at once; once true, or once the calling thread is interrupted, a plan is
+     *     made in haste
+     * @throws enlightenment.scene.SceneException if the scene cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
+     */
+    public static DividedRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        Stopwatch time = Stopwatch.started();
+        PictureMemory.check(settings, 0);
+        Phases phases = new Phases();
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
+        Planner planner = new Planner(compiled, settings, Cancellation.of(cancelled));
+        RenderPlan plan = phases.run("plan", () -> planner.plan(time, 0));
+        Rounds rounds = new Rounds(settings.budget());
+        return new DividedRender(scene.name(), compiled, settings, plan, phases, planner, rounds, 1, time);
+    }
+
+    /** What cannot be kept of the budget, or only at a price, in plain words. */
+    public List<String> notes() {
+        return planner == null ? List.of() : planner.notes();
+    }
+
+    /**
+     * The render that must follow: the same with more samples, if the picture of this one is complete, is not as exact as its
+     * budget asks, and the budget allows more. To be asked once; what follows can be asked in turn.
+     *
+     * @param result what {@link FilmAssembly#result} gave
+     * @param log hears why there is another one
+     */
+    public Optional<DividedRender> next(Rendered result, Consumer<String> log) {
+        if (planner == null || !result.complete()) {
+            return Optional.empty();
+        }
+        RenderReport report = result.report();
+        double took = report.phases().stream()
+                .filter(p -> p.name().equals("render"))
+                .mapToDouble(RenderReport.Phase::wallSeconds)
+                .sum();
+        OptionalDouble samples = rounds.next(report, took, time.seconds());
+        if (samples.isEmpty()) {
+            return Optional.empty();
+        }
+        double n = samples.getAsDouble();
+        log.accept(rounds.note(report, n));
+        Phases further = phases.copy();
+        further.again();
+        RenderPlan more = further.run("plan", () -> planner.withSamples(n, rounds.decidedBy(n)));
+        return Optional.of(new DividedRender(
+                outline.sceneName(), compiled, outline.settings(), more, further, planner, rounds, round + 1, time));
+    }
+
+    /** Which render of the picture this is: 1, or more where those before were not as exact as asked. */
+    public int round() {
+        return round;
+    }
+
+    /**
+     * A render that was planned elsewhere.
+     *
+     * @param files gives the content of an image file, or null if it is to be read from the disk
+     * @throws enlightenment.scene.SceneException if the scene cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
+     */
+    public static DividedRender planned(
+            Scene scene, RenderSettings settings, RenderPlan plan, Function<Path, byte[]> files) {
+        Phases phases = new Phases();
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, files));
+        return new DividedRender(
+                scene.name(),
+                compiled,
+                settings,
+                plan,
+                phases,
+                null,
+                new Rounds(settings.budget()),
+                1,
+                Stopwatch.started());
+    }
+
+    /** Number of units of work, counted from 0. */
+    public int units() {
+        return units.count();
+    }
+
+    /** What was decided before the first unit. */
+    public RenderPlan plan() {
+        return outline.plan();
+    }
+
+    /** What is needed to put the picture together. */
+    public RenderOutline outline() {
+        return outline;
+    }
+
+    /** A picture of which nothing is there yet. */
+    public FilmAssembly assembly() {
+        return new FilmAssembly(outline, phases, round);
+    }
+
+    /** Does units, for one thread. */
+    public UnitMaker maker() {
+        return maker(() -> false);
+    }
+
+    /**
+     * The same, unless it is cancelled.
+     *
+     * @param cancelled asked now and then by that thread; soon after it becomes true {@link UnitMaker#make} throws a {@link
+     *     java.util.concurrent.CancellationException}, in the middle of a unit if need be
+     */
+    public UnitMaker maker(BooleanSupplier cancelled) {
+        RayCounters counters = new RayCounters(compiled.kindNames.size());
+        UnitWork work = new UnitWork(units, compiled, outline, counters, null, cancelled);
+        return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
+    }
+
+    private byte[] make(int unit, UnitWork work, RayCounters counters) {
+        counters.clear();
+        ResultHeader header = new ResultHeader();
+        ByteBuffer out = form.make(unit, work, header);
+        header.write(out.position(0), counters);
+        return out.array();
+    }
+
+    /** Hears of units that are done, from several threads at once. */
+    @FunctionalInterface
+    public interface ResultSink {
+        /** The unit is done. */
+        void made(int unit, byte[] bytes);
+    }
+
+    /**
+     * Does some units with as many threads as the settings say.
+     *
+     * @param cancelled asked from several threads at once; once true, or once the calling thread is interrupted, the rest is
+     *     left undone
+     */
+    public void make(int[] some, BooleanSupplier cancelled, ResultSink sink) {
+        BooleanSupplier stop = Cancellation.of(cancelled);
+        Workers.run(outline.settings().threads(), some.length, stop, () -> {
+            UnitMaker maker = maker(stop);
+            return i -> sink.made(some[i], maker.make(some[i]));
+        });
+    }
+}

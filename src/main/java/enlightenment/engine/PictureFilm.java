@@ -1,0 +1,108 @@
+package enlightenment.engine;
+
+import enlightenment.film.ErrorEstimate;
+import enlightenment.film.FilmTile;
+import enlightenment.image.Image;
+import enlightenment.scene.RenderSettings;
+import java.util.BitSet;
+import java.util.Objects;
+
+/** What has become of a picture so far, whatever its units of work are. For use by several threads at once. */
+public abstract class PictureFilm {
+    final WorkUnits units;
+    final RenderSettings.Crop region;
+
+    /** The units that are there. */
+    private final BitSet done = new BitSet();
+
+    PictureFilm(WorkUnits units, RenderSettings settings) {
+        this.units = units;
+        region = settings.region();
+    }
+
+    /** A picture of which nothing is there yet. */
+    public static PictureFilm of(WorkUnits units, RenderOutline outline) {
+        return of(units, outline, false);
+    }
+
+    /** @param isKept whether units can be taken out again */
+    static PictureFilm of(WorkUnits units, RenderOutline outline, boolean isKept) {
+        return units.areBatches()
+                ? new SplatPicture(units, outline)
+                : new TilePicture(units, outline.settings(), isKept);
+    }
+
+    /**
+     * Does a unit and puts what became of it, which must not be there.
+     *
+     * @return the tile that is finished by this; null for none
+     */
+    public abstract FilmTile render(int unit, UnitWork work);
+
+    /** Takes note that a unit is there; false if it was. */
+    final synchronized boolean mark(int unit) {
+        boolean isNew = !done.get(Objects.checkIndex(unit, units.count()));
+        done.set(unit);
+        if (isNew) {
+            count(unit, 1);
+        }
+        return isNew;
+    }
+
+    /** Takes note that a unit is not there any more; false if it was not. */
+    final synchronized boolean unmark(int unit) {
+        boolean was = done.get(Objects.checkIndex(unit, units.count()));
+        done.clear(unit);
+        if (was) {
+            count(unit, -1);
+        }
+        return was;
+    }
+
+    /** A unit has come (1) or gone (-1); called under the lock. */
+    abstract void count(int unit, int by);
+
+    /** Whether a unit is there. */
+    public final synchronized boolean has(int unit) {
+        return done.get(unit);
+    }
+
+    /** Number of units that are there. */
+    public final synchronized int done() {
+        return done.cardinality();
+    }
+
+    /** Whether all units are there. */
+    public final boolean isComplete() {
+        return done() == units.count();
+    }
+
+    /** Number of pixels in all. */
+    public final long pixels() {
+        return (long) region.width() * region.height();
+    }
+
+    /** How much is done, in pixels: a unit that is a share of several pixels counts as that share of them. */
+    public abstract long pixelsDone();
+
+    /** Number of pixels whose samples are all there; where pixels get finished together only, as {@link #pixelsDone}. */
+    public abstract long finishedPixels();
+
+    /** Number of pixels that are not black for want of samples. */
+    public abstract long shownPixels();
+
+    /** Camera rays, or paths, of what is there. */
+    public abstract long cameraSamples();
+
+    /** The number of samples of a pixel, by its place in the whole picture; 0 if it is not finished. */
+    public abstract int samples(int column, int row);
+
+    /** How far the samples say that the pixels are from the truth. */
+    public abstract ErrorEstimate error();
+
+    /** Says whether the samples of pixels are differences from something known, by what there is now. */
+    void samplesAreDifferences(boolean are) {}
+
+    /** The picture so far; what is missing is black. */
+    public abstract Image image();
+}

@@ -1,0 +1,66 @@
+package enlightenment.engine;
+
+import enlightenment.compiled.RayCounters;
+import enlightenment.film.ErrorEstimate;
+import enlightenment.plan.RenderPlan;
+import enlightenment.report.RenderReport;
+import enlightenment.work.Phases;
+import enlightenment.work.RayCounts;
+
+/** Makes the report of what was rendered, wherever that was. */
+public final class Reports {
+    private Reports() {}
+
+    /**
+     * The report of a picture.
+     *
+     * @param counted what all threads or units counted
+     * @param surveyRays camera rays that the film does not know of
+     * @param rounding the error of rounding the picture to the depth of its file
+     * @param round how often the picture was rendered
+     */
+    public static RenderReport of(
+            RenderOutline outline,
+            PictureFilm film,
+            RayCounters counted,
+            long surveyRays,
+            Phases phases,
+            double rounding,
+            int round,
+            long peakMemory) {
+        return new RenderReport(
+                outline.sceneName(),
+                outline.settings(),
+                outline.features(),
+                RayCounts.raysByKind(counted),
+                counted.lightSamples,
+                counted.lightSamplesWithoutRay,
+                sampling(outline.plan(), film, counted, surveyRays, rounding, round),
+                RayCounts.byPrimitive(outline.kinds(), counted.tests),
+                RayCounts.byPrimitive(outline.kinds(), counted.hits),
+                counted.textureLookups,
+                phases.list().stream()
+                        .map(t -> new RenderReport.Phase(t.name(), t.wallSeconds(), t.cpuSeconds()))
+                        .toList(),
+                film.finishedPixels(),
+                peakMemory);
+    }
+
+    private static RenderReport.Sampling sampling(
+            RenderPlan plan, PictureFilm film, RayCounters counted, long surveyRays, double rounding, int round) {
+        ErrorEstimate error = film.error();
+        return new RenderReport.Sampling(
+                plan.method(),
+                plan.decidedBy(),
+                plan.samples(),
+                (film.cameraSamples() + surveyRays) / (double) Math.max(film.finishedPixels(), 1),
+                error.rmse(),
+                error.low(),
+                error.high(),
+                counted.clusters,
+                counted.proposals,
+                counted.accepted,
+                rounding,
+                round);
+    }
+}

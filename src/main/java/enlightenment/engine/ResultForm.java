@@ -1,0 +1,59 @@
+package enlightenment.engine;
+
+import enlightenment.scene.RenderSettings;
+import java.nio.ByteBuffer;
+import java.util.Optional;
+
+/** The results of units as bytes, most significant first: a {@link ResultHeader}, then what the kind of unit has to say. */
+abstract class ResultForm {
+    final WorkUnits units;
+    final int kinds;
+
+    /** @param kinds the number of kinds of primitives that are counted */
+    ResultForm(WorkUnits units, int kinds) {
+        this.units = units;
+        this.kinds = kinds;
+    }
+
+    /** The form for the units of this render. */
+    static ResultForm of(WorkUnits units, RenderOutline outline) {
+        int kinds = outline.kinds().size();
+        if (units.areBatches()) {
+            RenderSettings.Crop region = outline.settings().region();
+            return new BatchForm(units, kinds, Math.multiplyExact(region.width(), region.height()));
+        }
+        return units.passes() > 1 ? new PassForm(units, kinds) : new TileForm(units, kinds);
+    }
+
+    /** The greatest number of bytes that the result of a unit can have. */
+    abstract int longest(int unit);
+
+    /** Does a unit; the header is left free. */
+    abstract ByteBuffer make(int unit, UnitWork work, ResultHeader header);
+
+    /** Why bytes with a header in order cannot be the result of a unit; empty if they can. */
+    abstract Optional<String> problem(int unit, byte[] bytes);
+
+    /** Puts a result without problems, which must not be there. */
+    abstract void put(PictureFilm film, int unit, byte[] bytes);
+
+    /** Takes out a result that is there. */
+    abstract void remove(PictureFilm film, int unit, ResultStore store);
+
+    /** Whether taking a result out needs what was put. */
+    abstract boolean needsStore();
+
+    /** Where the header ends. */
+    final int start() {
+        return ResultHeader.length(kinds);
+    }
+
+    /** Why bytes cannot be the result of a unit; empty if they can. */
+    final Optional<String> problemOf(int unit, byte[] bytes) {
+        if (unit < 0 || unit >= units.count()) {
+            return Optional.of("there is no unit " + unit + "; they are 0.." + (units.count() - 1));
+        }
+        Optional<String> header = ResultHeader.problem(bytes, kinds);
+        return header.isPresent() ? header : problem(unit, bytes);
+    }
+}

@@ -1,0 +1,82 @@
+package enlightenment.engine;
+
+import enlightenment.compiled.RayCounters;
+import java.nio.ByteBuffer;
+import java.util.Optional;
+
+/**
+ * What every result begins with: the number of survey rays, the counters, and 1 if samples are differences from something known,
+ * else 0 (8 bytes each).
+ */
+final class ResultHeader {
+    private static final int SCALARS = 12;
+
+    private long surveyRays;
+    private boolean differences;
+
+    static int length(int kinds) {
+        return (SCALARS + 2 * kinds) * Long.BYTES;
+    }
+
+    /** Adds what is told of some of the pixels. */
+    void add(long moreSurveyRays, boolean areDifferences) {
+        surveyRays += moreSurveyRays;
+        differences |= areDifferences;
+    }
+
+    void write(ByteBuffer out, RayCounters c) {
+        out.putLong(surveyRays)
+                .putLong(c.cameraRays)
+                .putLong(c.mirrorRays)
+                .putLong(c.refractedRays)
+                .putLong(c.shadowRays);
+        out.putLong(c.lightSamples).putLong(c.lightSamplesWithoutRay).putLong(c.textureLookups);
+        out.putLong(c.proposals).putLong(c.accepted).putLong(c.clusters);
+        for (int i = 0; i < c.tests.length; i++) {
+            out.putLong(c.tests[i]).putLong(c.hits[i]);
+        }
+        out.putLong(differences ? 1 : 0);
+    }
+
+    static Optional<String> problem(byte[] result, int kinds) {
+        if (result.length < length(kinds)) {
+            return Optional.of("it has " + result.length + " bytes, fewer than its header");
+        }
+        ByteBuffer in = ByteBuffer.wrap(result);
+        for (int i = 0; i < SCALARS + 2 * kinds; i++) {
+            if (in.getLong() < 0) {
+                return Optional.of("a counter is negative");
+            }
+        }
+        return Optional.empty();
+    }
+
+    static RayCounters counters(byte[] result, int kinds) {
+        ByteBuffer in = ByteBuffer.wrap(result).position(Long.BYTES);
+        RayCounters c = new RayCounters(kinds);
+        c.cameraRays = in.getLong();
+        c.mirrorRays = in.getLong();
+        c.refractedRays = in.getLong();
+        c.shadowRays = in.getLong();
+        c.lightSamples = in.getLong();
+        c.lightSamplesWithoutRay = in.getLong();
+        c.textureLookups = in.getLong();
+        c.proposals = in.getLong();
+        c.accepted = in.getLong();
+        c.clusters = in.getLong();
+        for (int i = 0; i < kinds; i++) {
+            c.tests[i] = in.getLong();
+            c.hits[i] = in.getLong();
+        }
+        return c;
+    }
+
+    static long surveyRays(byte[] result) {
+        return ByteBuffer.wrap(result).getLong();
+    }
+
+    /** Whether the samples of a result are differences from something known. */
+    static boolean samplesAreDifferences(byte[] result, int kinds) {
+        return ByteBuffer.wrap(result).getLong(length(kinds) - Long.BYTES) != 0;
+    }
+}

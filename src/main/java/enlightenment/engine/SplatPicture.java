@@ -1,0 +1,89 @@
+package enlightenment.engine;
+
+import enlightenment.color.Encoding;
+import enlightenment.film.ErrorEstimate;
+import enlightenment.film.FilmTile;
+import enlightenment.film.SplatFilm;
+import enlightenment.film.SplatSums;
+import enlightenment.image.Image;
+import enlightenment.scene.RenderSettings;
+
+/** A picture that each batch of paths adds something to everywhere: all of its pixels get finished together. */
+final class SplatPicture extends PictureFilm {
+    private final SplatFilm film;
+    private final long picturePixels;
+    private int batches;
+
+    SplatPicture(WorkUnits units, RenderOutline outline) {
+        super(units, outline.settings());
+        RenderSettings settings = outline.settings();
+        picturePixels = (long) settings.width() * settings.height();
+        film = new SplatFilm(
+                region.x(),
+                region.y(),
+                region.width(),
+                region.height(),
+                picturePixels,
+                outline.splatScale(),
+                Encoding.DISPLAY);
+    }
+
+    @Override
+    public FilmTile render(int unit, UnitWork work) {
+        put(unit, work.batch(unit));
+        return null;
+    }
+
+    /** Puts a batch, which must not be there. */
+    void put(int unit, SplatSums batch) {
+        film.add(unit, batch);
+        mark(unit);
+    }
+
+    /** Takes out a batch that is there, and was this. */
+    void remove(int unit, SplatSums batch) {
+        film.remove(unit, batch);
+        unmark(unit);
+    }
+
+    @Override
+    void count(int unit, int by) {
+        batches += by;
+    }
+
+    @Override
+    public synchronized long pixelsDone() {
+        return (long) ((double) pixels() * batches / units.count());
+    }
+
+    @Override
+    public long finishedPixels() {
+        return pixelsDone();
+    }
+
+    @Override
+    public synchronized long shownPixels() {
+        return batches == 0 ? 0 : pixels();
+    }
+
+    /** The paths of the pixels that are rendered: of a crop, its share of all. */
+    @Override
+    public long cameraSamples() {
+        return (long) ((double) film.paths() * pixels() / picturePixels);
+    }
+
+    @Override
+    public int samples(int column, int row) {
+        return (int) Math.min(film.paths() / picturePixels, Integer.MAX_VALUE);
+    }
+
+    @Override
+    public ErrorEstimate error() {
+        return film.error();
+    }
+
+    @Override
+    public Image image() {
+        return film.toImage();
+    }
+}

@@ -1,0 +1,121 @@
+package enlightenment.engine;
+
+import enlightenment.film.Film;
+import enlightenment.film.FilmTile;
+import enlightenment.scene.RenderSettings;
+import java.nio.ByteBuffer;
+import java.util.Optional;
+
+/**
+ * A whole tile: for each pixel, row by row, the means of red, green and blue (8 bytes each), the two figures that tell of its error
+ * (4 each) and the number of its samples (4).
+ */
+final class TileForm extends ResultForm {
+    private static final int PER_PIXEL = 3 * Double.BYTES + 2 * Float.BYTES + Integer.BYTES;
+
+    /** Display-referred means lie near 0..1; brighter light than this is a fault, not light. */
+    static final double BRIGHTEST = 1 << 20;
+
+    TileForm(WorkUnits units, int kinds) {
+        super(units, kinds);
+    }
+
+    @Override
+    int longest(int unit) {
+        RenderSettings.Crop place = units.place(unit);
+        return Math.addExact(Math.multiplyExact(place.width() * place.height(), PER_PIXEL), start());
+    }
+
+    @Override
+    ByteBuffer make(int unit, UnitWork work, ResultHeader header) {
+        RenderSettings.Crop place = units.place(unit);
+        ByteBuffer out = ByteBuffer.allocate(longest(unit));
+        int side = FilmTile.BLOCK_SIDE;
+        int bottom = place.y() + place.height();
+        for (int y = place.y(); y < bottom; y = Math.min((y / side + 1) * side, bottom)) {
+            int height = Math.min((y / side + 1) * side, bottom) - y;
+            FilmTile block = new FilmTile(place.x(), y, place.width(), height);
+            work.part(unit, block);
+            header.add(block.surveyRays(), block.hasKnown());
+            putBlock(out, place, block);
+        }
+        return out;
+    }
+
+    /** Puts the pixels of a block, in whatever order the blocks come. */
+    private void putBlock(ByteBuffer out, RenderSettings.Crop place, FilmTile block) {
+        for (int y = block.y; y < block.y + block.height; y++) {
+            out.position(start() + PER_PIXEL * ((y - place.y()) * place.width() + block.x - place.x()));
+            for (int x = block.x; x < block.x + block.width; x++) {
+                out.putDouble(block.mean(x, y, 0)).putDouble(block.mean(x, y, 1));
+                out.putDouble(block.mean(x, y, 2));
+                out.putFloat(block.halves(x, y)).putFloat(block.quarters(x, y)).putInt(block.count(x, y));
+            }
+        }
+    }
+
+    @Override
+    Optional<String> problem(int unit, byte[] bytes) {
+        if (bytes.length != longest(unit)) {
+            return Optional.of("it has " + bytes.length + " bytes instead of " + longest(unit));
+        }
+        RenderSettings.Crop place = units.place(unit);
+        ByteBuffer in = ByteBuffer.wrap(bytes).position(start());
+        for (int pixel = 0; pixel < place.width() * place.height(); pixel++) {
+            String wrong = pixelProblem(in);
+            if (wrong != null) {
+                return Optional.of("at pixel " + (place.x() + pixel % place.width()) + ","
+                        + (place.y() + pixel / place.width()) + " " + wrong);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static String pixelProblem(ByteBuffer in) {
+        for (int c = 0; c < 3; c++) {
+            double mean = in.getDouble();
+            if (!(Math.abs(mean) <= BRIGHTEST)) {
+                return "a colour is " + mean;
+            }
+        }
+        float halves = in.getFloat();
+        if (!(halves >= 0 && halves < Float.POSITIVE_INFINITY)) {
+            return "a spread is " + halves;
+        }
+        float quarters = in.getFloat();
+        int samples = in.getInt();
+        // Of one or two samples it is a product, which may be negative.
+        if (!(Math.abs(quarters) < Float.POSITIVE_INFINITY) || quarters < 0 && samples > 2) {
+            return "a spread is " + quarters;
+        }
+        return samples < 1 ? "the number of samples is " + samples : null;
+    }
+
+    @Override
+    void put(PictureFilm picture, int unit, byte[] bytes) {
+        Film film = ((TilePicture) picture).film();
+        RenderSettings.Crop place = units.place(unit);
+        ByteBuffer in = ByteBuffer.wrap(bytes).position(start());
+        double[] means = new double[3];
+        for (int y = place.y(); y < place.y() + place.height(); y++) {
+            for (int x = place.x(); x < place.x() + place.width(); x++) {
+                for (int c = 0; c < 3; c++) {
+                    means[c] = in.getDouble();
+                }
+                film.put(x, y, means, 0, in.getFloat(), in.getFloat(), in.getInt());
+            }
+        }
+        picture.mark(unit);
+    }
+
+    @Override
+    void remove(PictureFilm picture, int unit, ResultStore store) {
+        ((TilePicture) picture).blacken(units.place(unit));
+        picture.unmark(unit);
+    }
+
+    @Override
+    boolean needsStore() {
+        return false;
+    }
+}

@@ -1,0 +1,72 @@
+package enlightenment.engine;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
+import enlightenment.film.SplatBatch;
+import enlightenment.film.SplatSums;
+import enlightenment.method.Integrator;
+import enlightenment.method.SplatIntegrator;
+import enlightenment.method.TileIntegrator;
+import enlightenment.method.cluster.ClusterStatistics;
+import enlightenment.plan.Integrators;
+import enlightenment.scene.RenderSettings;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/** Does units of work, for one thread. */
+public final class UnitWork {
+    private final WorkUnits units;
+    private final Integrator integrator;
+
+    /** Where paths put their light, or null. */
+    private final SplatBatch batch;
+
+    /**
+     * What does the units.
+     *
+     * @param units those of the render that is outlined
+     * @param counters what it counts is added to these
+     * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
+     * @param cancelled asked now and then; soon after it becomes true a {@link java.util.concurrent.CancellationException} ends what
+     *     is under way
+     */
+    public UnitWork(
+            WorkUnits units,
+            CompiledScene scene,
+            RenderOutline outline,
+            RayCounters counters,
+            Consumer<List<ClusterStatistics>> clusters,
+            BooleanSupplier cancelled) {
+        this.units = units;
+        RenderSettings settings = outline.settings();
+        integrator = Integrators.of(outline.plan(), scene, settings, counters, clusters);
+        integrator.stopWhen(cancelled);
+        RenderSettings.Crop region = settings.region();
+        batch = units.areBatches()
+                ? new SplatBatch(region.x(), region.y(), region.width(), region.height(), outline.splatScale())
+                : null;
+    }
+
+    /** A tile, or a pass over it. */
+    FilmTile tile(int unit) {
+        RenderSettings.Crop place = units.place(unit);
+        FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height());
+        part(unit, tile);
+        return tile;
+    }
+
+    /** Makes a part of a unit's tile. */
+    void part(int unit, FilmTile part) {
+        ((TileIntegrator) integrator).render(part, units.pass(unit), units.passes());
+    }
+
+    /** A batch of paths. */
+    SplatSums batch(int unit) {
+        int paths = units.paths(unit);
+        batch.begin(paths);
+        ((SplatIntegrator) integrator).trace(units.firstPath(unit), paths, batch);
+        return batch.sums();
+    }
+}

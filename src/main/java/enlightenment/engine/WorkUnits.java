@@ -1,0 +1,146 @@
+package enlightenment.engine;
+
+import enlightenment.film.FilmTile;
+import enlightenment.plan.Integrators;
+import enlightenment.plan.MethodTraits;
+import enlightenment.plan.RenderPlan;
+import enlightenment.scene.RenderSettings;
+import java.util.Objects;
+
+/**
+ * The units of work of a render, numbered from 0: each is a pure function of compiled scene, settings, plan and its number, and may
+ * be done by anybody, at any time, more than once. A unit is a tile of the picture or, where its pixels have very many samples, one of
+ * several passes over a tile, which takes a part of them; or, for a method whose light may fall anywhere, a batch of paths.
+ *
+ * <p>All passes of a tile have consecutive numbers. How many passes and paths there are depends on plan and whole picture alone; how
+ * the tiles are cut has no influence on the picture.
+ */
+public final class WorkUnits {
+    /**
+     * What a unit is worth, in camera rays: half a second of one processor or more. With shorter ones a thousand workers would be more
+     * than a server can listen to, with longer ones they would wait for each other.
+     */
+    static final double RAYS_PER_UNIT = 1 << 21;
+
+    /** More units than these cost the server more than they give. */
+    static final int MOST_UNITS = 1 << 18;
+
+    /** Passes come in powers of two: with this, units are worth from two thirds to four thirds of what they should. */
+    private static final double NEAREST = 1.5;
+
+    /** With fewer passes the quarters of the samples, which tell the error, could not be kept apart. */
+    private static final int FEWEST_PASSES = 4;
+
+    private static final int SAMPLES_PER_PASS = 16;
+
+    /** Paths of a batch, if there are not so many that there would be too many batches. */
+    private static final int PATHS_PER_BATCH = 1 << 16;
+
+    private final TileCut cut;
+    private final int passes;
+    private final long paths;
+    private final int pathsPerBatch;
+    private final int count;
+
+    private WorkUnits(RenderSettings settings, RenderPlan plan, TileCut cut) {
+        this.cut = cut;
+        if (cut == null) {
+            passes = 1;
+            paths = paths(settings, plan);
+            pathsPerBatch = pathsPerBatch(paths);
+            count = Math.toIntExact((paths + pathsPerBatch - 1) / pathsPerBatch);
+        } else {
+            passes = passes(settings, plan);
+            paths = 0;
+            pathsPerBatch = 0;
+            count = Math.multiplyExact(cut.tiles(), passes);
+        }
+    }
+
+    /** As they are handed out to the threads of one process. */
+    public static WorkUnits forThreads(RenderSettings settings, RenderPlan plan) {
+        return new WorkUnits(settings, plan, areBatches(plan) ? null : new TileGrid(settings));
+    }
+
+    /** As they are handed out to many machines. */
+    public static WorkUnits forMachines(RenderSettings settings, RenderPlan plan) {
+        return new WorkUnits(settings, plan, areBatches(plan) ? null : new ColumnGrid(settings, plan));
+    }
+
+    private static boolean areBatches(RenderPlan plan) {
+        return Integrators.traits(plan.method()).areBatches();
+    }
+
+    /**
+     * In how many passes each tile is made: 1, or a power of two from 4 on. More than one only where a single block of pixels takes
+     * longer than a unit should.
+     */
+    static int passes(RenderSettings settings, RenderPlan plan) {
+        MethodTraits traits = Integrators.traits(plan.method());
+        int side = FilmTile.BLOCK_SIDE;
+        long blocks = (settings.width() + side - 1L) / side * ((settings.height() + side - 1L) / side);
+        double most = Math.min(
+                Math.min(NEAREST * side * side * plan.samples() / RAYS_PER_UNIT, (double) MOST_UNITS / blocks),
+                // Pixels have between a half and twice as many samples as planned in the mean.
+                plan.samples() / (2 * SAMPLES_PER_PASS));
+        return traits.dividesIntoPasses() && most >= FEWEST_PASSES ? Integer.highestOneBit((int) most) : 1;
+    }
+
+    private static long paths(RenderSettings settings, RenderPlan plan) {
+        double all = Math.ceil(plan.samples() * settings.width() * settings.height());
+        return Math.max((long) all, 1);
+    }
+
+    private static int pathsPerBatch(long paths) {
+        long size = PATHS_PER_BATCH;
+        while ((paths + size - 1) / size > MOST_UNITS && size < 1 << 30) {
+            size *= 2;
+        }
+        return (int) size;
+    }
+
+    /** How many there are. */
+    public int count() {
+        return count;
+    }
+
+    /** Whether they are batches of paths; tiles if not. */
+    public boolean areBatches() {
+        return cut == null;
+    }
+
+    /** In how many passes each tile is made. */
+    public int passes() {
+        return passes;
+    }
+
+    /** The tile that a unit belongs to, counted from 0. */
+    int tile(int unit) {
+        return Objects.checkIndex(unit, count) / passes;
+    }
+
+    /** Which pass over its tile a unit is. */
+    int pass(int unit) {
+        return unit % passes;
+    }
+
+    /** The pixels of a unit that is a tile or a pass over one, by their place in the whole picture. */
+    public RenderSettings.Crop place(int unit) {
+        return cut.place(tile(unit));
+    }
+
+    /** How many paths all batches have together. */
+    public long paths() {
+        return paths;
+    }
+
+    /** The first path of a batch. */
+    long firstPath(int unit) {
+        return (long) Objects.checkIndex(unit, count) * pathsPerBatch;
+    }
+
+    /** How many paths a batch has. */
+    int paths(int unit) {
+        return (int) Math.min(pathsPerBatch, paths - firstPath(unit));
+    }
+}

@@ -1,0 +1,186 @@
+package enlightenment.film;
+
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import java.util.BitSet;
+import java.util.stream.IntStream;
+
+/**
+ * A picture in the making by paths that may reach any pixel: sums of integers, so that units of work may come in any order, from any
+ * threads, and go again, and the bytes are the same.
+ *
+ * <p>Units are of four groups, by their number; each group is a picture of its own. How far these differ tells the error.
+ */
+public final class SplatFilm {
+    private static final int GROUPS = 4;
+
+    public final int x;
+    public final int y;
+    public final int width;
+    public final int height;
+    private final long picturePixels;
+    private final SplatScale scale;
+    private final Encoding encoding;
+
+    /** Of each group, for each pixel: units of red, green and blue. */
+    private final long[][] sums;
+
+    private final long[] paths = new long[GROUPS];
+
+    /** The units that are in. */
+    private final BitSet units = new BitSet();
+
+    /**
+     * A black film for a rectangle of the whole picture.
+     *
+     * @param picturePixels number of pixels of the whole picture
+     */
+    public SplatFilm(int x, int y, int width, int height, long picturePixels, SplatScale scale, Encoding encoding) {
+        this.x = x;
+        this.y = y;
+        this.width = width;
+        this.height = height;
+        this.picturePixels = picturePixels;
+        this.scale = scale;
+        this.encoding = encoding;
+        sums = new long[GROUPS][Math.multiplyExact(3, Math.multiplyExact(width, height))];
+    }
+
+    /** What the pixels mean. */
+    public Encoding encoding() {
+        return encoding;
+    }
+
+    /**
+     * Adds a unit of work.
+     *
+     * @param unit its number, from 0
+     * @return whether it was missing; otherwise nothing has changed
+     * @throws ArithmeticException if a pixel's sum becomes too large, with the pixel; then nothing has changed
+     */
+    public synchronized boolean add(int unit, SplatSums batch) {
+        if (units.get(unit)) {
+            return false;
+        }
+        long[] to = sums[unit % GROUPS];
+        for (int i = 0; i < batch.pixels.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                if (to[3 * batch.pixels[i] + c] > Long.MAX_VALUE - batch.sums[3 * i + c]) {
+                    throw SplatScale.tooBright(x + batch.pixels[i] % width, y + batch.pixels[i] / width);
+                }
+            }
+        }
+        for (int i = 0; i < batch.pixels.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                to[3 * batch.pixels[i] + c] += batch.sums[3 * i + c];
+            }
+        }
+        paths[unit % GROUPS] += batch.paths;
+        units.set(unit);
+        return true;
+    }
+
+    /**
+     * Takes a unit of work out.
+     *
+     * @param batch what was added for it
+     * @return whether it was in; otherwise nothing has changed
+     * @throws IllegalArgumentException if this cannot have been added for it; then nothing has changed
+     */
+    public synchronized boolean remove(int unit, SplatSums batch) {
+        if (!units.get(unit)) {
+            return false;
+        }
+        long[] from = sums[unit % GROUPS];
+        for (int i = 0; i < batch.sums.length; i++) {
+            if (from[3 * batch.pixels[i / 3] + i % 3] < batch.sums[i]) {
+                throw new IllegalArgumentException("unit " + unit + " never added as much");
+            }
+        }
+        for (int i = 0; i < batch.pixels.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                from[3 * batch.pixels[i] + c] -= batch.sums[3 * i + c];
+            }
+        }
+        paths[unit % GROUPS] -= batch.paths;
+        units.clear(unit);
+        return true;
+    }
+
+    /** The number of units that are in. */
+    public synchronized int units() {
+        return units.cardinality();
+    }
+
+    /** The number of paths of all units that are in. */
+    public synchronized long paths() {
+        long sum = 0;
+        for (long n : paths) {
+            sum += n;
+        }
+        return sum;
+    }
+
+    /** Component 0, 1 or 2 of the pixel in column and row of the whole picture, in full precision; 0 without paths. */
+    public synchronized double component(int column, int row, int c) {
+        return value(3 * ((row - y) * width + column - x) + c, paths());
+    }
+
+    private double value(int k, long n) {
+        long high = 0;
+        long low = 0;
+        for (long[] group : sums) {
+            high += group[k] >>> 32;
+            low += group[k] & 0xffffffffL;
+        }
+        return n == 0 ? 0 : inPicture(Math.scalb((double) high, Integer.SIZE) + low, n);
+    }
+
+    /** The value of a pixel by the units of some paths. */
+    private double inPicture(double units, long n) {
+        return Math.scalb(units * picturePixels / n, -scale.exponent());
+    }
+
+    /** The picture as it stands. */
+    public synchronized Image toImage() {
+        float[] pixels = new float[3 * width * height];
+        long n = paths();
+        for (int k = 0; k < pixels.length; k++) {
+            pixels[k] = (float) value(k, n);
+        }
+        return new Image(width, height, pixels);
+    }
+
+    /**
+     * How far the four groups say that the pixels are from the truth, in units of the film; the interval allows for pixels that err
+     * together. With less than two groups all may be chance: then each pixel's variance is its square.
+     */
+    public synchronized ErrorEstimate error() {
+        int[] groups = IntStream.range(0, GROUPS).filter(g -> paths[g] > 0).toArray();
+        long n = paths();
+        double[] variances = new double[width * height];
+        if (groups.length < 2) {
+            for (int k = 0; k < 3 * variances.length; k++) {
+                double v = value(k, n);
+                variances[k / 3] += v * v / 3;
+            }
+            return ErrorEstimate.of(variances, 1);
+        }
+        GroupSpread spread = new GroupSpread(groups.length);
+        double[] means = new double[groups.length];
+        long[] numbers = new long[groups.length];
+        for (int i = 0; i < variances.length; i++) {
+            double sum = 0;
+            for (int c = 0; c < 3; c++) {
+                for (int g = 0; g < groups.length; g++) {
+                    numbers[g] = paths[groups[g]];
+                    means[g] = inPicture(sums[groups[g]][3 * i + c], numbers[g]);
+                }
+                sum += spread.add(means, numbers);
+            }
+            spread.addPixel(sum);
+            variances[i] = sum / 3 / n;
+        }
+        return ErrorEstimate.of(variances, spread.inverse());
+    }
+}

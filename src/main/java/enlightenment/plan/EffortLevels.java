@@ -1,0 +1,57 @@
+package enlightenment.plan;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.film.FilmTile;
+import enlightenment.method.cluster.ClusterCost;
+import enlightenment.scene.RenderSettings;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+
+/** Efforts of a method that surveys the picture: what they cost is learned from the surveys of some blocks. */
+final class EffortLevels implements Levels {
+    /** Blocks that are surveyed to learn what an effort costs. */
+    private static final int COST_BLOCKS = 512;
+
+    private static final double PIXELS_OF_BLOCK = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
+
+    /** Rays of a survey per pixel: one at each corner of a block's pixels. */
+    private static final double SURVEY_RAYS = (FilmTile.BLOCK_SIDE + 1) * (FilmTile.BLOCK_SIDE + 1) / PIXELS_OF_BLOCK;
+
+    private final CompiledScene scene;
+    private final RenderSettings settings;
+    private final BooleanSupplier cancelled;
+    private final Map<Double, Double> efforts = new HashMap<>();
+    private ClusterCost cost;
+
+    EffortLevels(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        this.scene = scene;
+        this.settings = settings;
+        this.cancelled = cancelled;
+    }
+
+    /** Kept: what was worked out for a trial need not be worked out again for the render. */
+    @Override
+    public double of(double samples) {
+        return efforts.computeIfAbsent(samples, n -> cost().effort(n));
+    }
+
+    @Override
+    public void prepare() {
+        cost();
+    }
+
+    @Override
+    public double planningRays() {
+        RenderSettings.Crop region = settings.region();
+        double surveyed = Math.min((double) settings.width() * settings.height(), COST_BLOCKS * PIXELS_OF_BLOCK);
+        return SURVEY_RAYS * surveyed / ((double) region.width() * region.height());
+    }
+
+    private ClusterCost cost() {
+        if (cost == null) {
+            cost = ClusterCost.of(scene, settings, COST_BLOCKS, cancelled);
+        }
+        return cost;
+    }
+}

@@ -1,0 +1,123 @@
+package enlightenment.plan;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.math.InvalidValueException;
+import enlightenment.method.Integrator;
+import enlightenment.method.RayTraceMethod;
+import enlightenment.method.SplatIntegrator;
+import enlightenment.method.TileIntegrator;
+import enlightenment.method.cluster.ClusterMethod;
+import enlightenment.method.cluster.ClusterStatistics;
+import enlightenment.sampling.Distribution;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ClusterSettings;
+import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.RenderSettings;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/** Makes what does the work of a render: the one place that knows the class behind each method, and what planning needs of it. */
+public final class Integrators {
+    /**
+     * With fewer samples per pixel than this, method {@code cluster} is exactly {@code raytrace}: its survey takes 1.27, every
+     * pixel takes at least one, and what is left does not buy more than evenly spaced rays do. Measured: from 2.3 on fire and ice
+     * to 2.6 on the keyhole, docs/cluster-laboratory.md.
+     */
+    private static final double FEWEST_OF_CLUSTER = 2.45;
+
+    /** The largest number with three digits that is still too few for a survey. */
+    private static final double MOST_WITHOUT_SURVEY = 2.44;
+
+    /** What a search for an error begins with, and what follows a picture without a survey. */
+    private static final double FIRST_OF_CLUSTER = 4;
+
+    private Integrators() {}
+
+    /** What has to be known of a method before there is a scene. */
+    public static MethodTraits traits(Method method) {
+        if (!(method instanceof BuiltInMethod own)) {
+            return MethodTraits.ofAnySamples(
+                    method, method instanceof IntegratorFactory factory && factory.dividesIntoPasses());
+        }
+        return switch (own) {
+            case RAYTRACE -> MethodTraits.ofAnySamples(method, true);
+            case CLUSTER ->
+                new MethodTraits(
+                        false,
+                        false,
+                        own.standIn().orElseThrow(),
+                        FEWEST_OF_CLUSTER,
+                        MOST_WITHOUT_SURVEY,
+                        FIRST_OF_CLUSTER);
+        };
+    }
+
+    /** Whether level 0 of a method means antialias² samples per pixel, each pixel exactly so many. */
+    static boolean hasLevelOfAntialias(Method method) {
+        return method == BuiltInMethod.RAYTRACE;
+    }
+
+    /** How the level of a method follows from the number of samples. */
+    static Levels levels(Method method, CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        return method == BuiltInMethod.CLUSTER ? new EffortLevels(scene, settings, cancelled) : Levels.SAMPLES;
+    }
+
+    /** The settings of the cheapest pictures that resemble those of some settings: for previews. */
+    public static RenderSettings cheapest(RenderSettings settings) {
+        Method below = traits(settings.method()).below();
+        return below == BuiltInMethod.RAYTRACE ? settings.using(new RayTraceSettings(1)) : settings.withMethod(below);
+    }
+
+    /** What does the work of the planned method, for one thread. */
+    public static Integrator of(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        return of(plan, scene, settings, counters, null);
+    }
+
+    /**
+     * What does the work of the planned method, for one thread.
+     *
+     * @param counters are added to by it
+     * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
+     * @throws InvalidValueException for a method that nothing here can do the work of
+     */
+    public static Integrator of(
+            RenderPlan plan,
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            Consumer<List<ClusterStatistics>> clusters) {
+        if (!(plan.method() instanceof BuiltInMethod method)) {
+            return ofExtension(plan, scene, settings, counters);
+        }
+        return switch (method) {
+            case RAYTRACE -> RayTraceMethod.classic(scene, settings, counters, plan.level());
+            case CLUSTER ->
+                new ClusterMethod(
+                        scene,
+                        settings,
+                        counters,
+                        Distribution.of(ClusterSettings.of(settings).proposal()),
+                        plan.level(),
+                        plan.samples(),
+                        clusters);
+        };
+    }
+
+    private static Integrator ofExtension(
+            RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        String word = plan.method().word();
+        if (!(plan.method() instanceof IntegratorFactory factory)) {
+            throw new InvalidValueException("method", "has no class behind it that renders: " + word);
+        }
+        Integrator integrator = factory.make(plan, scene, settings, counters);
+        boolean divides = integrator instanceof TileIntegrator tiles && tiles.dividesIntoPasses();
+        MethodTraits traits = traits(plan.method());
+        if (integrator instanceof SplatIntegrator != traits.areBatches() || divides != traits.dividesIntoPasses()) {
+            throw new IllegalStateException("the method " + word + " is not what it says: " + integrator.getClass());
+        }
+        return integrator;
+    }
+}

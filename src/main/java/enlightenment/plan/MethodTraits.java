@@ -1,0 +1,24 @@
+package enlightenment.plan;
+
+import enlightenment.scene.Method;
+
+/**
+ * What has to be known of a method before there is a scene to use it on.
+ *
+ * @param areBatches whether its units of work are batches of paths, whose light may fall anywhere in the picture, rather than tiles
+ * @param dividesIntoPasses whether the samples of a tile can be taken in several passes
+ * @param below the method that is used where there are too few samples for this one; itself if there never are
+ * @param fewest the smallest number of samples per pixel that it can do with
+ * @param mostBelow the largest number with three digits that is still too few
+ * @param first the number of samples per pixel that a search for an error begins with where the method itself is used
+ */
+public record MethodTraits(
+        boolean areBatches, boolean dividesIntoPasses, Method below, double fewest, double mostBelow, double first) {
+    /** What a search for an error begins with where every number of samples will do. */
+    private static final double FIRST_SAMPLES = 2;
+
+    /** A method that can do with one sample per pixel. */
+    static MethodTraits ofAnySamples(Method method, boolean dividesIntoPasses) {
+        return new MethodTraits(method.kind() == Method.Kind.SPLATS, dividesIntoPasses, method, 1, 0, FIRST_SAMPLES);
+    }
+}

@@ -1,0 +1,145 @@
+package enlightenment.render;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.engine.PictureFilm;
+import enlightenment.engine.RenderOutline;
+import enlightenment.engine.Reports;
+import enlightenment.engine.UnitWork;
+import enlightenment.engine.WorkUnits;
+import enlightenment.film.FilmTile;
+import enlightenment.image.Image;
+import enlightenment.method.cluster.ClusterStatistics;
+import enlightenment.plan.RenderPlan;
+import enlightenment.report.RenderReport;
+import enlightenment.scene.RenderSettings;
+import enlightenment.work.Phases;
+import enlightenment.work.Workers;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+
+/**
+ * One render in this process. Threads take units of work from a counter; each is a pure function, so who takes which does not
+ * matter.
+ */
+final class LocalRender {
+    private final CompiledScene scene;
+    private final RenderOutline outline;
+    private final RenderProgress progress;
+    private final BooleanSupplier cancelled;
+    private final WorkUnits units;
+    private final PictureFilm film;
+
+    /** What is shown where nothing is finished yet, or null. */
+    private final Preview preview;
+
+    private final List<RayCounters> counters = new ArrayList<>();
+    /** Gathers ray clusters, or null. */
+    private List<RayCluster> clusters;
+
+    private long peakMemory;
+
+    /** @param preview what is shown where nothing is finished yet, or null */
+    LocalRender(
+            String sceneName,
+            CompiledScene scene,
+            RenderSettings settings,
+            RenderPlan plan,
+            RenderProgress progress,
+            BooleanSupplier cancelled,
+            Preview preview) {
+        this.scene = scene;
+        this.preview = preview;
+        this.progress = progress;
+        this.cancelled = cancelled;
+        outline = RenderOutline.of(sceneName, scene, settings, plan);
+        units = WorkUnits.forThreads(settings, plan);
+        film = PictureFilm.of(units, outline);
+    }
+
+    /** Says before the start that ray clusters are to be gathered. */
+    void gatherClusters() {
+        clusters = new ArrayList<>();
+    }
+
+    void run() {
+        Workers.run(outline.settings().threads(), units.count(), cancelled, () -> {
+            RayCounters mine = new RayCounters(scene.kindNames.size());
+            counters.add(mine);
+            UnitWork work =
+                    new UnitWork(units, scene, outline, mine, clusters == null ? null : this::gather, cancelled);
+            return unit -> render(unit, work);
+        });
+    }
+
+    private void render(int unit, UnitWork work) {
+        UnitEvent event = new UnitEvent();
+        event.begin();
+        FilmTile finished = film.render(unit, work);
+        event.commit(units, unit);
+        tell(finished);
+    }
+
+    /** @param finished the tile that is finished now, or null */
+    private synchronized void tell(FilmTile finished) {
+        Runtime runtime = Runtime.getRuntime();
+        peakMemory = Math.max(peakMemory, runtime.totalMemory() - runtime.freeMemory());
+        if (preview != null && finished != null) {
+            preview.put(finished);
+        }
+        progress.progress(film.pixelsDone(), film.pixels(), this::image);
+    }
+
+    private void gather(List<ClusterStatistics> records) {
+        synchronized (clusters) {
+            for (ClusterStatistics record : records) {
+                clusters.add(RayCluster.of(record, scene.frame));
+            }
+        }
+    }
+
+    /** The ray clusters that were asked for, in an order that does not depend on threads. */
+    List<RayCluster> clusters() {
+        if (clusters == null) {
+            return List.of();
+        }
+        List<RayCluster> sorted = new ArrayList<>(clusters);
+        sorted.sort(Comparator.comparingInt(RayCluster::y)
+                .thenComparingInt(RayCluster::x)
+                .thenComparingInt(RayCluster::surface)
+                .thenComparingInt(RayCluster::light)
+                .thenComparingInt(RayCluster::bounces));
+        return sorted;
+    }
+
+    /** What was rendered, in full precision. */
+    PictureFilm film() {
+        return film;
+    }
+
+    /** The picture as it stands: the film, and what the preview shows where that is not finished. */
+    Image image() {
+        return preview == null || film.isComplete() ? film.image() : preview.image();
+    }
+
+    /** How many pixels are not black for want of samples. */
+    long shownPixels() {
+        return preview == null ? film.shownPixels() : preview.shownPixels();
+    }
+
+    /**
+     * What was done.
+     *
+     * @param rounding the error of rounding the picture to the depth of its file
+     * @param round how often the picture was rendered
+     */
+    RenderReport report(Phases phases, double rounding, int round) {
+        RayCounters all = new RayCounters(scene.kindNames.size());
+        for (RayCounters one : counters) {
+            all.add(one);
+        }
+        return Reports.of(outline, film, all, 0, phases, rounding, round, peakMemory);
+    }
+}

@@ -1,0 +1,146 @@
+package enlightenment.report;
+
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What a render did (the paper's Timekeeper): counts that depend on scene and settings only, and times that do not.
+ *
+ * @param sceneName the scene's name
+ * @param settings the settings in force
+ * @param features what was modelled, in plain words
+ * @param raysByKind number of rays by kind: camera, mirror, refracted, shadow
+ * @param lightSamples light points that were asked for: hits × lights × shadow samples
+ * @param lightSamplesWithoutRay those of them that needed no shadow ray, because nothing can stand before the light
+ * @param sampling how many samples there are, why, and how exact the picture is
+ * @param testsByPrimitive intersection tests by kind of primitive
+ * @param hitsByPrimitive surface points shaded or passed, by kind of primitive
+ * @param textureLookups texture colours looked up
+ * @param phases wall-clock and processor time per phase, in order
+ * @param pixels pixels finished; where paths may end anywhere, the share of the pixels that is the share of the paths
+ * @param peakMemoryBytes most heap memory in use, as far as it was observed
+ */
+public record RenderReport(
+        String sceneName,
+        RenderSettings settings,
+        List<String> features,
+        Map<String, Long> raysByKind,
+        long lightSamples,
+        long lightSamplesWithoutRay,
+        Sampling sampling,
+        Map<String, Long> testsByPrimitive,
+        Map<String, Long> hitsByPrimitive,
+        long textureLookups,
+        List<Phase> phases,
+        long pixels,
+        long peakMemoryBytes) {
+
+    /**
+     * How the picture was sampled.
+     *
+     * @param method what made the samples: the method of the settings, or its {@link Method#standIn stand-in} where there were too few
+     *     samples for its survey
+     * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
+     * @param plannedSamples camera rays per pixel that were planned; as {@code --samples} this makes the same picture
+     * @param samplesPerPixel camera rays per pixel that were taken, those of surveys included
+     * @param estimatedError root mean square error of the picture as its own samples tell, in display units 0..1
+     * @param errorLow lower end of an interval that is to hold the true error in 95 of 100 pictures
+     * @param errorHigh upper end of that interval
+     * @param clusters ray clusters that proposed light points
+     * @param proposals light points that were proposed
+     * @param accepted those of them that were of the kind sought
+     * @param rounding root mean square of what rounding to the depth of the budget changes; 0 where there is none
+     * @param rounds how often the picture was rendered: more than once where it was not as exact as asked
+     */
+    public record Sampling(
+            Method method,
+            String decidedBy,
+            double plannedSamples,
+            double samplesPerPixel,
+            double estimatedError,
+            double errorLow,
+            double errorHigh,
+            long clusters,
+            long proposals,
+            long accepted,
+            double rounding,
+            int rounds) {
+        /** The error that is to be counted on, with that of rounding: the upper end of the interval. */
+        public double errorInFile() {
+            return Math.hypot(errorHigh, rounding);
+        }
+
+        private Sampling with(double newRounding) {
+            return new Sampling(
+                    method,
+                    decidedBy,
+                    plannedSamples,
+                    samplesPerPixel,
+                    estimatedError,
+                    errorLow,
+                    errorHigh,
+                    clusters,
+                    proposals,
+                    accepted,
+                    newRounding,
+                    rounds);
+        }
+    }
+
+    /**
+     * How long a phase took.
+     *
+     * @param name compile, auxiliary (only where that takes rays of its own), plan, preview (only where asked for), earlier render
+     *     (only where there was more than one round), render or finish
+     * @param wallSeconds by the clock
+     * @param cpuSeconds of all threads together, 0 where the machine cannot tell
+     */
+    public record Phase(String name, double wallSeconds, double cpuSeconds) {}
+
+    /**
+     * False if an error was asked for that is not sure to be kept: where the upper end of the interval, together with the rounding
+     * of the file, is larger.
+     */
+    public boolean isErrorMet() {
+        return settings.budget().error().isEmpty()
+                || sampling.errorInFile() <= settings.budget().error().getAsDouble();
+    }
+
+    /** The same report for a file with another root mean square of what rounding changes. */
+    public RenderReport withRounding(double rounding) {
+        return with(sampling.with(rounding));
+    }
+
+    /** The same report with other figures of sampling. */
+    private RenderReport with(Sampling figures) {
+        return new RenderReport(
+                sceneName,
+                settings,
+                features,
+                raysByKind,
+                lightSamples,
+                lightSamplesWithoutRay,
+                figures,
+                testsByPrimitive,
+                hitsByPrimitive,
+                textureLookups,
+                phases,
+                pixels,
+                peakMemoryBytes);
+    }
+
+    /** All rays of all kinds. */
+    public long rays() {
+        return raysByKind.values().stream().mapToLong(Long::longValue).sum();
+    }
+
+    /** Rays per second of the render phase's wall-clock time; 0 where there was none. */
+    public double raysPerSecond() {
+        return phases.stream()
+                .filter(p -> p.name().equals("render"))
+                .mapToDouble(p -> p.wallSeconds() > 0 ? rays() / p.wallSeconds() : 0)
+                .sum();
+    }
+}

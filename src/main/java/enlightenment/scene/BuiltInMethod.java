@@ -1,0 +1,78 @@
+package enlightenment.scene;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** The methods of this program. This is the one place that has their names. */
+public enum BuiltInMethod implements Method {
+    /** {@link Method#RAYTRACE}. */
+    RAYTRACE(
+            "raytrace",
+            "evenly spaced camera rays, a fixed number of light samples at every hit",
+            List.of(RayTraceSettings.SHADOW_SAMPLES),
+            null),
+
+    /** {@link Method#CLUSTER}. */
+    CLUSTER(
+            "cluster",
+            "a survey of the picture allots camera rays and light samples, and ray clusters propose light points",
+            List.of(ClusterSettings.PROPOSAL),
+            RAYTRACE);
+
+    /** All of them, in order. */
+    public static final List<Method> ALL = List.of(values());
+
+    private final String word;
+    private final String description;
+    private final List<MethodSetting> settings;
+    private final Method standIn;
+
+    BuiltInMethod(String word, String description, List<MethodSetting> settings, Method standIn) {
+        this.word = word;
+        this.description = description;
+        this.settings = settings;
+        this.standIn = standIn;
+    }
+
+    @Override
+    public String word() {
+        return word;
+    }
+
+    @Override
+    public String description() {
+        return description;
+    }
+
+    @Override
+    public Kind kind() {
+        return Kind.TILES;
+    }
+
+    @Override
+    public Set<Shading.Model> shadings() {
+        return Set.of(Shading.Model.CLASSIC);
+    }
+
+    @Override
+    public List<MethodSetting> settings() {
+        return settings;
+    }
+
+    @Override
+    public Optional<Method> standIn() {
+        return Optional.ofNullable(standIn);
+    }
+
+    @Override
+    public boolean hasClusters() {
+        return this == CLUSTER;
+    }
+
+    /** The {@link #word}. */
+    @Override
+    public String toString() {
+        return word;
+    }
+}

@@ -1,0 +1,91 @@
+package enlightenment.scene.json;
+
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ChosenSettings;
+import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
+import enlightenment.scene.RenderDefaults;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** Reads and writes the render part, whose methods and settings are those of the registry. */
+final class RenderPart {
+    private RenderPart() {}
+
+    /** The keys, where these methods are known. */
+    static Keys keys(List<Method> methods) {
+        StringBuilder optional = new StringBuilder("method antialias");
+        for (MethodSetting setting : Method.settings(methods)) {
+            optional.append(' ').append(setting.key());
+        }
+        return Keys.of("render", "the render part", "", optional.append(" seed").toString());
+    }
+
+    /** Null after a problem. */
+    static RenderDefaults read(JsonValue v, JsonPointer place, Values values) {
+        List<Method> methods = known(v);
+        Fields f = Fields.of(v, place, keys(methods), values);
+        if (f == null) {
+            return null;
+        }
+        RenderDefaults d = RenderDefaults.DEFAULT;
+        String method =
+                f.word("method", Method.words(methods), List.of(), d.method().word());
+        int antialias = f.integer("antialias", 1, RenderDefaults.MAX_ANTIALIAS, d.antialias());
+        ChosenSettings chosen = ChosenSettings.NONE;
+        for (MethodSetting setting : Method.settings(methods)) {
+            Object value = f.has(setting.key()) ? value(f, setting) : null;
+            chosen = value == null ? chosen : chosen.with(setting, value);
+        }
+        long seed = f.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, d.seed());
+        ChosenSettings said = chosen;
+        return f.make(() -> new RenderDefaults(Method.named(method), antialias, said, seed));
+    }
+
+    /** Our own methods, and those from outside where there is something that is not ours. */
+    private static List<Method> known(JsonValue v) {
+        if (v instanceof JsonValue.Obj o) {
+            Keys own = keys(BuiltInMethod.ALL);
+            for (String key : o.keys()) {
+                if (!own.has(key)) {
+                    return Method.all();
+                }
+            }
+            if (o.get("method") instanceof JsonValue.Str s
+                    && !Method.words(BuiltInMethod.ALL).contains(s.text)) {
+                return Method.all();
+            }
+        }
+        return BuiltInMethod.ALL;
+    }
+
+    /** The value of a setting that is there; null after a problem. */
+    private static Object value(Fields f, MethodSetting setting) {
+        return setting instanceof MethodSetting.Whole w
+                ? (Object) f.integer(w.key(), w.min(), w.max(), w.usualValue())
+                : f.word(setting.key(), ((MethodSetting.Word) setting).words(), List.of(), null);
+    }
+
+    /** What was chosen, and all whole numbers of our own methods: a track of an animation may lead to them. */
+    static JsonValue write(RenderDefaults r, JsonObjectBuilder p) {
+        p.text("method", r.method().word()).whole("antialias", r.antialias());
+        Map<String, Object> chosen = new TreeMap<>(r.chosen().values());
+        for (MethodSetting setting : Method.settings(BuiltInMethod.ALL)) {
+            if (setting instanceof MethodSetting.Whole || chosen.containsKey(setting.key())) {
+                put(p, setting.key(), r.chosen().value(setting));
+                chosen.remove(setting.key());
+            }
+        }
+        chosen.forEach((key, value) -> put(p, key, value));
+        return p.wholeUnless(0, "seed", r.seed()).json();
+    }
+
+    private static void put(JsonObjectBuilder p, String key, Object value) {
+        if (value instanceof Integer whole) {
+            p.whole(key, whole);
+        } else {
+            p.text(key, (String) value);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package enlightenment.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.scene.Method;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A method that only the tests have is known to the command line, as is a shading that no method of ours renders. */
+class MethodExtensionCommandTest {
+    @TempDir
+    Path folder;
+
+    private Path classic;
+    private Path physical;
+
+    @BeforeEach
+    void scenes() throws IOException {
+        classic = write("classic.json", "\"render\": {}");
+        physical = write("physical.json", "\"shading\": { \"model\": \"physical\" }");
+    }
+
+    private Path write(String name, String parts) throws IOException {
+        return Files.writeString(
+                folder.resolve(name),
+                "{ \"image\": { \"width\": 8, \"height\": 4 }, \"objects\": [], " + parts
+                        + ", \"camera\": { \"type\": \"perspective\", \"eye\": [0, 0, -5], \"lookAt\": [0, 0, 0],"
+                        + " \"fieldOfView\": 40 } }");
+    }
+
+    @Test
+    void inspectTellsTheMethodAndItsSettings() {
+        CliRun run = CliRun.of("inspect", classic, "--method", "toy", "--toy-rays", "5", "--toy-shape=square");
+        assertEquals(0, run.code(), run.err());
+        assertTrue(run.out().contains("toy: a toy that only the tests have"), run.out());
+        assertTrue(run.out().contains("toyRays=5: rays of the toy per hit"), run.out());
+        assertTrue(run.out().contains("method=toy size=8x4 antialias=4 toyRays=5 toyShape=square seed=0"), run.out());
+        assertFalse(run.out().contains("shadowSamples"), run.out());
+        CliRun ours = CliRun.of("inspect", classic);
+        assertTrue(ours.out().contains("shadowSamples=10: light samples per hit and light"), ours.out());
+        assertFalse(ours.out().contains("toy"), ours.out());
+    }
+
+    @Test
+    void itsOptionsAreCheckedAndToldAsOurs() {
+        CliRun run = CliRun.of("inspect", classic, "--toy-rays", "65");
+        assertEquals(2, run.code());
+        assertTrue(run.err().contains("--toy-rays must be a whole number in 1..64, not \"65\""), run.err());
+        run = CliRun.of("inspect", classic, "--toy-shape", "flat");
+        assertTrue(run.err().contains("--toy-shape must be one of round, square, not \"flat\""), run.err());
+        run = CliRun.of("render", "--help");
+        assertTrue(run.out().contains("--toy-rays=N"), run.out());
+        assertTrue(run.out().replaceAll("\\s+", " ").contains(String.join(", ", Method.words())), run.out());
+        assertTrue(CliRun.of("completion").out().contains("toy-shape"));
+        run = CliRun.of("inspect", classic, "--method", "toys");
+        assertTrue(run.err().contains("--method must be one of " + String.join(", ", Method.words())), run.err());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"render", "inspect", "validate", "part", "server", "trade"})
+    void aShadingThatTheMethodCannotRenderIsRefusedByName(String command) {
+        Path out = folder.resolve("out");
+        CliRun run =
+                switch (command) {
+                    case "render" -> CliRun.of("render", physical, "-o", out + ".png");
+                    case "part" -> CliRun.of("render", physical, "-o", out + ".film", "--part", "1/2");
+                    case "server" -> CliRun.of("server", physical, "-o", out + ".png", "--port", "0");
+                    case "trade" -> CliRun.of("trade", physical, "-o", out, "--budget", "1");
+                    default -> CliRun.of(command, physical);
+                };
+        assertEquals(2, run.code(), run.err());
+        String all = run.out() + run.err();
+        assertTrue(
+                all.contains(physical + ": /shading/model: the method raytrace cannot render physical shading, only"
+                        + " classic; what can: "),
+                all);
+        assertFalse(Files.exists(out), "no folder of a trade that cannot be");
+    }
+
+    @Test
+    void aMethodThatCouldIsToldThatNothingCompilesThatShadingYet() {
+        CliRun run = CliRun.of("inspect", physical, "--method", "toy");
+        assertEquals(2, run.code());
+        assertTrue(run.err().contains("/shading/model: physical shading cannot be compiled yet"), run.err());
+    }
+}

@@ -1,0 +1,69 @@
+package enlightenment.color;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.math.InvalidValueException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RgbTest {
+    @Test
+    void lightHasNoUpperLimitButIsNeverNegativeInfiniteOrNoNumber() {
+        assertEquals(Double.MAX_VALUE, new Rgb(Double.MAX_VALUE, 0, 1).r());
+        for (double bad : new double[] {-Double.MIN_VALUE, Double.POSITIVE_INFINITY, Double.NaN}) {
+            assertEquals(
+                    "r",
+                    assertThrows(InvalidValueException.class, () -> new Rgb(bad, 0, 0))
+                            .key());
+            assertEquals(
+                    "g",
+                    assertThrows(InvalidValueException.class, () -> new Rgb(0, bad, 0))
+                            .key());
+            assertEquals(
+                    "b",
+                    assertThrows(InvalidValueException.class, () -> new Rgb(0, 0, bad))
+                            .key());
+        }
+    }
+
+    @Test
+    void blackAndWhiteStayWhatTheyAre() {
+        assertEquals(Rgb.BLACK, Rgb.of(DisplayRgb.BLACK));
+        assertEquals(new Rgb(1, 1, 1), Rgb.of(DisplayRgb.WHITE));
+    }
+
+    /** The curve of IEC 61966-2-1: x^2.4 is the fifth root of x^12, so exact decimals can judge it without any pow. */
+    @ParameterizedTest
+    @ValueSource(ints = {11, 12, 50, 127, 128, 200, 254})
+    void aDisplayColourIsDecodedByTheCurveOfTheStandard(int step) {
+        double encoded = step / 255.0;
+        double linear = Rgb.of(new DisplayRgb(encoded, 0, 0)).r();
+        MathContext digits = new MathContext(60);
+        BigDecimal base = new BigDecimal(encoded).add(new BigDecimal("0.055")).divide(new BigDecimal("1.055"), digits);
+        BigDecimal fifthPower = new BigDecimal(linear).pow(5, digits);
+        // A relative error e of the root is one of 5 e of its fifth power.
+        double error = fifthPower
+                .subtract(base.pow(12, digits))
+                .divide(fifthPower, digits)
+                .doubleValue();
+        assertTrue(Math.abs(error) < 5 * 8 * Math.ulp(1.0), step + ": " + error);
+    }
+
+    @Test
+    void darkColoursAreDecodedByTheLineOfTheStandard() {
+        assertEquals(10 / 255.0 / 12.92, Rgb.of(DisplayRgb.ofBytes(10, 0, 0)).r());
+    }
+
+    @Test
+    void encodingUndoesDecoding() {
+        for (int step = 0; step <= 255; step++) {
+            double encoded = step / 255.0;
+            assertEquals(encoded, TransferCurve.encode(TransferCurve.decode(encoded)), 4 * Math.ulp(1.0), "" + step);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package enlightenment.scene;
+
+import java.util.List;
+import java.util.Set;
+
+/** A method that is in the tests only: the program finds it as a service, and nothing in the program names it. */
+public final class ToyMethod extends MethodExtension {
+    public static final String WORD = "toy";
+    public static final MethodSetting.Whole RAYS =
+            new MethodSetting.Whole("toyRays", 1, 64, 8, "rays of the toy per hit");
+    public static final MethodSetting.Word SHAPE =
+            new MethodSetting.Word("toyShape", List.of("round", "square"), "shape of what the toy looks at");
+
+    public ToyMethod() {
+        super(
+                WORD,
+                "a toy that only the tests have",
+                Kind.SPLATS,
+                Set.of(Shading.Model.CLASSIC, Shading.Model.PHYSICAL),
+                List.of(RAYS, SHAPE));
+    }
+
+    /** Its settings. */
+    public record Settings(int rays, String shape) implements MethodSettings {
+        public static Settings of(RenderSettings settings) {
+            return new Settings(settings.chosen().whole(RAYS), settings.chosen().word(SHAPE));
+        }
+
+        @Override
+        public Method method() {
+            return Method.named(WORD);
+        }
+
+        @Override
+        public Object value(MethodSetting setting) {
+            return setting.equals(RAYS) ? (Object) rays : shape;
+        }
+    }
+}

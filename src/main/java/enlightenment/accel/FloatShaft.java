@@ -9,8 +9,7 @@ import enlightenment.frame.BallCone;
  *
  * <p>The test is conservative. With m the largest absolute coordinate of P, L and the boxes, P is moved by w = 2^-19 m towards the outside of
  * each face, and L is widened by w. The roundings of a face and of its distance from P are less than 5·2^-24 m; the factors {@link #LESS} and
- * {@link #MORE} cover the roundings of quotients once more. What is left of w exceeds what {@link BallCone#misses} leaves in doubt:
- * where the shaft misses the box of a ball, so does the cone of the ball.
+ * {@link #MORE} cover the roundings of quotients once more.
  */
 final class FloatShaft {
     private static final double WIDENING = 0x1p-19;

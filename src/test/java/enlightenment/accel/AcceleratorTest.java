@@ -174,8 +174,10 @@ class AcceleratorTest {
         assertEquals(hidden, bvh.blocksAll(cone, judge, query));
         count[clear ? 0 : hidden ? 1 : 2]++;
         int left = bvh.narrow(cone, judge, 2, query);
-        // From inside the ball the judge lets all pass, the front only what is near.
-        assertFalse(left == Accelerator.BLOCKED && !hidden || left == 0 && !clear && !cone.inside);
+        // The front knows the shaft better than the judge does near the apex: it may be empty where the judge is in
+        // doubt.
+        assertTrue(left != Accelerator.BLOCKED || hidden);
+        assertTrue(left != 0 || !hidden);
         if (left == Accelerator.BLOCKED) {
             return;
         }

@@ -11,12 +11,9 @@ import enlightenment.primitive.Ray;
  *
  * <p>Accelerators nest: {@link Bvh#over} makes a hierarchy whose leaves are accelerators.
  */
-public interface Accelerator {
+public interface Accelerator extends RaySearch {
     /** What {@link #narrow} returns if one primitive blocks every segment. */
     int BLOCKED = -1;
-
-    /** Continues a search: offers to the state every primitive that could be closer than what it has. */
-    void search(Ray ray, Closest state);
 
     /**
      * Finds the closest crossing with t at least {@link Ray#tMin}.

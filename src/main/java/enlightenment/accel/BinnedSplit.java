@@ -6,6 +6,9 @@ import java.util.Arrays;
 final class BinnedSplit {
     private static final int BINS = 16;
 
+    /** Up to this many items are sorted by their bins: sixteen bins on three axes would be mostly empty. */
+    private static final int FEW = 8;
+
     private final PrimitiveBoxes items;
     private final double[] lowest = new double[3];
     private final double[] highest = new double[3];
@@ -14,6 +17,12 @@ final class BinnedSplit {
     private final int[] binCounts = new int[3 * BINS];
     private final double[] sweep = new double[6];
     private final double[] rightCost = new double[BINS];
+
+    /** A few items and their bins, and the boxes of the items from each of them on. */
+    private final int[] fewItems = new int[FEW];
+
+    private final int[] fewBins = new int[FEW];
+    private final double[] fewBoxes = new double[6 * FEW];
 
     private int axis;
     private int border;
@@ -25,15 +34,53 @@ final class BinnedSplit {
 
     /** Looks for a split of start..end−1 into two parts that are not empty; false if there is none. */
     boolean find(int start, int end) {
+        boolean few = end - start <= FEW;
         measure(start, end);
-        fill(start, end);
+        if (!few) {
+            fill(start, end);
+        }
         cost = Double.POSITIVE_INFINITY;
         for (int a = 0; a < 3; a++) {
             if (scale[a] > 0) {
-                sweep(a, end - start);
+                if (few) {
+                    sweepFew(a, start, end - start);
+                } else {
+                    sweep(a, end - start);
+                }
             }
         }
         return cost < Double.POSITIVE_INFINITY;
+    }
+
+    /** As {@link #sweep}, with the same result: only borders next to an item's bin are looked at, all others split alike or not at all. */
+    private void sweepFew(int a, int start, int n) {
+        for (int i = 0; i < n; i++) {
+            int bin = bin(start + i, a);
+            int k = i;
+            for (; k > 0 && fewBins[k - 1] > bin; k--) {
+                fewBins[k] = fewBins[k - 1];
+                fewItems[k] = fewItems[k - 1];
+            }
+            fewBins[k] = bin;
+            fewItems[k] = start + i;
+        }
+        PrimitiveBoxes.clear(sweep, 0);
+        for (int k = n - 1; k > 0; k--) {
+            items.add(fewItems[k], sweep, 0);
+            System.arraycopy(sweep, 0, fewBoxes, 6 * k, 6);
+        }
+        PrimitiveBoxes.clear(sweep, 0);
+        for (int k = 1; k < n; k++) {
+            items.add(fewItems[k - 1], sweep, 0);
+            if (fewBins[k - 1] < fewBins[k]) {
+                double c = k * items.area(sweep, 0) + (n - k) * items.area(fewBoxes, 6 * k);
+                if (c < cost) {
+                    cost = c;
+                    axis = a;
+                    border = fewBins[k - 1] + 1;
+                }
+            }
+        }
     }
 
     /** The surface area cost of the split: area times number of items, summed over both parts. */
@@ -54,17 +101,11 @@ final class BinnedSplit {
     }
 
     private void measure(int start, int end) {
+        Arrays.fill(lowest, Double.POSITIVE_INFINITY);
+        Arrays.fill(highest, Double.NEGATIVE_INFINITY);
+        items.encloseCenters(start, end, lowest, highest);
         for (int a = 0; a < 3; a++) {
-            double lo = Double.POSITIVE_INFINITY;
-            double hi = Double.NEGATIVE_INFINITY;
-            for (int i = start; i < end; i++) {
-                double c = items.center(i, a);
-                lo = c < lo ? c : lo;
-                hi = c > hi ? c : hi;
-            }
-            lowest[a] = lo;
-            highest[a] = hi;
-            double spread = hi - lo;
+            double spread = highest[a] - lowest[a];
             scale[a] = spread > 0 ? BINS / spread : 0;
         }
     }
@@ -80,9 +121,9 @@ final class BinnedSplit {
         for (int k = 0; k < 3 * BINS; k++) {
             PrimitiveBoxes.clear(binBoxes, 6 * k);
         }
-        for (int a = 0; a < 3; a++) {
-            if (scale[a] > 0) {
-                for (int i = start; i < end; i++) {
+        for (int i = start; i < end; i++) {
+            for (int a = 0; a < 3; a++) {
+                if (scale[a] > 0) {
                     int k = BINS * a + bin(i, a);
                     binCounts[k]++;
                     items.add(i, binBoxes, 6 * k);

@@ -45,7 +45,21 @@ public abstract class Bvh implements Accelerator {
     /** Builds the hierarchy of these primitives. Ids are indices into the array, which is not kept. */
     public static Bvh build(Primitive[] primitives) {
         BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(primitives));
-        return of(builder, new PrimitiveLeaves(primitives, builder.order()));
+        return of(builder, new PrimitiveLeaves(primitives, builder.order(), builder.order()));
+    }
+
+    /** Builds the hierarchy of some of a scene's primitives. */
+    static Bvh build(Primitive[] all, int[] ids) {
+        Primitive[] some = new Primitive[ids.length];
+        for (int i = 0; i < some.length; i++) {
+            some[i] = all[ids[i]];
+        }
+        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(some));
+        int[] order = builder.order().clone();
+        for (int i = 0; i < order.length; i++) {
+            order[i] = ids[order[i]];
+        }
+        return of(builder, new PrimitiveLeaves(some, builder.order(), order));
     }
 
     /** Builds the hierarchy of these accelerators, which keep their ids. The array is not kept. */
@@ -122,6 +136,11 @@ public abstract class Bvh implements Accelerator {
             }
             node = next;
         }
+    }
+
+    /** As {@link #search(Ray, Closest)}, for a ray that meets nothing outside the front's boxes. */
+    void search(Ray ray, Closest state, BoxFront front) {
+        search(ray, state);
     }
 
     @Override
@@ -220,6 +239,15 @@ public abstract class Bvh implements Accelerator {
     @Override
     public final Bounds bounds() {
         return new Bounds(corner(false), corner(true));
+    }
+
+    /** The box of a child: slot 2n + s is side s of node n. */
+    final Bounds box(int slot) {
+        int n = slot / 2;
+        int side = slot % 2;
+        return new Bounds(
+                new Vec3(bound(n, side, false, 0), bound(n, side, false, 1), bound(n, side, false, 2)),
+                new Vec3(bound(n, side, true, 0), bound(n, side, true, 1), bound(n, side, true, 2)));
     }
 
     private Vec3 corner(boolean upper) {

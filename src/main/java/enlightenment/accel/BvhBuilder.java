@@ -30,6 +30,7 @@ final class BvhBuilder {
     private final PrimitiveBoxes items;
     private final BinnedSplit split;
     private final double[] box = new double[PrimitiveBoxes.BOX];
+    private final double widening;
     private float[] boxes;
     private int[] child;
     private int nodes;
@@ -44,6 +45,7 @@ final class BvhBuilder {
         }
         this.items = items;
         split = new BinnedSplit(items);
+        widening = FloatSlabs.widening(items.reach());
         // Leaves of about two: half as many nodes as items.
         int capacity = n / 2 + n / 16 + 1;
         boxes = new float[Bvh.NODE * capacity];
@@ -115,10 +117,12 @@ final class BvhBuilder {
         child[slot] = link;
         int at = Bvh.NODE * (slot / 2) + slot % 2;
         for (int k = 0; k < 3; k++) {
-            // The box of nothing is a point, not infinite: no search may compute with infinities.
             boolean empty = !(box[k] <= box[3 + k]);
-            boxes[at + 2 * k] = empty ? 0 : FloatSlabs.down(box[k]);
-            boxes[at + 6 + 2 * k] = empty ? 0 : FloatSlabs.up(box[3 + k]);
+            // The box of nothing is a point, not infinite: no search may compute with infinities.
+            float center = empty ? 0 : (float) (0.5 * box[k] + 0.5 * box[3 + k]);
+            double half = empty ? 0 : Math.max(box[3 + k] - center, center - box[k]);
+            boxes[at + 2 * k] = center;
+            boxes[at + 6 + 2 * k] = FloatSlabs.up(half + widening);
         }
     }
 

@@ -24,13 +24,13 @@ public final class Closest {
     final FloatSlabs floatSlabs = new FloatSlabs();
 
     /** The traversal stack of a search: links to follow later. */
-    final int[] stack = new int[Bvh.MAX_DEPTH];
+    final int[] stack = new int[Bvh.MAX_DEPTH + BoxFront.MAX];
 
     /** By place on the stack: the t at which the ray enters the box. */
-    final double[] entries = new double[Bvh.MAX_DEPTH];
+    final double[] entries = new double[Bvh.MAX_DEPTH + BoxFront.MAX];
 
     /** The same as bits of a float. */
-    final int[] floatEntries = new int[Bvh.MAX_DEPTH];
+    final int[] floatEntries = new int[Bvh.MAX_DEPTH + BoxFront.MAX];
 
     private Closest inner;
 

@@ -4,8 +4,8 @@ import enlightenment.frame.BallCone;
 import enlightenment.primitive.Ray;
 
 /**
- * A hierarchy with boxes of floats, rounded outwards: 56 bytes for two children. Numbers of a node: lower x of the left child and of the
- * right one, lower y of both, lower z, upper x, upper y, upper z.
+ * A hierarchy with boxes of floats, rounded outwards: 56 bytes for two children. Numbers of a node: the centre's x of the left child and
+ * of the right one, y of both, z, then the half extents likewise.
  */
 final class FloatBvh extends Bvh {
     private final float[] boxes;
@@ -22,49 +22,72 @@ final class FloatBvh extends Bvh {
 
     @Override
     double bound(int node, int side, boolean upper, int axis) {
-        return boxes[NODE * node + (upper ? 6 : 0) + 2 * axis + side];
+        int k = NODE * node + 2 * axis + side;
+        return upper ? (double) boxes[k] + boxes[k + 6] : (double) boxes[k] - boxes[k + 6];
     }
 
     @Override
     public void search(Ray ray, Closest state) {
+        if (!state.floatSlabs.set(ray, reach)) {
+            super.search(ray, state);
+            return;
+        }
+        state.stack[0] = 0;
+        state.floatEntries[0] = 0;
+        follow(ray, state, 1);
+    }
+
+    /** Starts with the boxes of the front that the ray meets: the farthest goes to the bottom of the stack. */
+    @Override
+    void search(Ray ray, Closest state, BoxFront front) {
         FloatSlabs slabs = state.floatSlabs;
         if (!slabs.set(ray, reach)) {
             super.search(ray, state);
             return;
         }
+        int limit = FloatSlabs.limit(state.t());
+        int depth = 0;
+        for (int i = front.size - 1; i >= 0; i--) {
+            int slot = front.slots[i];
+            int entry = slabs.entry(boxes, NODE * (slot >> 1) + (slot & 1), limit);
+            if (entry < FloatSlabs.MISS) {
+                state.floatEntries[depth] = entry;
+                state.stack[depth++] = child[slot];
+            }
+        }
+        follow(ray, state, depth);
+    }
+
+    /** Follows the links on the stack, the last first. */
+    private void follow(Ray ray, Closest state, int pending) {
+        FloatSlabs slabs = state.floatSlabs;
         int[] stack = state.stack;
         int[] entries = state.floatEntries;
         int limit = FloatSlabs.limit(state.t());
-        int depth = 0;
-        int node = 0;
-        while (true) {
-            if (node < 0) {
-                leaves.offer(ray, first(node), end(node), state);
-                limit = FloatSlabs.limit(state.t());
-            } else {
+        int depth = pending;
+        while (depth > 0) {
+            // A box entered exactly where the best crossing lies may hold one that wins the tie.
+            if (entries[--depth] > limit) {
+                continue;
+            }
+            int node = stack[depth];
+            while (node >= 0) {
                 int l = slabs.entry(boxes, NODE * node, limit);
                 int r = slabs.entry(boxes, NODE * node + 1, limit);
                 int nearer = l <= r ? 0 : 1;
-                int later = Math.max(l, r);
                 int link = 2 * node;
-                if (later < FloatSlabs.MISS) {
-                    entries[depth] = later;
+                node = child[link + nearer];
+                if (Math.max(l, r) < FloatSlabs.MISS) {
+                    entries[depth] = Math.max(l, r);
                     stack[depth++] = child[link + 1 - nearer];
-                    node = child[link + nearer];
-                    continue;
-                }
-                if (Math.min(l, r) < FloatSlabs.MISS) {
-                    node = child[link + nearer];
-                    continue;
+                } else if (Math.min(l, r) == FloatSlabs.MISS) {
+                    node = EMPTY;
                 }
             }
-            // A box entered exactly where the best crossing lies may hold one that wins the tie.
-            do {
-                if (depth == 0) {
-                    return;
-                }
-            } while (entries[--depth] > limit);
-            node = stack[depth];
+            if (node != EMPTY) {
+                leaves.offer(ray, first(node), end(node), state);
+                limit = FloatSlabs.limit(state.t());
+            }
         }
     }
 
@@ -77,6 +100,9 @@ final class FloatBvh extends Bvh {
         int limit = FloatSlabs.limit(tMax);
         int[] stack = query.stack();
         int depth = query.pushFront();
+        if (depth == 0) {
+            return false;
+        }
         int node = stack[--depth];
         while (true) {
             if (node < 0) {

@@ -8,9 +8,8 @@ import enlightenment.frame.BallCone;
  * for s in an interval, so the shaft meets that box if the three intervals and [0, 1] have a point in common. No square root is taken.
  *
  * <p>The test is conservative. With m the largest absolute coordinate of P, L and the boxes, P is moved by w = 2^-19 m towards the outside of
- * each face, and L is widened by w. The roundings are those of {@link FloatSlabs}, 7·2^-24 m; the factors {@link #LESS} and
- * {@link #MORE} cover the roundings of quotients once more. What is left of w exceeds what {@link BallCone#misses} leaves in doubt:
- * where the shaft misses the box of a ball, so does the cone of the ball.
+ * each face, and L is widened by w. The roundings of a face and of its distance from P are less than 5·2^-24 m; the factors {@link #LESS} and
+ * {@link #MORE} cover the roundings of quotients once more.
  */
 final class FloatShaft {
     private static final double WIDENING = 0x1p-19;
@@ -40,15 +39,15 @@ final class FloatShaft {
     private float leastLowerZ;
     private float leastUpperZ;
 
-    /** By axis: which face sets the largest s, P for it, and what the distance is multiplied by. */
-    private int mostAtX;
+    /** By axis: which face (upper 1, lower −1) sets the largest s, P for it, and what the distance is multiplied by. */
+    private float faceX;
 
     private float mostX;
     private float mostInvX;
-    private int mostAtY;
+    private float faceY;
     private float mostY;
     private float mostInvY;
-    private int mostAtZ;
+    private float faceZ;
     private float mostZ;
     private float mostInvZ;
 
@@ -81,7 +80,7 @@ final class FloatShaft {
         upperX = (float) (p - w);
         leastLowerX = leastLower(high, w);
         leastUpperX = leastUpper(low, w);
-        mostAtX = low > w ? 6 : 0;
+        faceX = low > w ? 1 : -1;
         mostX = low > w ? upperX : high < -w ? lowerX : -FAR;
         mostInvX = most(low, high, w);
     }
@@ -91,7 +90,7 @@ final class FloatShaft {
         upperY = (float) (p - w);
         leastLowerY = leastLower(high, w);
         leastUpperY = leastUpper(low, w);
-        mostAtY = low > w ? 8 : 2;
+        faceY = low > w ? 1 : -1;
         mostY = low > w ? upperY : high < -w ? lowerY : -FAR;
         mostInvY = most(low, high, w);
     }
@@ -101,7 +100,7 @@ final class FloatShaft {
         upperZ = (float) (p - w);
         leastLowerZ = leastLower(high, w);
         leastUpperZ = leastUpper(low, w);
-        mostAtZ = low > w ? 10 : 4;
+        faceZ = low > w ? 1 : -1;
         mostZ = low > w ? upperZ : high < -w ? lowerZ : -FAR;
         mostInvZ = most(low, high, w);
     }
@@ -121,17 +120,23 @@ final class FloatShaft {
         return low > w ? (float) (1 / low) * MORE : high < -w ? (float) (1 / high) * MORE : 1;
     }
 
-    /** Whether the shaft may meet the box whose numbers begin at b[k] and lie two apart. */
+    /** Whether the shaft may meet the box whose numbers (centre and half extents) begin at b[k] and lie two apart. */
     boolean meets(float[] b, int k) {
-        int lx = Float.floatToRawIntBits((b[k] - lowerX) * leastLowerX);
-        int ux = Float.floatToRawIntBits((b[k + 6] - upperX) * leastUpperX);
-        int mx = Float.floatToRawIntBits((b[k + mostAtX] - mostX) * mostInvX);
-        int ly = Float.floatToRawIntBits((b[k + 2] - lowerY) * leastLowerY);
-        int uy = Float.floatToRawIntBits((b[k + 8] - upperY) * leastUpperY);
-        int my = Float.floatToRawIntBits((b[k + mostAtY] - mostY) * mostInvY);
-        int lz = Float.floatToRawIntBits((b[k + 4] - lowerZ) * leastLowerZ);
-        int uz = Float.floatToRawIntBits((b[k + 10] - upperZ) * leastUpperZ);
-        int mz = Float.floatToRawIntBits((b[k + mostAtZ] - mostZ) * mostInvZ);
+        float cx = b[k];
+        float cy = b[k + 2];
+        float cz = b[k + 4];
+        float hx = b[k + 6];
+        float hy = b[k + 8];
+        float hz = b[k + 10];
+        int lx = Float.floatToRawIntBits((cx - hx - lowerX) * leastLowerX);
+        int ux = Float.floatToRawIntBits((cx + hx - upperX) * leastUpperX);
+        int mx = Float.floatToRawIntBits((Math.fma(hx, faceX, cx) - mostX) * mostInvX);
+        int ly = Float.floatToRawIntBits((cy - hy - lowerY) * leastLowerY);
+        int uy = Float.floatToRawIntBits((cy + hy - upperY) * leastUpperY);
+        int my = Float.floatToRawIntBits((Math.fma(hy, faceY, cy) - mostY) * mostInvY);
+        int lz = Float.floatToRawIntBits((cz - hz - lowerZ) * leastLowerZ);
+        int uz = Float.floatToRawIntBits((cz + hz - upperZ) * leastUpperZ);
+        int mz = Float.floatToRawIntBits((Math.fma(hz, faceZ, cz) - mostZ) * mostInvZ);
         int least = Math.max(Math.max(Math.max(lx, ux), Math.max(ly, uy)), Math.max(Math.max(lz, uz), 0));
         int most = Math.min(Math.min(mx, my), Math.min(mz, ONE));
         return least <= most;

@@ -3,23 +3,23 @@ package enlightenment.accel;
 import enlightenment.primitive.Ray;
 
 /**
- * The test of a ray against boxes of floats that were rounded outwards. It is conservative: a box that contains an intersection is
- * never missed.
+ * The test of a ray against boxes of floats, each given by its centre c and its half extents h. Along an axis the ray, with inverse
+ * direction i, is in the box's slab for t from (c − o)·i − h·|i| to (c − o)·i + h·|i|: nothing depends on the sign of the direction, and every
+ * number of a box is used where it stands. The test is conservative: a box that contains an intersection is never missed.
  *
- * <p><b>Roundings.</b> Let m be the largest absolute coordinate of origin and boxes together, u = 2^-24. The origin is moved by w ≥ 8um
- * towards the outside of each face before it is rounded to a float (an error of um), the difference to a face is rounded (relative u), so
- * are the inverse and the product. In space these are less than um + 3u·2m &lt; 8um, and the rest covers the roundings of the primitives'
- * own tests, which are of the order of 2^-46 m. Best t so far and limit are rounded up, tMin down.
+ * <p><b>Roundings.</b> Let m be the largest absolute coordinate of the boxes and u = 2^-24. {@link #set} refuses origins beyond 2m, so
+ * |c − o| ≤ 3m. Half extents are rounded up from the rounded centre, and widened by w = 32um ({@link #widening}). The inverse is rounded
+ * (relative u), o·i once more, and each of the two fused operations; in space these are less than u(3m + 2m + 3m + 5m) &lt; w, and what is left
+ * of w covers the roundings of the primitives' own tests, which are of the order of 2^-46 m. The best t so far is rounded up, tMin
+ * down.
  *
- * <p><b>Range.</b> {@link #set} refuses rays whose direction or origin is so large or small that an inverse or a product could leave
- * the normal range of floats, but for components of the direction that are tiny beside the others: their inverse may overflow, and
- * the slab's times become infinite, as for a ray parallel to the axis. That is right: along such an axis the ray does not move by w within
- * the scene.
+ * <p><b>Range.</b> {@link #set} also refuses directions and scenes so large or small that a product could leave the normal range of floats.
+ * A component of the direction below 2^-60 of a whole is taken for that: t is below 2^24 m within the scene, so the ray moves by less than
+ * w along that axis, and no infinity, hence no NaN, can arise.
  *
  * <p><b>Order.</b> A time that matters is not negative, and floats that are not negative are ordered as their bits are ordered as ints; a
  * negative entry loses against tMin ≥ 0, a negative exit makes the smallest exit negative: a miss. Comparing ints takes one
- * instruction where {@link Math#max(float, float)} takes five. 0·∞ is NaN, of a sign that depends on the machine: it arises
- * only where a parallel ray runs exactly w outside a face; then the box is rejected or not, and either is right.
+ * instruction where {@link Math#max(float, float)} takes five.
  */
 final class FloatSlabs {
     /** What {@link #entry} returns for a box that the ray misses: more than the bits of infinity. */
@@ -30,24 +30,22 @@ final class FloatSlabs {
 
     private static final double SMALLEST = 0x1p-40;
 
-    /** w relative to m; twice what is needed. */
-    private static final double WIDENING = 0x1p-20;
+    /** w relative to m. */
+    private static final double WIDENING = 0x1p-19;
 
-    private float nearX;
-    private float farX;
+    private static final double STEEPEST = 0x1p60;
+
+    /** The inverse direction, its absolute value, and −o·i. */
     private float invX;
-    private int nearAtX;
-    private int farAtX;
-    private float nearY;
-    private float farY;
+
+    private float sizeX;
+    private float offsetX;
     private float invY;
-    private int nearAtY;
-    private int farAtY;
-    private float nearZ;
-    private float farZ;
+    private float sizeY;
+    private float offsetY;
     private float invZ;
-    private int nearAtZ;
-    private int farAtZ;
+    private float sizeZ;
+    private float offsetZ;
     private int tMin;
 
     /**
@@ -58,32 +56,25 @@ final class FloatSlabs {
      * @return whether this test is right for the ray
      */
     boolean set(Ray ray, double reach) {
-        double m = Math.max(Math.max(Math.abs(ray.ox), Math.abs(ray.oy)), Math.max(Math.abs(ray.oz), reach));
-        if (!(ray.dd >= SMALLEST && ray.dd <= LARGEST && m <= LARGEST && ray.tMin >= 0)) {
+        double o = Math.max(Math.abs(ray.ox), Math.max(Math.abs(ray.oy), Math.abs(ray.oz)));
+        if (!(ray.dd >= SMALLEST && ray.dd <= LARGEST && o <= 2 * reach && ray.tMin >= 0)) {
             return false;
         }
-        double w = WIDENING * m;
-        invX = (float) (1 / ray.dx);
-        invY = (float) (1 / ray.dy);
-        invZ = (float) (1 / ray.dz);
-        boolean backX = invX < 0;
-        boolean backY = invY < 0;
-        boolean backZ = invZ < 0;
-        nearX = (float) (backX ? ray.ox - w : ray.ox + w);
-        farX = (float) (backX ? ray.ox + w : ray.ox - w);
-        nearY = (float) (backY ? ray.oy - w : ray.oy + w);
-        farY = (float) (backY ? ray.oy + w : ray.oy - w);
-        nearZ = (float) (backZ ? ray.oz - w : ray.oz + w);
-        farZ = (float) (backZ ? ray.oz + w : ray.oz - w);
-        // Where the faces lie in a node: see FloatBvh.
-        nearAtX = backX ? 6 : 0;
-        farAtX = 6 - nearAtX;
-        nearAtY = backY ? 8 : 2;
-        farAtY = 10 - nearAtY;
-        nearAtZ = backZ ? 10 : 4;
-        farAtZ = 14 - nearAtZ;
+        invX = inverse(ray.dx);
+        invY = inverse(ray.dy);
+        invZ = inverse(ray.dz);
+        sizeX = Math.abs(invX);
+        sizeY = Math.abs(invY);
+        sizeZ = Math.abs(invZ);
+        offsetX = (float) (-ray.ox * invX);
+        offsetY = (float) (-ray.oy * invY);
+        offsetZ = (float) (-ray.oz * invZ);
         tMin = Float.floatToRawIntBits(Math.max(0f, down(ray.tMin)));
         return true;
+    }
+
+    private static float inverse(double d) {
+        return (float) Math.max(-STEEPEST, Math.min(STEEPEST, 1 / d));
     }
 
     /** Whether a scene with this largest absolute coordinate is in range. */
@@ -91,25 +82,36 @@ final class FloatSlabs {
         return reach <= LARGEST && reach >= SMALLEST;
     }
 
+    /** What half extents of boxes are widened by. */
+    static double widening(double reach) {
+        return WIDENING * reach;
+    }
+
     /**
-     * Where the ray enters the box whose numbers begin at b[k] and lie two apart, at least tMin, as bits of a float; {@link #MISS} if it
-     * misses the box or enters it beyond the limit, which is the bits of a float too.
+     * Where the ray enters the box whose numbers (x, y, z of centre and half extents) begin at b[k] and lie two apart, at least tMin, as bits
+     * of a float; {@link #MISS} if it misses the box or enters it beyond the limit, which is the bits of a float too.
      */
     int entry(float[] b, int k, int limit) {
-        int nx = Float.floatToRawIntBits((b[k + nearAtX] - nearX) * invX);
-        int ny = Float.floatToRawIntBits((b[k + nearAtY] - nearY) * invY);
-        int nz = Float.floatToRawIntBits((b[k + nearAtZ] - nearZ) * invZ);
-        int fx = Float.floatToRawIntBits((b[k + farAtX] - farX) * invX);
-        int fy = Float.floatToRawIntBits((b[k + farAtY] - farY) * invY);
-        int fz = Float.floatToRawIntBits((b[k + farAtZ] - farZ) * invZ);
+        float mx = Math.fma(b[k], invX, offsetX);
+        float my = Math.fma(b[k + 2], invY, offsetY);
+        float mz = Math.fma(b[k + 4], invZ, offsetZ);
+        float hx = b[k + 6];
+        float hy = b[k + 8];
+        float hz = b[k + 10];
+        int nx = Float.floatToRawIntBits(Math.fma(-hx, sizeX, mx));
+        int ny = Float.floatToRawIntBits(Math.fma(-hy, sizeY, my));
+        int nz = Float.floatToRawIntBits(Math.fma(-hz, sizeZ, mz));
+        int fx = Float.floatToRawIntBits(Math.fma(hx, sizeX, mx));
+        int fy = Float.floatToRawIntBits(Math.fma(hy, sizeY, my));
+        int fz = Float.floatToRawIntBits(Math.fma(hz, sizeZ, mz));
         int near = Math.max(Math.max(nx, ny), Math.max(nz, tMin));
         int far = Math.min(Math.min(fx, fy), Math.min(fz, limit));
         return near <= far ? near : MISS;
     }
 
-    /** A limit of t, not negative, for {@link #entry}. */
+    /** A limit of t for {@link #entry}; of a negative one, and of no other, the bits are negative. */
     static int limit(double t) {
-        return Float.floatToRawIntBits(up(t));
+        return Float.floatToRawIntBits(up(t) + 0f);
     }
 
     /** The largest float that is not greater. */

@@ -55,8 +55,13 @@ final class NestedLeaves extends Leaves {
 
     @Override
     void collect(Bounds box, int from, int to, BvhQuery query) {
+        BvhQuery inner = query.inner();
+        inner.clear();
         for (int i = from; i < to; i++) {
-            parts[i].overlapping(box, query);
+            parts[i].overlapping(box, inner);
+        }
+        for (int k = 0; k < inner.size(); k++) {
+            query.add(inner.get(k));
         }
     }
 

@@ -69,6 +69,21 @@ final class PrimitiveBoxes {
         return 0.5 * b[6 * i + axis] + 0.5 * b[6 * i + 3 + axis];
     }
 
+    /** Widens the ranges of the three coordinates, each at least lowest and at most highest, by the centroids of start..end−1. */
+    void encloseCenters(int start, int end, double[] lowest, double[] highest) {
+        for (int axis = 0; axis < 3; axis++) {
+            double low = lowest[axis];
+            double high = highest[axis];
+            for (int k = BOX * start + axis; k < BOX * end; k += BOX) {
+                double c = 0.5 * b[k] + 0.5 * b[k + 3];
+                low = c < low ? c : low;
+                high = c > high ? c : high;
+            }
+            lowest[axis] = low;
+            highest[axis] = high;
+        }
+    }
+
     /** Sets the six numbers at out[at] to the box of the items start..end−1. */
     void enclose(int start, int end, double[] out, int at) {
         clear(out, at);

@@ -10,11 +10,16 @@ final class PrimitiveLeaves extends Leaves {
     private final Primitive[] primitives;
     private final int[] ids;
 
-    PrimitiveLeaves(Primitive[] original, int[] ids) {
+    /**
+     * @param original the primitives
+     * @param order by place: an index into them
+     * @param ids by place: the id
+     */
+    PrimitiveLeaves(Primitive[] original, int[] order, int[] ids) {
         this.ids = ids;
         primitives = new Primitive[original.length];
         for (int i = 0; i < primitives.length; i++) {
-            primitives[i] = original[ids[i]];
+            primitives[i] = original[order[i]];
         }
     }
 

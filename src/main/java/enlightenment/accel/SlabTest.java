@@ -101,14 +101,14 @@ final class SlabTest {
         return near <= far ? near : Double.POSITIVE_INFINITY;
     }
 
-    /** The same for a box of floats whose numbers begin at b[at] and lie two apart. */
+    /** The same for a box of floats whose numbers (centre and half extents) begin at b[at] and lie two apart. */
     double entry(float[] b, int at, double limit) {
-        double lx = (b[at] - lowerX) * invX;
-        double ux = (b[at + 6] - upperX) * invX;
-        double ly = (b[at + 2] - lowerY) * invY;
-        double uy = (b[at + 8] - upperY) * invY;
-        double lz = (b[at + 4] - lowerZ) * invZ;
-        double uz = (b[at + 10] - upperZ) * invZ;
+        double lx = ((double) b[at] - b[at + 6] - lowerX) * invX;
+        double ux = ((double) b[at] + b[at + 6] - upperX) * invX;
+        double ly = ((double) b[at + 2] - b[at + 8] - lowerY) * invY;
+        double uy = ((double) b[at + 2] + b[at + 8] - upperY) * invY;
+        double lz = ((double) b[at + 4] - b[at + 10] - lowerZ) * invZ;
+        double uz = ((double) b[at + 4] + b[at + 10] - upperZ) * invZ;
         double near = Math.max(Math.max(backX ? ux : lx, backY ? uy : ly), Math.max(backZ ? uz : lz, tMin));
         double far = Math.min(Math.min(backX ? lx : ux, backY ? ly : uy), Math.min(backZ ? lz : uz, limit));
         return near <= far ? near : Double.POSITIVE_INFINITY;

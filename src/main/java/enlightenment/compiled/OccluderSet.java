@@ -22,6 +22,8 @@ final class OccluderSet {
     /** Bounds the rounding of a distance from a plane, relative to the coordinates involved. */
     private static final double PLANE_ERROR = Scale.gamma(16);
 
+    private static final int NO_PLANE = -1;
+
     private final int count;
 
     /** By id: centre and radius of a ball around the primitive. */
@@ -30,22 +32,26 @@ final class OccluderSet {
     /** By id: whether the primitive is that ball itself. */
     private final boolean[] isBall;
 
-    /** By id: whether the primitive is flat, and its plane's unit normal and offset. */
-    private final boolean[] isFlat;
+    /** By id: where the plane of a flat primitive is found; {@link #NO_PLANE} for others. */
+    private final int[] planeAt;
 
+    /** Unit normals and offsets of planes. */
     private final double[] planes;
 
     OccluderSet(Primitive[] primitives, CompiledLight[] lights, boolean few) {
         count = primitives.length;
         balls = new double[4 * count];
         isBall = new boolean[count];
-        isFlat = new boolean[count];
-        planes = new double[4 * count];
+        planeAt = new int[count];
+        int flat = 0;
         for (int id = 0; id < count; id++) {
             setBall(primitives[id], id);
-            isFlat[id] = primitives[id].isFlat();
-            if (isFlat[id] && primitives[id].support(0) instanceof SupportSurface.Plane p) {
-                setPlane(p.unitNormal(), p.corners()[0], id);
+            planeAt[id] = primitives[id].isFlat() ? 4 * flat++ : NO_PLANE;
+        }
+        planes = new double[4 * flat];
+        for (int id = 0; id < count; id++) {
+            if (planeAt[id] != NO_PLANE && primitives[id].support(0) instanceof SupportSurface.Plane p) {
+                setPlane(p.unitNormal(), p.corners()[0], planeAt[id]);
             }
         }
         for (CompiledLight light : lights) {
@@ -53,17 +59,17 @@ final class OccluderSet {
         }
     }
 
-    private void setPlane(Vec3 n, Vec3 point, int id) {
-        planes[4 * id] = n.x();
-        planes[4 * id + 1] = n.y();
-        planes[4 * id + 2] = n.z();
-        planes[4 * id + 3] = n.dot(point);
+    private void setPlane(Vec3 n, Vec3 point, int at) {
+        planes[at] = n.x();
+        planes[at + 1] = n.y();
+        planes[at + 2] = n.z();
+        planes[at + 3] = n.dot(point);
     }
 
     private byte[] sides(CompiledLight light) {
         byte[] sides = new byte[count];
         for (int id = 0; id < count; id++) {
-            sides[id] = isFlat[id] ? sidesOf(light, 4 * id) : 0;
+            sides[id] = planeAt[id] == NO_PLANE ? 0 : sidesOf(light, planeAt[id]);
         }
         return sides;
     }
@@ -114,7 +120,7 @@ final class OccluderSet {
                     return CLEAR;
                 }
             }
-            if (isFlat[id] && staysBeside(cone, id)) {
+            if (planeAt[id] != NO_PLANE && staysBeside(cone, id)) {
                 return CLEAR;
             }
             double cx = balls[4 * id];
@@ -133,10 +139,11 @@ final class OccluderSet {
      * one of them lies in it. A segment that only starts or ends in the plane does not cross it.
      */
     private boolean staysBeside(LightCone cone, int id) {
+        int k = planeAt[id];
         CompiledLight light = cone.light();
-        int sides = light.sides == null ? sidesOf(light, 4 * id) : light.sides[id];
-        double offset = planes[4 * id + 3];
-        double height = planes[4 * id] * cone.x + planes[4 * id + 1] * cone.y + planes[4 * id + 2] * cone.z - offset;
+        int sides = light.sides == null ? sidesOf(light, k) : light.sides[id];
+        double offset = planes[k + 3];
+        double height = planes[k] * cone.x + planes[k + 1] * cone.y + planes[k + 2] * cone.z - offset;
         double error = PLANE_ERROR * (Math.abs(cone.x) + Math.abs(cone.y) + Math.abs(cone.z) + Math.abs(offset));
         if (height > error) {
             return (sides & CompiledLight.ABOVE) != 0;

@@ -1,10 +1,13 @@
 package enlightenment.compiled;
 
 import enlightenment.accel.Accelerator;
+import enlightenment.accel.BoxFront;
+import enlightenment.accel.Bvh;
 import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
 import enlightenment.accel.ConeSearch;
 import enlightenment.accel.PrimitiveList;
+import enlightenment.accel.RaySearch;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -38,10 +41,13 @@ public final class Tracer {
     private ConeSearch decides;
 
     /** What camera rays of the current tile may meet. */
-    private final Accelerator tile;
+    private final RaySearch tile;
 
     /** The same if it is a list, else null. */
     private final PrimitiveList tileList;
+
+    /** The same if it is a part of a hierarchy, else null. */
+    private final BoxFront tileFront;
 
     /** The indices of lights that they may meet. */
     private final int[] tileLights;
@@ -68,7 +74,8 @@ public final class Tracer {
         query = new BvhQuery(scene.kind, counters.tests);
         judge = scene.occluders.new Judge();
         tileList = scene.accelerator instanceof PrimitiveList all ? all.empty() : null;
-        tile = tileList == null ? scene.accelerator : tileList;
+        tileFront = scene.accelerator instanceof Bvh bvh ? new BoxFront(bvh) : null;
+        tile = tileFront == null ? tileList : tileFront;
         allLights = count(scene.visibleLights.length);
         tileLights = new int[allLights.length];
     }
@@ -86,11 +93,16 @@ public final class Tracer {
         frustum.set(scene.camera, x0, y0, x1, y1);
         if (tileList != null) {
             tileList.size(frustum.gather(scene.bounds, tileList.members()));
+        } else {
+            tileFront.set(frustum::depth);
         }
         tileLightCount = frustum.gather(scene.lightBounds, tileLights);
     }
 
-    /** Whether it is known without tracing that no camera ray of the current tile meets anything. */
+    /**
+     * Whether it is known without tracing that no camera ray of the current tile meets anything. Never with a hierarchy: the answer would depend
+     * on the tree, and on it depends what the cluster method surveys.
+     */
     public boolean seesNothing() {
         return tileList != null && tileList.size() == 0 && tileLightCount == 0;
     }
@@ -110,7 +122,7 @@ public final class Tracer {
     }
 
     /** One method for all rays, so that the just-in-time compiler has only one to compile. */
-    private boolean search(Ray ray, Hit hit, Accelerator among, int[] lights, int lightCount) {
+    private boolean search(Ray ray, Hit hit, RaySearch among, int[] lights, int lightCount) {
         closest.reset(Double.MAX_VALUE);
         among.search(ray, closest);
         id = closest.id();

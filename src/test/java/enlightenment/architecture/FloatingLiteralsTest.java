@@ -59,6 +59,27 @@ class FloatingLiteralsTest {
             new Explained("numeric/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),
             new Explained(
                     "primitive/SpherePrimitive.java", "0.75", "ratio of two roots that chooses between equal forms"),
+            new Explained(
+                    "accel/BvhBuilder.java",
+                    "0x1p-14",
+                    "relative: below it floats would blur a leaf, so doubles are taken; the answers are the same"),
+            new Explained(
+                    "accel/FloatSlabs.java",
+                    "0x1p-19",
+                    "relative: more than the roundings of floats, which have 24 bits"),
+            new Explained("accel/FloatSlabs.java", "0x1p-40", "range of floats: beyond it doubles are taken"),
+            new Explained("accel/FloatSlabs.java", "0x1p40", "range of floats: beyond it doubles are taken"),
+            new Explained("accel/FloatSlabs.java", "0x1p60", "range of floats: an inverse that does not overflow"),
+            new Explained(
+                    "accel/FloatShaft.java",
+                    "0x1p-19",
+                    "relative: more than the roundings of floats, which have 24 bits"),
+            new Explained(
+                    "accel/FloatShaft.java",
+                    "0x1p-20f",
+                    "relative: more than the roundings of floats, which have 24 bits"),
+            new Explained("accel/FloatShaft.java", "0x1p-12f", "share of a segment: more than the roundings of floats"),
+            new Explained("accel/FloatShaft.java", "0x1p60f", "range of floats: stands for no limit"),
             new Explained("primitive/Ray.java", "0x1p240", "where squares could overflow: chooses the rescaling path"),
             new Explained(
                     "primitive/Ray.java", "0x1p-240", "where squares could underflow: chooses the rescaling path"),

@@ -28,7 +28,8 @@ class ToyMethodsCommandTest {
 
     @BeforeEach
     void scene() throws IOException {
-        scene = Files.writeString(folder.resolve("scene.json"), ToyScene.TEXT.replace("\"antialias\": 16", "\"antialias\": 4"));
+        scene = Files.writeString(
+                folder.resolve("scene.json"), ToyScene.TEXT.replace("\"antialias\": 16", "\"antialias\": 4"));
     }
 
     private Path render(String name, Object... options) {

@@ -1,0 +1,206 @@
+package enlightenment.accel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.frame.BallCone;
+import enlightenment.frame.Bounds;
+import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Sphere;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Ray;
+import enlightenment.primitive.SpherePrimitive;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** Every kind of accelerator against a loop over all primitives. */
+class AcceleratorTest {
+    private static final int N = 240;
+
+    private final BvhQuery query = new BvhQuery(new int[N], new long[1]);
+    private final Closest loop = new Closest(new int[N], new long[1]);
+    private final Closest found = new Closest(new int[N], new long[1]);
+
+    private void compare(Primitive[] all, RaySearch search, Accelerator accelerator, Ray ray) {
+        loop.reset(Double.MAX_VALUE);
+        for (int i = 0; i < all.length; i++) {
+            loop.offer(ray, all[i], i);
+        }
+        found.reset(Double.MAX_VALUE);
+        search.search(ray, found);
+        assertEquals(loop.id(), found.id());
+        assertEquals(Double.doubleToLongBits(loop.t()), Double.doubleToLongBits(found.t()));
+        boolean met = loop.id() >= 0;
+        assertEquals(met, accelerator.occluded(ray, met ? loop.t() : Double.MAX_VALUE, query));
+        assertFalse(met && accelerator.occluded(ray, Math.nextDown(loop.t()), query));
+    }
+
+    @Test
+    void acceleratorsInsideAcceleratorsFindWhatTheLoopFinds() {
+        RandomPrimitives random = new RandomPrimitives(3);
+        Primitive[] all = random.ofAllKinds(N);
+        Accelerator[] parts = new Accelerator[12];
+        for (int k = 0; k < parts.length; k++) {
+            int first = k;
+            parts[k] = Bvh.build(
+                    all, IntStream.range(0, N).filter(i -> i % 12 == first).toArray());
+        }
+        Accelerator[] outer = {Bvh.over(parts[0], parts[1], parts[2], parts[3], parts[4], parts[5]), parts[6]};
+        Accelerator nested = Bvh.over(outer[0], outer[1], Bvh.over(parts[7], parts[8]), parts[9], parts[10], parts[11]);
+        for (int i = 0; i < 5_000; i++) {
+            compare(all, nested, nested, random.ray(60));
+        }
+        nested.overlapping(nested.bounds(), query);
+        assertEquals(N, query.size());
+    }
+
+    @Test
+    void aListFindsWhatTheLoopFinds() {
+        RandomPrimitives random = new RandomPrimitives(4);
+        Primitive[] all = random.ofAllKinds(20);
+        PrimitiveList list = PrimitiveList.of(all);
+        for (int i = 0; i < 2_000; i++) {
+            compare(all, list, list, random.ray(60));
+        }
+    }
+
+    /** Spheres around (x, 0, 0) within a distance of 200 times their radius. */
+    private static Primitive[] specks(RandomPrimitives random, double x, double radius) {
+        Primitive[] all = new Primitive[N];
+        for (int i = 0; i < N; i++) {
+            Vec3 c = random.vector(200 * radius);
+            all[i] = Primitives.place(
+                    Sphere.of(ExactPoint.of(c.x() + x, c.y(), c.z()), 20 * radius * random.uniform()),
+                    SceneFrame.WORLD);
+        }
+        return all;
+    }
+
+    @Test
+    void boxesNearAndFarLargeAndSmallLoseNothing() {
+        RandomPrimitives random = new RandomPrimitives(5);
+        int hits = 0;
+        int fine = 0;
+        for (int k = 0; k < 60; k++) {
+            double radius = Math.scalb(1.0, random.index(140) - 70);
+            double x = k % 3 == 0 ? 0 : radius * Math.scalb(1.0, random.index(32));
+            Primitive[] all = specks(random, x, radius);
+            Bvh bvh = Bvh.build(all);
+            fine += bvh instanceof DoubleBvh ? 1 : 0;
+            for (int i = 0; i < 100; i++) {
+                Vec3 to = random.vector(100 * radius).plus(new Vec3(x, 0, 0));
+                Vec3 from =
+                        i % 4 == 0 ? Vec3.ZERO : random.vector(400 * radius).plus(new Vec3(i % 4 == 1 ? x : 0, 0, 0));
+                Vec3 d = to.minus(from).times(Math.scalb(1.0, random.index(90) - 45));
+                // Some are parallel to an axis or a plane, or almost.
+                d = i % 5 == 0 ? new Vec3(d.x(), i % 2 == 0 ? -0.0 : d.x() * 0x1p-140, 0) : d;
+                if (d.maxAbs() > 0) {
+                    compare(all, bvh, bvh, Ray.of(from, d));
+                    hits += loop.id() >= 0 ? 1 : 0;
+                }
+            }
+        }
+        assertTrue(hits > 500 && fine > 10 && fine < 50, hits + " hits, " + fine + " with doubles");
+    }
+
+    @Test
+    void aFrontOfBoxesThatARayMayMeetFindsWhatTheLoopFinds() {
+        RandomPrimitives random = new RandomPrimitives(6);
+        Primitive[] all = random.spheres(N);
+        Bvh bvh = Bvh.build(all);
+        BoxFront front = new BoxFront(bvh);
+        for (int i = 0; i < 300; i++) {
+            // Rays through x > least, from above it; boxes below are left out.
+            double least = random.uniform();
+            front.set(box -> box.max().x() < least
+                    ? Double.POSITIVE_INFINITY
+                    : -box.max().x());
+            for (int k = 0; k < 10; k++) {
+                Vec3 o = new Vec3(3, 0, 0).plus(random.vector(0.5));
+                Vec3 d = new Vec3(least, random.uniform() - 0.5, random.uniform() - 0.5).minus(o);
+                loop.reset(Double.MAX_VALUE);
+                bvh.search(Ray.of(o, d), loop);
+                found.reset(Double.MAX_VALUE);
+                front.search(Ray.of(o, d), found);
+                assertTrue(loop.t() > 1 || loop.id() == found.id() && loop.t() == found.t());
+            }
+        }
+    }
+
+    /** By the balls of spheres. */
+    private static ConeJudge judge(Primitive[] all, BallCone cone) {
+        return id -> {
+            SpherePrimitive s = (SpherePrimitive) all[id];
+            Vec3 c = s.center();
+            if (cone.misses(c.x(), c.y(), c.z(), s.radius())) {
+                return ConeJudge.CLEAR;
+            }
+            return cone.isHiddenBy(c.x(), c.y(), c.z(), s.radius()) ? ConeJudge.BLOCKS_ALL : ConeJudge.MAY_BLOCK;
+        };
+    }
+
+    @Test
+    void aNarrowedQuestionHasTheAnswerOfTheLoop() {
+        RandomPrimitives random = new RandomPrimitives(7);
+        int[] count = new int[3];
+        for (int k = 0; k < 40; k++) {
+            Primitive[] all = specks(random, k % 2 == 0 ? 0 : 300, 1);
+            Bvh bvh = Bvh.build(all);
+            ConeSearch definite = ConeSearch.of(bvh);
+            for (int i = 0; i < 50; i++) {
+                Vec3 p = random.vector(250).plus(new Vec3(k % 2 == 0 ? 0 : 300, 0, 0));
+                Vec3 q = i % 5 == 0 ? new Vec3(p.x(), p.y(), 300) : random.vector(400);
+                double radius = i % 7 == 0 ? 0 : 30 * random.uniform();
+                BallCone cone = new BallCone();
+                cone.set(q.x(), q.y(), q.z(), radius, p.x(), p.y(), p.z());
+                check(all, bvh, definite, cone, random, count);
+            }
+        }
+        assertTrue(count[0] > 200 && count[1] > 100 && count[2] > 200, count[0] + " " + count[1] + " " + count[2]);
+    }
+
+    private void check(
+            Primitive[] all, Bvh bvh, ConeSearch definite, BallCone cone, RandomPrimitives random, int[] count) {
+        ConeJudge judge = judge(all, cone);
+        boolean clear = IntStream.range(0, N).allMatch(id -> judge.judge(id) == ConeJudge.CLEAR);
+        boolean hidden = IntStream.range(0, N).anyMatch(id -> judge.judge(id) == ConeJudge.BLOCKS_ALL);
+        int verdict = definite.narrow(cone, judge, query);
+        assertEquals(clear, verdict == 0);
+        assertEquals(hidden, verdict == Accelerator.BLOCKED);
+        assertEquals(hidden, bvh.blocksAll(cone, judge, query));
+        count[clear ? 0 : hidden ? 1 : 2]++;
+        int left = bvh.narrow(cone, judge, 2, query);
+        // The front knows the shaft better than the judge does near the apex: it may be empty where the judge is in
+        // doubt.
+        assertTrue(left != Accelerator.BLOCKED || hidden);
+        assertTrue(left != 0 || !hidden);
+        if (left == Accelerator.BLOCKED) {
+            return;
+        }
+        Vec3 apex = new Vec3(cone.x, cone.y, cone.z);
+        Vec3 center = apex.plus(new Vec3(cone.wx, cone.wy, cone.wz).times(cone.distance));
+        for (int j = 0; j < 6; j++) {
+            Vec3 to =
+                    center.plus(random.vector(1).normalized().times(cone.radius * (j % 2 == 0 ? 1 : random.uniform())));
+            Ray ray = Ray.of(apex, to.minus(apex));
+            boolean blocked = false;
+            for (Primitive s : all) {
+                blocked |= s.nearest(ray, 1) <= 1;
+            }
+            assertEquals(blocked, left > 0 && bvh.occludedWithin(ray, 1, query));
+        }
+    }
+
+    @Test
+    void anEmptyHierarchyHasABoxAndNothingInIt() {
+        Bvh bvh = Bvh.build(new Primitive[0]);
+        assertEquals(Bounds.of(Vec3.ZERO), bvh.bounds());
+        BallCone cone = new BallCone();
+        cone.set(0, 0, 3, 1, 0, 0, 0);
+        assertEquals(0, bvh.narrow(cone, id -> ConeJudge.MAY_BLOCK, 2, query));
+    }
+}

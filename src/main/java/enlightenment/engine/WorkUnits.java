@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.check.Check;
 import enlightenment.film.FilmTile;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.MethodTraits;
@@ -35,6 +36,9 @@ public final class WorkUnits {
 
     /** Paths of a batch, if there are not so many that there would be too many batches. */
     private static final int PATHS_PER_BATCH = 1 << 16;
+
+    /** Batches have at most 2^30 paths, and a job has at most 2^24 units; so many are a million processors for a day. */
+    private static final double MOST_PATHS = 1L << 52;
 
     private final TileCut cut;
     private final int passes;
@@ -87,8 +91,9 @@ public final class WorkUnits {
     }
 
     private static long paths(RenderSettings settings, RenderPlan plan) {
-        double all = Math.ceil(plan.samples() * settings.width() * settings.height());
-        return Math.max((long) all, 1);
+        double all = Math.max(Math.ceil(plan.samples() * settings.width() * settings.height()), 1);
+        Check.that(all <= MOST_PATHS, "samples", "make too many paths: " + all + ", of at most " + MOST_PATHS);
+        return (long) all;
     }
 
     private static int pathsPerBatch(long paths) {

@@ -46,14 +46,14 @@ class UnitKindsTest {
                         .withBudget(Budget.NONE.withSamples(90_000)),
                 8),
 
-        /** Thirteen batches, the last not full. */
+        /** Eight batches, the last not full. */
         BATCHES(
                 RenderSettings.of(SCENE)
                         .withMethod(Method.named("toy"))
                         .withSize(64, 50)
                         .withCrop(new RenderSettings.Crop(3, 1, 50, 49))
-                        .withAntialias(16),
-                13);
+                        .withAntialias(12),
+                8);
 
         final RenderSettings settings;
         final int units;

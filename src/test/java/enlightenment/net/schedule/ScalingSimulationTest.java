@@ -52,6 +52,11 @@ class ScalingSimulationTest {
     void aThousandMachinesDoTheWorkOfNineHundredAndFiftyForASmallPictureWithManySamples() {
         assertEquals(16 * 5_000, JOB.length);
         assertBusy(ScalingSimulation.PAPERS, 0);
+    }
+
+    @Test
+    @Tag("full")
+    void soItIsWithAuditsAndWhereTheExpensivePartComesLast() {
         assertBusy(ScalingSimulation.PAPERS, CoordinatorSettings.AUDIT_RATE);
         assertBusy(ScalingSimulation.PAPERS.withExpensive(1), 0);
     }

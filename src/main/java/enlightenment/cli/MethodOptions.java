@@ -5,16 +5,14 @@ import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.ISetter;
 import picocli.CommandLine.Model.OptionSpec;
 
 /** The options for settings that only some methods look at: one for each that the registry of methods tells of. */
 final class MethodOptions {
-    private final Map<MethodSetting, Object> values = new LinkedHashMap<>();
+    private final List<Setter> setters = new ArrayList<>();
     private final CommandSpec spec = CommandSpec.create();
 
     MethodOptions() {
@@ -40,8 +38,8 @@ final class MethodOptions {
     /** The same settings with those that were given. */
     RenderSettings applied(RenderSettings settings) {
         RenderSettings s = settings;
-        for (Map.Entry<MethodSetting, Object> given : values.entrySet()) {
-            s = s.with(given.getKey(), given.getValue());
+        for (Setter option : setters) {
+            s = option.value == null ? s : s.with(option.setting, option.value);
         }
         return s;
     }
@@ -49,12 +47,18 @@ final class MethodOptions {
     /** The options that were given, word by word. */
     List<String> given() {
         List<String> words = new ArrayList<>();
-        values.forEach((setting, value) -> words.addAll(List.of(setting.option(), value.toString())));
+        for (Setter option : setters) {
+            if (option.value != null) {
+                words.addAll(List.of(option.setting.option(), option.value.toString()));
+            }
+        }
         return words;
     }
 
     private OptionSpec option(MethodSetting setting) {
-        OptionSpec.Builder option = OptionSpec.builder(setting.option()).setter(new Setter(setting));
+        Setter setter = new Setter(setting);
+        setters.add(setter);
+        OptionSpec.Builder option = OptionSpec.builder(setting.option()).setter(setter);
         if (setting instanceof MethodSetting.Whole whole) {
             return option.paramLabel("N")
                     .type(Integer.class)
@@ -71,8 +75,10 @@ final class MethodOptions {
                 .build();
     }
 
-    private final class Setter implements ISetter {
+    /** What one option was given. */
+    private static final class Setter implements ISetter {
         private final MethodSetting setting;
+        private Object value;
 
         Setter(MethodSetting setting) {
             this.setting = setting;
@@ -80,8 +86,10 @@ final class MethodOptions {
 
         @Override
         @SuppressWarnings("unchecked") // picocli's T is whatever was set before
-        public <T> T set(T value) {
-            return (T) (value == null ? values.remove(setting) : values.put(setting, value));
+        public <T> T set(T now) {
+            T before = (T) value;
+            value = now;
+            return before;
         }
     }
 

@@ -31,7 +31,7 @@ final class SettingsOptions {
     private final MethodOptions methods = new MethodOptions();
 
     @Mixin
-    private final CommandSpec methodsSpec = methods.spec();
+    private CommandSpec methodsSpec = methods.spec();
 
     @Option(
             names = "--seed",

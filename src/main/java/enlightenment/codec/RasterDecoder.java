@@ -67,7 +67,12 @@ public enum RasterDecoder {
 
     /** The kind of a file that starts like this; empty if it is unknown. */
     public static Optional<RasterDecoder> of(byte[] start) {
-        return Arrays.stream(values()).filter(d -> d.matches(start)).findFirst();
+        for (RasterDecoder decoder : values()) {
+            if (decoder.matches(start)) {
+                return Optional.of(decoder);
+            }
+        }
+        return Optional.empty();
     }
 
     private static boolean begins(byte[] file, byte... start) {

@@ -9,10 +9,12 @@ import java.util.Arrays;
 
 /** Reads picture files of every kind. */
 public final class RasterFiles {
-    private static final String KINDS =
-            WordList.join(Arrays.stream(RasterDecoder.values()).map(Enum::name).toList(), "nor");
-
     private RasterFiles() {}
+
+    private static String kinds() {
+        return WordList.join(
+                Arrays.stream(RasterDecoder.values()).map(Enum::name).toList(), "nor");
+    }
 
     /** What becomes of a file's bytes. */
     public interface Decoder<T> {
@@ -27,7 +29,7 @@ public final class RasterFiles {
      */
     public static Raster decode(byte[] bytes) throws IOException {
         return RasterDecoder.of(bytes)
-                .orElseThrow(() -> new IOException(bytes.length == 0 ? "it is empty" : "it is neither " + KINDS))
+                .orElseThrow(() -> new IOException(bytes.length == 0 ? "it is empty" : "it is neither " + kinds()))
                 .read(bytes);
     }
 

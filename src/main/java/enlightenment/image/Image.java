@@ -1,26 +1,16 @@
 package enlightenment.image;
 
 import enlightenment.codec.PngWriter;
+import enlightenment.color.Encoding;
 import enlightenment.color.TransferCurve;
 import java.util.Objects;
 
 /**
- * A finished picture: float pixels, row by row from the top, red, green and blue interleaved, and what they are. Immutable
- * as long as nobody keeps the array that it was made from.
+ * A finished picture: float pixels, row by row from the top, red, green and blue interleaved, and what they mean. Those of linear
+ * light become what a screen takes once, at output ({@link #displayed}). Immutable as long as nobody keeps the array that it was
+ * made from.
  */
 public final class Image {
-    /** What components are. */
-    public enum Encoding {
-        /** What a screen takes (sRGB), 0..1 where it can be displayed. Classic shading gives this, and most files hold it. */
-        DISPLAY,
-
-        /**
-         * Linear light with the primaries of Rec. 709, without an upper limit: 1 is as bright as the screen gets. It becomes what a
-         * screen takes once, at output ({@link Image#displayed}).
-         */
-        LINEAR
-    }
-
     private final int width;
     private final int height;
     private final float[] rgb;

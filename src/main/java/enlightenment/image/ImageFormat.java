@@ -1,6 +1,7 @@
 package enlightenment.image;
 
 import enlightenment.codec.RasterDecoder;
+import enlightenment.color.Encoding;
 import enlightenment.text.WordList;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -13,7 +14,7 @@ import java.util.Optional;
  * #isWritten are written}.
  *
  * <p>Whole numbers are fractions of their maximum, and display-referred. Floats are the components themselves, without limits;
- * whether they are display-referred or linear light ({@link Image.Encoding}) no such file says.
+ * whether they are display-referred or linear light ({@link Encoding}) no such file says.
  */
 public enum ImageFormat {
     /** Portable Network Graphics (W3C): lossless, the format of finished pictures. */
@@ -59,9 +60,13 @@ public enum ImageFormat {
         String name = last == null ? "" : last.toString();
         String extension = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         boolean hasOne = extension.length() < name.length();
-        return Arrays.stream(values())
-                .filter(f -> hasOne && f.extensions.contains(extension))
-                .findFirst();
+        // Loops, not streams: these are asked at every start.
+        for (ImageFormat format : values()) {
+            if (hasOne && format.extensions.contains(extension)) {
+                return Optional.of(format);
+            }
+        }
+        return Optional.empty();
     }
 
     /**
@@ -70,7 +75,12 @@ public enum ImageFormat {
      * @param start the whole file or its first {@link #SIGNATURE_LENGTH} bytes; fewer if the file has fewer
      */
     public static Optional<ImageFormat> ofContent(byte[] start) {
-        return Arrays.stream(values()).filter(f -> f.decoder.matches(start)).findFirst();
+        for (ImageFormat format : values()) {
+            if (format.decoder.matches(start)) {
+                return Optional.of(format);
+            }
+        }
+        return Optional.empty();
     }
 
     /** Extensions for messages: {@code .png or .pfm}. */

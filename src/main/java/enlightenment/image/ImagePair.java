@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.color.Encoding;
 import enlightenment.math.InvalidValueException;
 
 /** What two images must have in common to be compared. */
@@ -39,7 +40,7 @@ final class ImagePair {
     }
 
     private static String holds(Image image) {
-        return image.encoding() == Image.Encoding.LINEAR ? "holds linear light" : "is display-referred";
+        return image.encoding() == Encoding.LINEAR ? "holds linear light" : "is display-referred";
     }
 
     static String size(Image image) {

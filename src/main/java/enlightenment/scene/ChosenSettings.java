@@ -11,7 +11,7 @@ import java.util.TreeMap;
  */
 public final class ChosenSettings {
     /** Every setting has its default. */
-    public static final ChosenSettings NONE = new ChosenSettings(Collections.emptySortedMap());
+    public static final ChosenSettings NONE = new ChosenSettings(Map.of());
 
     private final Map<String, Object> values;
 

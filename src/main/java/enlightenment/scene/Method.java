@@ -2,7 +2,9 @@ package enlightenment.scene;
 
 import enlightenment.math.InvalidValueException;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -106,15 +108,14 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
 
     /** The settings of these methods, each once although several may have it, in order. */
     static List<MethodSetting> settings(List<? extends Method> methods) {
-        List<MethodSetting> settings = new ArrayList<>();
+        // By key, which settles it: to compare records takes a hundred classes more to start.
+        Map<String, MethodSetting> settings = new LinkedHashMap<>();
         for (Method method : methods) {
             for (MethodSetting setting : method.settings()) {
-                if (!settings.contains(setting)) {
-                    settings.add(setting);
-                }
+                settings.putIfAbsent(setting.key(), setting);
             }
         }
-        return List.copyOf(settings);
+        return List.copyOf(settings.values());
     }
 
     /**

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.file.WholeFile;
+import enlightenment.scene.Method;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -136,7 +137,10 @@ class RenderCommandTest {
                 "--seed",
                 "1.5");
         refused("--frame must be a whole number in 0..2147483647, not \"-1\"", "--frame", "-1");
-        refused("--method must be one of raytrace, cluster, not \"magic\"", "--method", "magic");
+        refused(
+                "--method must be one of " + String.join(", ", Method.words()) + ", not \"magic\"",
+                "--method",
+                "magic");
         refused("--depth must be one of 8, 16, not \"12\"", "--depth", "12");
         refused("--progress must be one of auto, bar, plain, none, not \"x\"", "--progress", "x");
     }

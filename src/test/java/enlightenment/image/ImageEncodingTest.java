@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.image.Image.Encoding;
+import enlightenment.color.Encoding;
 import enlightenment.math.InvalidValueException;
 import java.io.IOException;
 import java.nio.ByteBuffer;

@@ -6,41 +6,49 @@ import java.util.List;
 
 /** The camera. */
 final class Cameras {
-    static final Family<Camera> FAMILY = new Family<Camera>("camera", "a camera", null, List.of(), List.of())
-            .with(
-                    "window",
-                    Camera.Window.class,
-                    "eye lowerLeft upperLeft upperRight lowerRight | pupilRadius",
-                    Cameras::window,
-                    (w, p) -> p.point("eye", w.eye())
-                            .point("lowerLeft", w.lowerLeft())
-                            .point("upperLeft", w.upperLeft())
-                            .point("upperRight", w.upperRight())
-                            .point("lowerRight", w.lowerRight())
-                            .numberUnless(0, "pupilRadius", w.pupilRadius()))
-            .with(
-                    "perspective",
-                    Camera.Perspective.class,
-                    "eye lookAt fieldOfView | up",
-                    Cameras::perspective,
-                    (c, p) -> p.point("eye", c.eye())
-                            .point("lookAt", c.lookAt())
-                            .vector("up", c.up())
-                            .number("fieldOfView", c.fieldOfView()))
-            .with(
-                    "orthographic",
-                    Camera.Orthographic.class,
-                    "eye lookAt height | up",
-                    Cameras::orthographic,
-                    (c, p) -> p.point("eye", c.eye())
-                            .point("lookAt", c.lookAt())
-                            .vector("up", c.up())
-                            .number("height", c.height()))
-            .with("isometric", Camera.Isometric.class, "lookAt height |", Cameras::isometric, (c, p) -> p.point(
-                            "lookAt", c.lookAt())
-                    .number("height", c.height()));
+    static final Family<Camera> FAMILY = new Family<Camera>(
+                    "camera", "a camera", null, List.of(), List.of(), Cameras::read, Cameras::write)
+            .with("window", Camera.Window.class, "eye lowerLeft upperLeft upperRight lowerRight | pupilRadius")
+            .with("perspective", Camera.Perspective.class, "eye lookAt fieldOfView | up")
+            .with("orthographic", Camera.Orthographic.class, "eye lookAt height | up")
+            .with("isometric", Camera.Isometric.class, "lookAt height |");
 
     private Cameras() {}
+
+    private static Camera read(String type, Fields f) {
+        return switch (type) {
+            case "window" -> window(f);
+            case "perspective" -> perspective(f);
+            case "orthographic" -> orthographic(f);
+            case "isometric" -> isometric(f);
+            default -> throw Family.unknown(type);
+        };
+    }
+
+    private static void write(Camera value, JsonObjectBuilder p) {
+        if (value instanceof Camera.Window w) {
+            p.point("eye", w.eye())
+                    .point("lowerLeft", w.lowerLeft())
+                    .point("upperLeft", w.upperLeft())
+                    .point("upperRight", w.upperRight())
+                    .point("lowerRight", w.lowerRight())
+                    .numberUnless(0, "pupilRadius", w.pupilRadius());
+        } else if (value instanceof Camera.Perspective c) {
+            p.point("eye", c.eye())
+                    .point("lookAt", c.lookAt())
+                    .vector("up", c.up())
+                    .number("fieldOfView", c.fieldOfView());
+        } else if (value instanceof Camera.Orthographic c) {
+            p.point("eye", c.eye())
+                    .point("lookAt", c.lookAt())
+                    .vector("up", c.up())
+                    .number("height", c.height());
+        } else if (value instanceof Camera.Isometric c) {
+            p.point("lookAt", c.lookAt()).number("height", c.height());
+        } else {
+            throw Family.unknown(value);
+        }
+    }
 
     /** The camera, or null after a problem. */
     static Camera read(JsonValue v, JsonPointer place, Values values) {

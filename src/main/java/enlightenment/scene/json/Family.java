@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 
 /**
  * The kinds of a part that {@code "type"} tells apart, such as those of lights: the one place that says how each is called,
@@ -16,15 +16,14 @@ import java.util.function.Function;
  * @param <T> what all kinds become
  */
 final class Family<T> {
-    /** One kind. */
-    private record Kind<T>(Keys keys, Function<Fields, ? extends T> reader, BiConsumer<T, JsonObjectBuilder> writer) {}
-
     private final String name;
     private final String noun;
     private final String typeUnlessGiven;
     private final Collection<String> plannedTypes;
     private final Collection<String> plannedKeys;
-    private final Map<String, Kind<T>> byName = new LinkedHashMap<>();
+    private final BiFunction<String, Fields, ? extends T> reader;
+    private final BiConsumer<T, JsonObjectBuilder> writer;
+    private final Map<String, Keys> byName = new LinkedHashMap<>();
     private final Map<Class<?>, String> names = new HashMap<>();
 
     /**
@@ -33,18 +32,25 @@ final class Family<T> {
      * @param typeUnlessGiven the type of a part that does not say one, or null if it must
      * @param plannedTypes types that the format will have
      * @param plannedKeys keys that the format will have
+     * @param reader makes the value of a type; null after a problem. One for all types: one for each takes a class of the JDK's
+     *     for each to start, whether a scene has the type or not
+     * @param writer puts all of a value's keys but {@code "type"}
      */
     Family(
             String name,
             String noun,
             String typeUnlessGiven,
             Collection<String> plannedTypes,
-            Collection<String> plannedKeys) {
+            Collection<String> plannedKeys,
+            BiFunction<String, Fields, ? extends T> reader,
+            BiConsumer<T, JsonObjectBuilder> writer) {
         this.name = name;
         this.noun = noun;
         this.typeUnlessGiven = typeUnlessGiven;
         this.plannedTypes = plannedTypes;
         this.plannedKeys = plannedKeys;
+        this.reader = reader;
+        this.writer = writer;
     }
 
     /**
@@ -53,15 +59,8 @@ final class Family<T> {
      * @param type its name in the format
      * @param value the class that it becomes
      * @param keys the keys that must be there, a bar, the keys that may be there
-     * @param reader makes the value; null after a problem
-     * @param writer puts all of the value's keys but {@code "type"}
      */
-    <K extends T> Family<T> with(
-            String type,
-            Class<K> value,
-            String keys,
-            Function<Fields, ? extends T> reader,
-            BiConsumer<K, JsonObjectBuilder> writer) {
+    Family<T> with(String type, Class<? extends T> value, String keys) {
         int bar = keys.indexOf('|');
         String required = keys.substring(0, bar);
         String optional = keys.substring(bar + 1);
@@ -71,7 +70,7 @@ final class Family<T> {
                 (type.startsWith("i") || type.startsWith("o") ? "an " : "a ") + type + nounSuffix(),
                 (implied ? "" : "type ") + required,
                 (implied ? "type " : "") + optional);
-        byName.put(type, new Kind<>(all, reader, (v, p) -> writer.accept(value.cast(v), p)));
+        byName.put(type, all);
         names.put(value, type);
         return this;
     }
@@ -108,11 +107,16 @@ final class Family<T> {
 
     /** The keys of each kind. */
     List<Keys> keys() {
-        return byName.values().stream().map(Kind::keys).toList();
+        return List.copyOf(byName.values());
     }
 
     Keys keys(String type) {
-        return byName.get(type).keys();
+        return byName.get(type);
+    }
+
+    /** What a reader or writer says of a kind that it does not know: it was added here, and forgotten there. */
+    static IllegalStateException unknown(Object kind) {
+        return new IllegalStateException("the scene format knows " + kind + ", but not how to read or write it");
     }
 
     /** The name of the kind that a class is; null if there is none. */
@@ -122,7 +126,7 @@ final class Family<T> {
 
     /** The value of a part whose type is known; null after a problem. */
     T read(Fields f) {
-        return byName.get(f.type(typeUnlessGiven)).reader().apply(f);
+        return reader.apply(f.type(typeUnlessGiven), f);
     }
 
     /**
@@ -139,6 +143,6 @@ final class Family<T> {
         if (!type.equals(typeUnlessGiven)) {
             p.text("type", type);
         }
-        byName.get(type).writer().accept(value, p);
+        writer.accept(value, p);
     }
 }

@@ -9,19 +9,34 @@ import java.util.List;
 /** The lights. */
 final class Lights {
     static final Family<Light> FAMILY = new Family<Light>(
-                    "light", "a light", null, List.of(), Vocabulary.PLANNED_LIGHT_KEYS)
-            .with("sphere", Light.Sphere.class, "center radius color |", Lights::sphere, (s, p) -> p.point(
-                            "center", s.center())
-                    .number("radius", s.radius())
-                    .color("color", s.color()))
-            .with("rectangle", Light.Rectangle.class, "corners color |", Lights::rectangle, (r, p) -> p.points(
-                            "corners", r.lowerLeft(), r.upperLeft(), r.upperRight(), r.lowerRight())
-                    .color("color", r.color()))
-            .with("point", Light.Point.class, "position color |", Lights::point, (q, p) -> p.point(
-                            "position", q.position())
-                    .color("color", q.color()));
+                    "light", "a light", null, List.of(), Vocabulary.PLANNED_LIGHT_KEYS, Lights::read, Lights::write)
+            .with("sphere", Light.Sphere.class, "center radius color |")
+            .with("rectangle", Light.Rectangle.class, "corners color |")
+            .with("point", Light.Point.class, "position color |");
 
     private Lights() {}
+
+    private static Light read(String type, Fields f) {
+        return switch (type) {
+            case "sphere" -> sphere(f);
+            case "rectangle" -> rectangle(f);
+            case "point" -> point(f);
+            default -> throw Family.unknown(type);
+        };
+    }
+
+    private static void write(Light value, JsonObjectBuilder p) {
+        if (value instanceof Light.Sphere s) {
+            p.point("center", s.center()).number("radius", s.radius()).color("color", s.color());
+        } else if (value instanceof Light.Rectangle r) {
+            p.points("corners", r.lowerLeft(), r.upperLeft(), r.upperRight(), r.lowerRight())
+                    .color("color", r.color());
+        } else if (value instanceof Light.Point q) {
+            p.point("position", q.position()).color("color", q.color());
+        } else {
+            throw Family.unknown(value);
+        }
+    }
 
     /** The lights that have no problems. */
     static List<Light> read(JsonValue v, JsonPointer place, Values values) {

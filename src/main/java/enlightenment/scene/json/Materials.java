@@ -10,25 +10,43 @@ import java.util.Map;
 /** The named materials, and materials where they are used. */
 final class Materials {
     static final Family<Material> FAMILY = new Family<Material>(
-                    "material", "a material", null, Vocabulary.PLANNED_MATERIALS, List.of())
-            .with("matte", Material.Matte.class, "color | receivesShadows", Materials::matte, (m, p) -> p.texture(
-                            "color", m.color())
-                    .flagUnless(true, "receivesShadows", m.receivesShadows()))
-            .with("mirror", Material.Mirror.class, "color | receivesShadows", Materials::mirror, (m, p) -> p.texture(
-                            "color", m.color())
-                    .flagUnless(true, "receivesShadows", m.receivesShadows()))
-            .with(
-                    "glass",
-                    Material.Glass.class,
-                    "color indexOfRefraction | transparency priority receivesShadows",
-                    Materials::glass,
-                    (g, p) -> p.texture("color", g.color())
-                            .number("indexOfRefraction", g.indexOfRefraction())
-                            .numberUnless(1, "transparency", g.transparency())
-                            .wholeUnless(0, "priority", g.priority())
-                            .flagUnless(true, "receivesShadows", g.receivesShadows()));
+                    "material",
+                    "a material",
+                    null,
+                    Vocabulary.PLANNED_MATERIALS,
+                    List.of(),
+                    Materials::read,
+                    Materials::write)
+            .with("matte", Material.Matte.class, "color | receivesShadows")
+            .with("mirror", Material.Mirror.class, "color | receivesShadows")
+            .with("glass", Material.Glass.class, "color indexOfRefraction | transparency priority receivesShadows");
 
     private Materials() {}
+
+    private static Material read(String type, Fields f) {
+        return switch (type) {
+            case "matte" -> matte(f);
+            case "mirror" -> mirror(f);
+            case "glass" -> glass(f);
+            default -> throw Family.unknown(type);
+        };
+    }
+
+    private static void write(Material value, JsonObjectBuilder p) {
+        if (value instanceof Material.Matte m) {
+            p.texture("color", m.color()).flagUnless(true, "receivesShadows", m.receivesShadows());
+        } else if (value instanceof Material.Mirror m) {
+            p.texture("color", m.color()).flagUnless(true, "receivesShadows", m.receivesShadows());
+        } else if (value instanceof Material.Glass g) {
+            p.texture("color", g.color())
+                    .number("indexOfRefraction", g.indexOfRefraction())
+                    .numberUnless(1, "transparency", g.transparency())
+                    .wholeUnless(0, "priority", g.priority())
+                    .flagUnless(true, "receivesShadows", g.receivesShadows());
+        } else {
+            throw Family.unknown(value);
+        }
+    }
 
     /** Reads the part {@code materials} into the library. */
     static void readNamed(JsonValue v, JsonPointer place, Values values) {

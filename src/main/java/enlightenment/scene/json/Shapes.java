@@ -20,68 +20,79 @@ final class Shapes {
 
     /** The keys {@code material} and {@code name} are the object's. */
     static final Family<Shape> FAMILY = new Family<Shape>(
-                    "object", "an object of the scene", null, Vocabulary.PLANNED_OBJECTS, List.of())
-            .with("sphere", Sphere.class, "center radius material | rotation name", Shapes::sphere, (s, p) -> p.point(
-                            "center", s.center())
-                    .number("radius", s.radius())
-                    .numberUnless(0, "rotation", s.rotation()))
-            .with(
-                    "rectangle",
-                    Rectangle.class,
-                    "corners material | name",
-                    Shapes::rectangle,
-                    (r, p) -> p.points("corners", r.lowerLeft(), r.upperLeft(), r.upperRight(), r.lowerRight()))
-            .with("disk", Disk.class, "center normal radius material | name", Shapes::disk, (d, p) -> p.point(
-                            "center", d.center())
-                    .vector("normal", d.normal())
-                    .number("radius", d.radius()))
-            .with(
-                    "cylinder",
-                    Cylinder.class,
-                    "base top radius material | capped name",
-                    Shapes::cylinder,
-                    (c, p) -> p.point("base", c.base())
-                            .point("top", c.top())
-                            .number("radius", c.radius())
-                            .flagUnless(true, "capped", c.capped()))
-            .with(
-                    "cone",
-                    Cone.class,
-                    "base apex radius material | topRadius capped name",
-                    Shapes::cone,
-                    (c, p) -> p.point("base", c.base())
-                            .point("apex", c.apex())
-                            .number("radius", c.radius())
-                            .numberUnless(0, "topRadius", c.topRadius())
-                            .flagUnless(true, "capped", c.capped()))
+                    "object",
+                    "an object of the scene",
+                    null,
+                    Vocabulary.PLANNED_OBJECTS,
+                    List.of(),
+                    Shapes::read,
+                    Shapes::write)
+            .with("sphere", Sphere.class, "center radius material | rotation name")
+            .with("rectangle", Rectangle.class, "corners material | name")
+            .with("disk", Disk.class, "center normal radius material | name")
+            .with("cylinder", Cylinder.class, "base top radius material | capped name")
+            .with("cone", Cone.class, "base apex radius material | topRadius capped name")
             .with(
                     "cube",
                     Cube.class,
                     // Its material may be missing where it has faces.
-                    "center radius | rotation faces material name",
-                    Shapes::cube,
-                    (c, p) -> p.point("center", c.center())
-                            .number("radius", c.radius())
-                            .vectorUnless(Vec3.ZERO, "rotation", c.rotation()))
-            .with("box", Box.class, "min max material | name", Shapes::box, (b, p) -> p.point("min", b.min())
-                    .point("max", b.max()))
-            .with(
-                    "torus",
-                    Torus.class,
-                    "center axis majorRadius minorRadius material | name",
-                    Shapes::torus,
-                    (t, p) -> p.point("center", t.center())
-                            .vector("axis", t.axis())
-                            .number("majorRadius", t.majorRadius())
-                            .number("minorRadius", t.minorRadius()))
-            .with(
-                    "triangle",
-                    Triangle.class,
-                    "vertices material | name",
-                    Shapes::triangle,
-                    (t, p) -> p.points("vertices", t.a(), t.b(), t.c()));
+                    "center radius | rotation faces material name")
+            .with("box", Box.class, "min max material | name")
+            .with("torus", Torus.class, "center axis majorRadius minorRadius material | name")
+            .with("triangle", Triangle.class, "vertices material | name");
 
     private Shapes() {}
+
+    private static Shape read(String type, Fields f) {
+        return switch (type) {
+            case "sphere" -> sphere(f);
+            case "rectangle" -> rectangle(f);
+            case "disk" -> disk(f);
+            case "cylinder" -> cylinder(f);
+            case "cone" -> cone(f);
+            case "cube" -> cube(f);
+            case "box" -> box(f);
+            case "torus" -> torus(f);
+            case "triangle" -> triangle(f);
+            default -> throw Family.unknown(type);
+        };
+    }
+
+    private static void write(Shape value, JsonObjectBuilder p) {
+        if (value instanceof Sphere s) {
+            p.point("center", s.center()).number("radius", s.radius()).numberUnless(0, "rotation", s.rotation());
+        } else if (value instanceof Rectangle r) {
+            p.points("corners", r.lowerLeft(), r.upperLeft(), r.upperRight(), r.lowerRight());
+        } else if (value instanceof Disk d) {
+            p.point("center", d.center()).vector("normal", d.normal()).number("radius", d.radius());
+        } else if (value instanceof Cylinder c) {
+            p.point("base", c.base())
+                    .point("top", c.top())
+                    .number("radius", c.radius())
+                    .flagUnless(true, "capped", c.capped());
+        } else if (value instanceof Cone c) {
+            p.point("base", c.base())
+                    .point("apex", c.apex())
+                    .number("radius", c.radius())
+                    .numberUnless(0, "topRadius", c.topRadius())
+                    .flagUnless(true, "capped", c.capped());
+        } else if (value instanceof Cube c) {
+            p.point("center", c.center())
+                    .number("radius", c.radius())
+                    .vectorUnless(Vec3.ZERO, "rotation", c.rotation());
+        } else if (value instanceof Box b) {
+            p.point("min", b.min()).point("max", b.max());
+        } else if (value instanceof Torus t) {
+            p.point("center", t.center())
+                    .vector("axis", t.axis())
+                    .number("majorRadius", t.majorRadius())
+                    .number("minorRadius", t.minorRadius());
+        } else if (value instanceof Triangle t) {
+            p.points("vertices", t.a(), t.b(), t.c());
+        } else {
+            throw Family.unknown(value);
+        }
+    }
 
     private static Shape sphere(Fields f) {
         ExactPoint center = f.point("center");

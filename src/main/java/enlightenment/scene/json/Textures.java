@@ -17,19 +17,38 @@ import java.util.Set;
 
 /** The named textures, and the colours that use them. */
 final class Textures {
-    static final Family<Texture> FAMILY = new Family<Texture>("texture", "a texture", "file", List.of(), List.of())
-            .with("file", Texture.File.class, "file | filter encoding", Textures::file, (t, p) -> p.imageFile(
-                            "file", t.file())
-                    .wordUnless(Texture.Filter.BILINEAR, "filter", t.filter())
-                    .wordUnless(Texture.Encoding.SRGB, "encoding", t.encoding()))
-            .with("checker", Texture.Checker.class, "colors scale |", Textures::checker, (c, p) -> p.colors(
-                            "colors", c.colors())
-                    .number("scale", c.scale()))
-            .with("color", Texture.Solid.class, "color |", Textures::solid, (s, p) -> p.color("color", s.color()));
+    static final Family<Texture> FAMILY = new Family<Texture>(
+                    "texture", "a texture", "file", List.of(), List.of(), Textures::read, Textures::write)
+            .with("file", Texture.File.class, "file | filter encoding")
+            .with("checker", Texture.Checker.class, "colors scale |")
+            .with("color", Texture.Solid.class, "color |");
 
     private static final String COLOR = Values.COLOR + ", [r, g, b] with components in 0..1, or {\"texture\": NAME}";
 
     private Textures() {}
+
+    private static Texture read(String type, Fields f) {
+        return switch (type) {
+            case "file" -> file(f);
+            case "checker" -> checker(f);
+            case "color" -> solid(f);
+            default -> throw Family.unknown(type);
+        };
+    }
+
+    private static void write(Texture value, JsonObjectBuilder p) {
+        if (value instanceof Texture.File t) {
+            p.imageFile("file", t.file())
+                    .wordUnless(Texture.Filter.BILINEAR, "filter", t.filter())
+                    .wordUnless(Texture.Encoding.SRGB, "encoding", t.encoding());
+        } else if (value instanceof Texture.Checker c) {
+            p.colors("colors", c.colors()).number("scale", c.scale());
+        } else if (value instanceof Texture.Solid s) {
+            p.color("color", s.color());
+        } else {
+            throw Family.unknown(value);
+        }
+    }
 
     /** Reads the part {@code textures} into the library. */
     static void readNamed(JsonValue v, JsonPointer place, Values values) {

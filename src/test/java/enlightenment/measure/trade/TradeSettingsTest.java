@@ -8,6 +8,7 @@ import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.analysis.SyntheticImages;
 import enlightenment.measure.analysis.SyntheticRuns;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import java.util.List;
 import java.util.Optional;
@@ -19,8 +20,8 @@ class TradeSettingsTest {
             TradeSettings.of(SyntheticRuns.settings().base(), "a scene");
 
     @Test
-    void theUsualSettingsCompareAllMethods() {
-        assertEquals(Method.words(), USUAL.methods());
+    void theUsualSettingsCompareAllMethodsOfThisProgram() {
+        assertEquals(Method.words(BuiltInMethod.ALL), USUAL.methods());
         assertTrue(USUAL.reference().isEmpty() && USUAL.sweeps().isEmpty());
     }
 

@@ -147,8 +147,15 @@ class SceneKindsTest {
 
     @Test
     void aClassThatTheFormatDoesNotKnowIsRefused() {
-        Family<Object> family = new Family<Object>("thing", "a thing", null, List.of(), List.of())
-                .with("word", String.class, "text |", f -> f.text("text", "a text"), (s, p) -> p.text("text", s));
+        Family<Object> family = new Family<Object>(
+                        "thing",
+                        "a thing",
+                        null,
+                        List.of(),
+                        List.of(),
+                        (type, f) -> f.text("text", "a text"),
+                        (s, p) -> p.text("text", (String) s))
+                .with("word", String.class, "text |");
         JsonObjectBuilder part = new JsonObjectBuilder(JsonPointer.ROOT, null);
         assertThrows(IllegalStateException.class, () -> family.write(1, part));
         assertTrue(part.isEmpty());

@@ -133,7 +133,7 @@ public final class SplatFilm {
             high += group[k] >>> 32;
             low += group[k] & 0xffffffffL;
         }
-        return n == 0 ? 0 : inPicture(high * 0x1p32 + low, n);
+        return n == 0 ? 0 : inPicture(Math.scalb((double) high, Integer.SIZE) + low, n);
     }
 
     /** The value of a pixel by the units of some paths. */

@@ -77,7 +77,7 @@ public final class TilePasses {
 
     /** The index of the first of a pixel's samples that belong to a pass: ⌈samples · pass/passes⌉. */
     public static int firstSample(int samples, int pass, int passes) {
-        return (int) (((long) samples * pass + passes - 1) / passes);
+        return (int) ((long) samples * pass + passes - 1 >> Integer.numberOfTrailingZeros(passes));
     }
 
     /**

@@ -82,20 +82,28 @@ public final class RayTraceMethod implements TileIntegrator {
     private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
         address.pixel(settings.seed(), x, y);
         int samples = Dither.at(x, y) < doubled ? 2 * fewer : fewer;
-        int end = TilePasses.firstSample(samples, pass + 1, passes);
+        if (passes > 1) {
+            int end = TilePasses.firstSample(samples, pass + 1, passes);
+            for (int s = TilePasses.firstSample(samples, pass, passes); s < end; s++) {
+                sample(tile, x, y, s);
+            }
+            return;
+        }
         spread.begin(samples);
-        for (int s = TilePasses.firstSample(samples, pass, passes); s < end; s++) {
-            address.sample(s);
-            double dx = address.filmX();
-            double dy = address.filmY();
-            scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
-            shader.shade(ray, address, color);
-            tile.add(x, y, color[0], color[1], color[2]);
-            spread.at(dx, dy);
+        for (int s = 0; s < samples; s++) {
+            sample(tile, x, y, s);
+            spread.at(address.filmX(), address.filmY());
             spread.add(color[0], color[1], color[2]);
         }
-        if (passes == 1) {
-            tile.spread(x, y, spread);
-        }
+        tile.spread(x, y, spread);
+    }
+
+    private void sample(FilmTile tile, int x, int y, int index) {
+        address.sample(index);
+        double dx = address.filmX();
+        double dy = address.filmY();
+        scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
+        shader.shade(ray, address, color);
+        tile.add(x, y, color[0], color[1], color[2]);
     }
 }

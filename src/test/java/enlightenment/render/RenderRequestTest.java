@@ -126,7 +126,7 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,2", "CLUSTER,4"})
+    @CsvSource({"raytrace,4", "raytrace,1", "cluster,2", "cluster,4"})
     void thePassesDoNotChangeABit(Method method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).with(new RayTraceSettings(1));
@@ -141,13 +141,13 @@ class RenderRequestTest {
 
     @ParameterizedTest
     @Tag("full")
-    @CsvSource({"RAYTRACE,16", "CLUSTER,8"})
+    @CsvSource({"raytrace,16", "cluster,8"})
     void norDoThePassesWithManySamples(Method method, int antialias) {
         thePassesDoNotChangeABit(method, antialias);
     }
 
     @ParameterizedTest
-    @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,4"})
+    @CsvSource({"raytrace,4", "raytrace,1", "cluster,4"})
     void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(Method method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).withCrop(new RenderSettings.Crop(3, 5, 61, 30));

@@ -2,191 +2,257 @@ package enlightenment.accel;
 
 import enlightenment.frame.BallCone;
 import enlightenment.frame.Bounds;
-import enlightenment.numeric.Scale;
+import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
 /**
- * A bounding volume hierarchy: finds the closest or any intersection of a ray without testing every primitive. Immutable,
- * safe for any number of threads.
+ * A bounding volume hierarchy: finds the closest or any intersection of a ray without testing every primitive.
  *
- * <p>A binary tree of boxes, built by the surface area heuristic ({@link BvhBuilder}). Nodes lie in depth-first order in
- * flat arrays: the left child of an inner node is the next node, its right child is {@code link}; {@code skip} is the
- * node that follows the whole subtree, so that a traversal in fixed order needs no stack. The answers are those of a
- * loop over all primitives, bit for bit: boxes are tested conservatively ({@link SlabTest}), and {@link Closest} decides
- * what is closer.
+ * <p>A binary tree of boxes, built by the surface area heuristic ({@link BvhBuilder}). A node is its two children: their boxes lie
+ * side by side, twelve numbers in a flat array, so that one visit decides on both; {@code child[2n]} and {@code child[2n + 1]} are
+ * the children of node n. A link that is not negative is a node; a negative one is a leaf,
+ * {@code ~(first place << 3 | number of places)}, of {@link Leaves}. Nodes lie in depth-first order, node 0 is the root.
+ *
+ * <p>Boxes only cull, conservatively; {@link Closest} decides what is closer. So the answers are those of a loop over all
+ * primitives, bit for bit. This class holds the searches with boxes of any precision; {@link FloatBvh} has faster ones.
  */
-public final class Bvh {
+public abstract class Bvh implements Accelerator {
     /** The depth of the tree is at most this. */
     static final int MAX_DEPTH = 64;
 
-    private static final int NUMBERS_PER_BOX = 6;
+    /** Numbers of a node: two boxes. */
+    static final int NODE = 12;
 
-    /** Bounds the rounding of half a box's diagonal. */
-    private static final double DIAGONAL_ERROR = Scale.gamma(8);
+    /** A leaf without places: the link of a child that does not exist. */
+    static final int EMPTY = ~0;
 
-    private final Primitive[] primitives;
-    private final int[] ids;
-    private final double[] boxes;
-    private final int[] link;
-    private final int[] count;
-    private final int[] skip;
-    private final double reach;
+    private static final int COUNT_BITS = 3;
+    private static final int COUNT_MASK = (1 << COUNT_BITS) - 1;
 
-    private Bvh(BvhBuilder builder) {
-        primitives = builder.primitives();
-        ids = builder.ids();
-        boxes = builder.boxes();
-        link = builder.link();
-        count = builder.count();
-        skip = builder.skip();
-        double largest = 0;
-        for (int i = 0; i < NUMBERS_PER_BOX && i < boxes.length; i++) {
-            largest = Math.max(largest, Math.abs(boxes[i]));
-        }
-        reach = largest;
+    final int[] child;
+    final Leaves leaves;
+
+    /** The largest absolute coordinate of any box. */
+    final double reach;
+
+    Bvh(int[] child, Leaves leaves, double reach) {
+        this.child = child;
+        this.leaves = leaves;
+        this.reach = reach;
     }
 
     /** Builds the hierarchy of these primitives. Ids are indices into the array, which is not kept. */
     public static Bvh build(Primitive[] primitives) {
-        return new Bvh(new BvhBuilder(primitives));
+        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(primitives));
+        return of(builder, new PrimitiveLeaves(primitives, builder.order()));
     }
 
-    /** The number of nodes: 0 if there is no primitive. */
-    public int nodeCount() {
-        return count.length;
+    /** Builds the hierarchy of these accelerators, which keep their ids. The array is not kept. */
+    public static Bvh over(Accelerator... parts) {
+        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(parts));
+        return of(builder, new NestedLeaves(parts, builder.order()));
     }
 
-    /**
-     * Finds the closest crossing with t at least {@link Ray#tMin}.
-     *
-     * @return the id of the primitive, or -1; t is in the state
-     */
-    public int closest(Ray ray, Closest state) {
-        state.reset(Double.MAX_VALUE);
-        if (count.length == 0) {
-            return state.id();
-        }
+    private static Bvh of(BvhBuilder builder, Leaves leaves) {
+        return builder.fitsFloats()
+                ? new FloatBvh(builder, leaves)
+                : new DoubleBvh(builder.child(), leaves, builder.reach());
+    }
+
+    /** The link of a leaf. */
+    static int leaf(int first, int count) {
+        return ~(first << COUNT_BITS | count);
+    }
+
+    static int first(int leaf) {
+        return ~leaf >>> COUNT_BITS;
+    }
+
+    static int end(int leaf) {
+        return (~leaf >>> COUNT_BITS) + (~leaf & COUNT_MASK);
+    }
+
+    /** The number of nodes, each of two children; at least 1. */
+    public final int nodeCount() {
+        return child.length / 2;
+    }
+
+    /** Where the ray enters a child's box (side 0 or 1 of the node), or infinity; see {@link SlabTest#entry}. */
+    abstract double entry(SlabTest slabs, int node, int side, double limit);
+
+    /** A coordinate of a child's box, on an axis: the lower, or the upper one. */
+    abstract double bound(int node, int side, boolean upper, int axis);
+
+    @Override
+    public void search(Ray ray, Closest state) {
         SlabTest slabs = state.slabs;
         slabs.set(ray, reach);
         int[] stack = state.stack;
-        double[] stackEntry = state.stackEntry;
+        double[] entries = state.entries;
         int depth = 0;
-        int node = slabs.entry(boxes, 0, slabs.limit(state.t())) == Double.POSITIVE_INFINITY ? -1 : 0;
-        while (node >= 0) {
-            int next = -1;
-            if (count[node] > 0) {
-                offerLeaf(ray, node, state);
+        int node = 0;
+        while (true) {
+            int next = EMPTY;
+            if (node < 0) {
+                leaves.offer(ray, first(node), end(node), state);
             } else {
-                double bound = slabs.limit(state.t());
-                int left = node + 1;
-                int right = link[node];
-                double l = slabs.entry(boxes, NUMBERS_PER_BOX * left, bound);
-                double r = slabs.entry(boxes, NUMBERS_PER_BOX * right, bound);
-                boolean leftFirst = l <= r;
-                double later = leftFirst ? r : l;
-                if ((leftFirst ? l : r) < Double.POSITIVE_INFINITY) {
-                    next = leftFirst ? left : right;
+                double limit = slabs.limit(state.t());
+                double l = entry(slabs, node, 0, limit);
+                double r = entry(slabs, node, 1, limit);
+                int nearer = l <= r ? 0 : 1;
+                double later = nearer == 0 ? r : l;
+                if (Math.min(l, r) < Double.POSITIVE_INFINITY) {
+                    next = child[2 * node + nearer];
                     if (later < Double.POSITIVE_INFINITY) {
-                        stack[depth] = leftFirst ? right : left;
-                        stackEntry[depth++] = later;
+                        stack[depth] = child[2 * node + 1 - nearer];
+                        entries[depth++] = later;
                     }
                 }
             }
             // A box entered exactly where the best crossing lies may hold one that wins the tie.
-            while (next < 0 && depth > 0) {
+            while (next == EMPTY && depth > 0) {
                 depth--;
-                if (stackEntry[depth] <= slabs.limit(state.t())) {
+                if (entries[depth] <= slabs.limit(state.t())) {
                     next = stack[depth];
                 }
             }
+            if (next == EMPTY) {
+                return;
+            }
             node = next;
         }
-        return state.id();
     }
 
-    private void offerLeaf(Ray ray, int node, Closest state) {
-        int end = link[node] + count[node];
-        for (int i = link[node]; i < end; i++) {
-            state.offer(ray, primitives[i], ids[i]);
-        }
+    @Override
+    public final boolean occluded(Ray ray, double tMax, BvhQuery query) {
+        query.startAtRoot();
+        return occludedWithin(ray, tMax, query);
     }
 
-    /** Whether any primitive has a crossing with tMin ≤ t ≤ tMax; stops at the first one found. */
-    public boolean occluded(Ray ray, double tMax, BvhQuery query) {
+    @Override
+    public boolean occludedWithin(Ray ray, double tMax, BvhQuery query) {
         SlabTest slabs = query.slabs;
         slabs.set(ray, reach);
-        double bound = slabs.limit(tMax);
-        int node = 0;
-        while (node < count.length) {
-            if (slabs.entry(boxes, NUMBERS_PER_BOX * node, bound) == Double.POSITIVE_INFINITY) {
-                node = skip[node];
-            } else if (count[node] == 0) {
-                node++;
-            } else if (leafBlocks(ray, node, tMax, query)) {
-                return true;
-            } else {
-                node = skip[node];
+        double limit = slabs.limit(tMax);
+        int[] stack = query.stack();
+        int depth = query.pushFront();
+        while (depth > 0) {
+            int node = stack[--depth];
+            if (node < 0) {
+                if (leaves.block(ray, first(node), end(node), tMax, query)) {
+                    return true;
+                }
+                continue;
+            }
+            for (int side = 0; side < 2; side++) {
+                if (entry(slabs, node, side, limit) < Double.POSITIVE_INFINITY) {
+                    stack[depth++] = child[2 * node + side];
+                }
             }
         }
         return false;
     }
 
-    private boolean leafBlocks(Ray ray, int node, double tMax, BvhQuery query) {
-        int end = link[node] + count[node];
-        for (int i = link[node]; i < end; i++) {
-            if (query.blocks(primitives[i], ids[i], ray, tMax)) {
-                return true;
+    /** Without a front: every ray starts at the root. */
+    @Override
+    public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {
+        query.startAtRoot();
+        return 1;
+    }
+
+    /** Looks where the cone's axis leads: what blocks every segment blocks that one. */
+    @Override
+    public final boolean blocksAll(BallCone cone, ConeJudge judge, BvhQuery query) {
+        SlabTest slabs = query.slabs;
+        slabs.set(query.axis.set(cone.x, cone.y, cone.z, cone.wx, cone.wy, cone.wz, 0), reach);
+        double limit = slabs.limit(cone.distance);
+        int[] stack = query.stack();
+        int depth = 1;
+        stack[0] = 0;
+        while (depth > 0) {
+            int node = stack[--depth];
+            if (node < 0) {
+                if (leaves.blocksAll(cone, first(node), end(node), judge, query)) {
+                    return true;
+                }
+                continue;
+            }
+            for (int side = 0; side < 2; side++) {
+                if (entry(slabs, node, side, limit) < Double.POSITIVE_INFINITY) {
+                    stack[depth++] = child[2 * node + side];
+                }
             }
         }
         return false;
     }
 
-    /** Adds the ids of all primitives in leaves whose boxes may intersect a cone; conservative. */
-    public void gather(BallCone cone, BvhQuery query) {
-        int node = 0;
-        while (node < count.length) {
-            node = gather(node, misses(node, cone), query);
+    /** Adds the ids in leaves whose boxes overlap a box. */
+    @Override
+    public final void overlapping(Bounds box, BvhQuery query) {
+        int[] stack = query.stack();
+        int depth = 1;
+        stack[0] = 0;
+        while (depth > 0) {
+            int node = stack[--depth];
+            if (node < 0) {
+                leaves.collect(box, first(node), end(node), query);
+                continue;
+            }
+            for (int side = 0; side < 2; side++) {
+                if (overlaps(node, side, box)) {
+                    stack[depth++] = child[2 * node + side];
+                }
+            }
         }
     }
 
-    /** Sets the list to the ids of all primitives in leaves whose boxes overlap a box. */
-    public void overlapping(Bounds box, BvhQuery query) {
-        query.clear();
-        int node = 0;
-        while (node < count.length) {
-            node = gather(node, !overlaps(node, box), query);
+    private boolean overlaps(int node, int side, Bounds box) {
+        for (int axis = 0; axis < 3; axis++) {
+            if (bound(node, side, false, axis) > box.max().component(axis)
+                    || bound(node, side, true, axis) < box.min().component(axis)) {
+                return false;
+            }
         }
+        return true;
     }
 
-    /** Adds the ids of a leaf, unless the node is disjoint from the query; returns the next node of the traversal. */
-    private int gather(int node, boolean disjoint, BvhQuery query) {
-        if (!disjoint && count[node] == 0) {
-            return node + 1;
-        }
-        int end = disjoint ? 0 : link[node] + count[node];
-        for (int i = link[node]; i < end; i++) {
-            query.add(ids[i]);
-        }
-        return skip[node];
+    @Override
+    public final Bounds bounds() {
+        return new Bounds(corner(false), corner(true));
     }
 
-    private boolean overlaps(int node, Bounds box) {
-        int k = NUMBERS_PER_BOX * node;
-        return boxes[k] <= box.max().x()
-                && box.min().x() <= boxes[k + 3]
-                && boxes[k + 1] <= box.max().y()
-                && box.min().y() <= boxes[k + 4]
-                && boxes[k + 2] <= box.max().z()
-                && box.min().z() <= boxes[k + 5];
+    private Vec3 corner(boolean upper) {
+        double[] c = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            double l = bound(0, 0, upper, axis);
+            double r = bound(0, 1, upper, axis);
+            c[axis] = upper ? Math.max(l, r) : Math.min(l, r);
+        }
+        return new Vec3(c[0], c[1], c[2]);
     }
 
-    private boolean misses(int node, BallCone cone) {
-        int k = NUMBERS_PER_BOX * node;
-        double hx = (boxes[k + 3] - boxes[k]) / 2;
-        double hy = (boxes[k + 4] - boxes[k + 1]) / 2;
-        double hz = (boxes[k + 5] - boxes[k + 2]) / 2;
-        double radius = Math.sqrt(hx * hx + hy * hy + hz * hz) * (1 + DIAGONAL_ERROR);
-        return cone.misses(boxes[k] + hx, boxes[k + 1] + hy, boxes[k + 2] + hz, radius);
+    /** The children's boxes as unions of the leaves' boxes, nothing rounded: by node the left one's lower and upper corner, the right one's. */
+    final double[] exactBoxes() {
+        double[] boxes = new double[NODE * nodeCount()];
+        // Children come after their parents.
+        for (int node = nodeCount() - 1; node >= 0; node--) {
+            for (int side = 0; side < 2; side++) {
+                setExact(boxes, NODE * node + PrimitiveBoxes.BOX * side, child[2 * node + side]);
+            }
+        }
+        return boxes;
+    }
+
+    private void setExact(double[] boxes, int at, int link) {
+        PrimitiveBoxes.clear(boxes, at);
+        if (link >= 0) {
+            PrimitiveBoxes.merge(boxes, NODE * link, boxes, at);
+            PrimitiveBoxes.merge(boxes, NODE * link + PrimitiveBoxes.BOX, boxes, at);
+            return;
+        }
+        for (int place = first(link); place < end(link); place++) {
+            PrimitiveBoxes.merge(leaves.bounds(place), boxes, at);
+        }
     }
 }

@@ -1,105 +1,135 @@
 package enlightenment.accel;
 
-import enlightenment.primitive.Primitive;
 import java.util.Arrays;
 
 /**
- * Builds a {@link Bvh} top-down: a node is split where the surface area heuristic, evaluated at the borders of equal bins
+ * Builds a {@link Bvh} top-down: a range of items is split where the surface area heuristic, evaluated at the borders of equal bins
  * of centroids on each axis, expects the least work (Wald, "On fast construction of SAH-based bounding volume hierarchies",
  * 2007). One thread, plain arithmetic: the same tree on every machine.
  *
- * <p>Where no such split exists (all centroids coincide), or where the tree is so deep that it has degenerated, a node is
+ * <p>Where no such split exists (all centroids coincide), or where the tree is so deep that it has degenerated, a range is
  * split at the median, so the depth is bounded whatever the scene.
  */
 final class BvhBuilder {
     private static final int MAX_LEAF = 4;
 
-    /** From this depth on, nodes are split at the median: 2^31 primitives then end before {@link Bvh#MAX_DEPTH}. */
+    /** From this depth on, ranges are split at the median: 2^28 primitives then end before {@link Bvh#MAX_DEPTH}. */
     private static final int MEDIAN_DEPTH = Bvh.MAX_DEPTH - 32;
 
     /** The cost of visiting a node, in tests of primitives. */
     private static final double NODE_COST = 2;
 
+    /** A leaf smaller than this share of the reach is blurred by floats, whose widening is 2^-20 of it. */
+    private static final double COARSE = 0x1p-14;
+
+    /** A leaf's link has room for places below this. */
+    private static final int MAX_ITEMS = 1 << 28;
+
+    private static final int NO_PARENT = -1;
+
     private final PrimitiveBoxes items;
     private final BinnedSplit split;
-    private final Primitive[] primitives;
-    private double[] boxes;
-    private int[] link;
-    private int[] count;
+    private final double[] box = new double[PrimitiveBoxes.BOX];
+    private float[] boxes;
+    private int[] child;
     private int nodes;
+    private int leaves;
+    private int smallLeaves;
 
-    BvhBuilder(Primitive[] original) {
-        items = new PrimitiveBoxes(original);
+    BvhBuilder(PrimitiveBoxes items) {
+        int n = items.size();
+        if (n >= MAX_ITEMS) {
+            throw new IllegalArgumentException(
+                    n + " primitives are more than a hierarchy can hold: " + (MAX_ITEMS - 1));
+        }
+        this.items = items;
         split = new BinnedSplit(items);
-        int capacity = Math.max(1, original.length);
-        boxes = new double[6 * capacity];
-        link = new int[capacity];
-        count = new int[capacity];
-        if (original.length > 0) {
-            grow(original.length);
-        }
-        boxes = Arrays.copyOf(boxes, 6 * nodes);
-        link = Arrays.copyOf(link, nodes);
-        count = Arrays.copyOf(count, nodes);
-        primitives = new Primitive[original.length];
-        for (int i = 0; i < primitives.length; i++) {
-            primitives[i] = original[items.id(i)];
-        }
+        // Leaves of about two: half as many nodes as items.
+        int capacity = n / 2 + n / 16 + 1;
+        boxes = new float[Bvh.NODE * capacity];
+        child = new int[2 * capacity];
+        grow(n);
+        boxes = Arrays.copyOf(boxes, Bvh.NODE * nodes);
+        child = Arrays.copyOf(child, 2 * nodes);
     }
 
-    /** Makes the nodes in depth-first order, with a stack of ranges (start, end, depth, parent) instead of recursion. */
+    /** Makes the nodes in depth-first order, with a stack of ranges (start, end, depth, slot in a parent) instead of recursion. */
     private void grow(int n) {
         int[] todo = new int[4 * (Bvh.MAX_DEPTH + 1)];
-        int top = push(todo, 0, 0, n, 0, -1);
+        int top = push(todo, 0, 0, n, 0, NO_PARENT);
         while (top > 0) {
             top -= 4;
             int start = todo[top];
             int end = todo[top + 1];
             int depth = todo[top + 2];
-            int parent = todo[top + 3];
-            int node = newNode(start, end);
-            if (parent >= 0) {
-                link[parent] = node;
-            }
-            int middle = split(node, start, end, depth);
+            int slot = todo[top + 3];
+            items.enclose(start, end, box, 0);
+            int middle = split(start, end, depth);
             if (middle < 0) {
-                link[node] = start;
-                count[node] = end - start;
+                // The root has two children even if the second is empty.
+                int at = slot == NO_PARENT ? 2 * newNode() : slot;
+                setLeaf(at, start, end);
+                if (slot == NO_PARENT) {
+                    set(at + 1, Bvh.EMPTY);
+                }
             } else {
-                // The left part is popped next and becomes the next node; only the right one must be linked.
-                top = push(todo, top, middle, end, depth + 1, node);
-                top = push(todo, top, start, middle, depth + 1, -1);
+                int node = newNode();
+                if (slot != NO_PARENT) {
+                    set(slot, node);
+                }
+                top = push(todo, top, middle, end, depth + 1, 2 * node + 1);
+                top = push(todo, top, start, middle, depth + 1, 2 * node);
             }
         }
     }
 
-    private static int push(int[] todo, int top, int start, int end, int depth, int parent) {
+    private static int push(int[] todo, int top, int start, int end, int depth, int slot) {
         todo[top] = start;
         todo[top + 1] = end;
         todo[top + 2] = depth;
-        todo[top + 3] = parent;
+        todo[top + 3] = slot;
         return top + 4;
     }
 
-    private int newNode(int start, int end) {
-        if (nodes == link.length) {
-            int capacity = (int) Math.min(2L * nodes, Integer.MAX_VALUE / 6);
-            boxes = Arrays.copyOf(boxes, 6 * capacity);
-            link = Arrays.copyOf(link, capacity);
-            count = Arrays.copyOf(count, capacity);
+    private int newNode() {
+        if (2 * nodes == child.length) {
+            int capacity = nodes + nodes / 4 + 1;
+            boxes = Arrays.copyOf(boxes, Bvh.NODE * capacity);
+            child = Arrays.copyOf(child, 2 * capacity);
         }
-        items.enclose(start, end, boxes, 6 * nodes);
         return nodes++;
     }
 
+    private void setLeaf(int slot, int start, int end) {
+        set(slot, Bvh.leaf(start, end - start));
+        double extent = 0;
+        for (int k = 0; k < 3 && start < end; k++) {
+            extent = Math.max(extent, box[3 + k] - box[k]);
+        }
+        leaves++;
+        smallLeaves += extent < COARSE * items.reach() ? 1 : 0;
+    }
+
+    /** Fills a child's slot: slot 2n + s is side s of node n. */
+    private void set(int slot, int link) {
+        child[slot] = link;
+        int at = Bvh.NODE * (slot / 2) + slot % 2;
+        for (int k = 0; k < 3; k++) {
+            // The box of nothing is a point, not infinite: no search may compute with infinities.
+            boolean empty = !(box[k] <= box[3 + k]);
+            boxes[at + 2 * k] = empty ? 0 : FloatSlabs.down(box[k]);
+            boxes[at + 6 + 2 * k] = empty ? 0 : FloatSlabs.up(box[3 + k]);
+        }
+    }
+
     /** Splits a range and partitions its items; returns where the second part begins, -1 if the range becomes a leaf. */
-    private int split(int node, int start, int end, int depth) {
+    private int split(int start, int end, int depth) {
         int n = end - start;
-        if (n == 1) {
+        if (n <= 1) {
             return -1;
         }
         if (depth < MEDIAN_DEPTH && split.find(start, end)) {
-            double whole = items.area(boxes, 6 * node);
+            double whole = items.area(box, 0);
             if (n <= MAX_LEAF && n * whole <= NODE_COST * whole + split.cost()) {
                 return -1;
             }
@@ -113,38 +143,27 @@ final class BvhBuilder {
         return middle;
     }
 
-    Primitive[] primitives() {
-        return primitives;
+    /** Whether boxes of floats are fine enough: more than half of the leaves are large beside the roundings. */
+    boolean fitsFloats() {
+        return items.size() == 0 || FloatSlabs.suits(items.reach()) && 2 * smallLeaves <= leaves;
     }
 
-    int[] ids() {
+    double reach() {
+        return items.reach();
+    }
+
+    /** By place in the leaves: the index of the item. */
+    int[] order() {
         return items.ids();
     }
 
-    double[] boxes() {
+    /** The children's boxes, rounded outwards, as {@link FloatBvh} has them. */
+    float[] floats() {
         return boxes;
     }
 
-    int[] link() {
-        return link;
-    }
-
-    int[] count() {
-        return count;
-    }
-
-    /** For each node the node after its subtree; parents come before their children, so one pass is enough. */
-    int[] skip() {
-        int[] skip = new int[nodes];
-        if (nodes > 0) {
-            skip[0] = nodes;
-        }
-        for (int i = 0; i < nodes; i++) {
-            if (count[i] == 0) {
-                skip[i + 1] = link[i];
-                skip[link[i]] = skip[i];
-            }
-        }
-        return skip;
+    /** Two links for each node. */
+    int[] child() {
+        return child;
     }
 }

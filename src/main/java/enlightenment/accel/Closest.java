@@ -21,10 +21,18 @@ public final class Closest {
     /** The ray, prepared for boxes. */
     final SlabTest slabs = new SlabTest();
 
-    /** The traversal stack of {@link Bvh#closest}: nodes to visit later, and the t at which the ray enters them. */
+    final FloatSlabs floatSlabs = new FloatSlabs();
+
+    /** The traversal stack of a search: links to follow later. */
     final int[] stack = new int[Bvh.MAX_DEPTH];
 
-    final double[] stackEntry = new double[Bvh.MAX_DEPTH];
+    /** By place on the stack: the t at which the ray enters the box. */
+    final double[] entries = new double[Bvh.MAX_DEPTH];
+
+    /** The same as bits of a float. */
+    final int[] floatEntries = new int[Bvh.MAX_DEPTH];
+
+    private Closest inner;
 
     /**
      * A search to be {@link #reset} before use.
@@ -42,6 +50,21 @@ public final class Closest {
         t = limit;
         id = -1;
         primitive = null;
+    }
+
+    /** The scratch memory of accelerators inside an accelerator. */
+    Closest inner() {
+        if (inner == null) {
+            inner = new Closest(kinds, tests);
+        }
+        return inner;
+    }
+
+    /** Takes over what another search has found. */
+    void continueFrom(Closest other) {
+        t = other.t;
+        id = other.id;
+        primitive = other.primitive;
     }
 
     /** Tests a primitive and keeps its crossing if it is the closest. */

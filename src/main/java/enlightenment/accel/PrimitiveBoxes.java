@@ -3,36 +3,61 @@ package enlightenment.accel;
 import enlightenment.frame.Bounds;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
+import java.util.function.IntFunction;
 
 /** The boxes of primitives in one flat array that is rearranged while a hierarchy is built, so that siblings are adjacent. */
 final class PrimitiveBoxes {
+    /** Numbers of a box: its lower corner, its upper corner. */
+    static final int BOX = 6;
+
     private final double[] b;
     private final int[] ids;
 
     /** A power of two that extents are multiplied by before areas are computed, so that these stay in range. */
     private final double unit;
 
-    PrimitiveBoxes(Primitive[] primitives) {
-        b = new double[6 * primitives.length];
-        ids = new int[primitives.length];
-        double reach = 0;
-        for (int i = 0; i < primitives.length; i++) {
-            Bounds box = primitives[i].bounds();
+    private final double reach;
+
+    private PrimitiveBoxes(int n, IntFunction<Bounds> boxes) {
+        b = new double[BOX * n];
+        ids = new int[n];
+        double largest = 0;
+        for (int i = 0; i < n; i++) {
+            Bounds box = boxes.apply(i);
             ids[i] = i;
-            b[6 * i] = box.min().x();
-            b[6 * i + 1] = box.min().y();
-            b[6 * i + 2] = box.min().z();
-            b[6 * i + 3] = box.max().x();
-            b[6 * i + 4] = box.max().y();
-            b[6 * i + 5] = box.max().z();
-            reach = Math.max(reach, box.maxAbs());
+            set(box, b, BOX * i);
+            largest = Math.max(largest, box.maxAbs());
         }
+        reach = largest;
         // Clamped so that the factor itself is a normal number.
         unit = Math.scalb(1.0, -Math.max(-1000, Math.min(1000, Scale.exponent(reach))));
     }
 
-    int id(int i) {
-        return ids[i];
+    static PrimitiveBoxes of(Primitive[] primitives) {
+        return new PrimitiveBoxes(primitives.length, i -> primitives[i].bounds());
+    }
+
+    static PrimitiveBoxes of(Accelerator[] parts) {
+        return new PrimitiveBoxes(parts.length, i -> parts[i].bounds());
+    }
+
+    private static void set(Bounds box, double[] out, int at) {
+        out[at] = box.min().x();
+        out[at + 1] = box.min().y();
+        out[at + 2] = box.min().z();
+        out[at + 3] = box.max().x();
+        out[at + 4] = box.max().y();
+        out[at + 5] = box.max().z();
+    }
+
+    /** The number of items. */
+    int size() {
+        return ids.length;
+    }
+
+    /** The largest absolute coordinate. */
+    double reach() {
+        return reach;
     }
 
     int[] ids() {
@@ -96,6 +121,13 @@ final class PrimitiveBoxes {
             b[p + k] = b[q + k];
             b[q + k] = v;
         }
+    }
+
+    /** Enlarges the box at out[at] by another. */
+    static void merge(Bounds box, double[] out, int at) {
+        double[] numbers = new double[BOX];
+        set(box, numbers, 0);
+        merge(numbers, 0, out, at);
     }
 
     /** Partitions start..end−1 so that no centroid before position m exceeds one from m on, on the axis (Hoare's select). */

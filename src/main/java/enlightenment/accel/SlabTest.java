@@ -100,4 +100,17 @@ final class SlabTest {
         double far = Math.min(Math.min(backX ? lx : ux, backY ? ly : uy), Math.min(backZ ? lz : uz, limit));
         return near <= far ? near : Double.POSITIVE_INFINITY;
     }
+
+    /** The same for a box of floats whose numbers begin at b[at] and lie two apart. */
+    double entry(float[] b, int at, double limit) {
+        double lx = (b[at] - lowerX) * invX;
+        double ux = (b[at + 6] - upperX) * invX;
+        double ly = (b[at + 2] - lowerY) * invY;
+        double uy = (b[at + 8] - upperY) * invY;
+        double lz = (b[at + 4] - lowerZ) * invZ;
+        double uz = (b[at + 10] - upperZ) * invZ;
+        double near = Math.max(Math.max(backX ? ux : lx, backY ? uy : ly), Math.max(backZ ? uz : lz, tMin));
+        double far = Math.min(Math.min(backX ? lx : ux, backY ? ly : uy), Math.min(backZ ? lz : uz, limit));
+        return near <= far ? near : Double.POSITIVE_INFINITY;
+    }
 }

@@ -1,6 +1,6 @@
 package enlightenment.compiled;
 
-import enlightenment.accel.Bvh;
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.BvhQuery;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
@@ -50,15 +50,19 @@ public final class CoincidentSurfaces {
         this.compiled = compiled;
     }
 
-    static CoincidentSurfaces of(CompiledPrimitives compiled, Bvh bvh) {
+    static CoincidentSurfaces of(CompiledPrimitives compiled, Accelerator accelerator) {
         CoincidentSurfaces result = new CoincidentSurfaces(compiled);
-        result.new Finder(bvh).find();
+        result.new Finder(accelerator).find();
         return result;
     }
 
     /** The tolerance for surfaces of primitives that lie within these boxes. */
     static double tolerance(Bounds a, Bounds b) {
-        return SAME_PLACE * Math.max(a.maxAbs(), b.maxAbs());
+        return tolerance(a.maxAbs(), b.maxAbs());
+    }
+
+    private static double tolerance(double reachA, double reachB) {
+        return SAME_PLACE * Math.max(reachA, reachB);
     }
 
     /** Whether any face of the primitive coincides with another primitive's. */
@@ -88,66 +92,65 @@ public final class CoincidentSurfaces {
     /** Finds the pairs. */
     private final class Finder {
         private final Primitive[] primitives = compiled.primitives();
-        private final Bvh bvh;
-        private final Bounds[] bounds = new Bounds[primitives.length];
+        private final Accelerator accelerator;
         private final SupportSurface[][] supports = new SupportSurface[primitives.length][];
 
-        Finder(Bvh bvh) {
-            this.bvh = bvh;
-            for (int id = 0; id < bounds.length; id++) {
-                bounds[id] = primitives[id].bounds();
-            }
+        Finder(Accelerator accelerator) {
+            this.accelerator = accelerator;
+        }
+
+        private Bounds bounds(int id) {
+            return primitives[id].bounds();
         }
 
         void find() {
-            List<Integer> whole = new ArrayList<>();
-            List<Integer> others = new ArrayList<>();
+            int[] whole = new int[primitives.length];
+            int[] others = new int[primitives.length];
+            int n = 0;
             for (int id = 0; id < primitives.length; id++) {
-                (primitives[id].isWhole() ? whole : others).add(id);
+                if (primitives[id].isWhole()) {
+                    whole[n++] = id;
+                } else {
+                    others[id - n] = id;
+                }
             }
-            findWhole(whole);
-            if (bvh == null) {
-                findAmong(others);
-            } else {
-                findByBoxes(others);
-            }
+            findWhole(Arrays.copyOf(whole, n));
+            findByBoxes(Arrays.copyOf(others, others.length - n));
             if (entries != null) {
                 rank();
             }
         }
 
         /** Whole surfaces coincide only if their centres do: a sweep along x. */
-        private void findWhole(List<Integer> ids) {
-            ids.sort(Comparator.comparingDouble(
-                    (Integer id) -> bounds[id].center().x()));
-            for (int i = 0; i < ids.size(); i++) {
-                int a = ids.get(i);
-                double x = bounds[a].center().x();
-                for (int k = i + 1; k < ids.size(); k++) {
-                    int b = ids.get(k);
+        private void findWhole(int[] ids) {
+            double[] x = new double[ids.length];
+            double[] reach = new double[ids.length];
+            for (int i = 0; i < ids.length; i++) {
+                Bounds box = bounds(ids[i]);
+                x[i] = box.center().x();
+                reach[i] = box.maxAbs();
+            }
+            int[] order = Ascending.order(x);
+            for (int i = 0; i < order.length; i++) {
+                int a = order[i];
+                for (int k = i + 1; k < order.length; k++) {
+                    int b = order[k];
                     // Twice the tolerance, because the boxes' centres are rounded once more.
-                    if (bounds[b].center().x() - x > 2 * tolerance(bounds[a], bounds[b])) {
+                    if (x[b] - x[a] > 2 * tolerance(reach[a], reach[b])) {
                         break;
                     }
-                    compare(a, b);
+                    compare(ids[a], ids[b]);
                 }
             }
         }
 
-        private void findAmong(List<Integer> ids) {
-            for (int i = 0; i < ids.size(); i++) {
-                for (int k = i + 1; k < ids.size(); k++) {
-                    compare(ids.get(i), ids.get(k));
-                }
-            }
-        }
-
-        private void findByBoxes(List<Integer> ids) {
+        private void findByBoxes(int[] ids) {
             BvhQuery query =
                     new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
             for (int id : ids) {
-                double by = tolerance(bounds[id], bounds[id]);
-                bvh.overlapping(widened(bounds[id], by), query);
+                Bounds box = bounds(id);
+                query.clear();
+                accelerator.overlapping(widened(box, tolerance(box, box)), query);
                 for (int k = 0; k < query.size(); k++) {
                     int other = query.get(k);
                     if (other > id && !primitives[other].isWhole()) {
@@ -158,8 +161,10 @@ public final class CoincidentSurfaces {
         }
 
         private void compare(int a, int b) {
-            double tolerance = tolerance(bounds[a], bounds[b]);
-            if (!widened(bounds[a], tolerance).overlaps(bounds[b])) {
+            Bounds box = bounds(a);
+            Bounds other = bounds(b);
+            double tolerance = tolerance(box, other);
+            if (!widened(box, tolerance).overlaps(other)) {
                 return;
             }
             SupportSurface[] p = supports(a);
@@ -217,7 +222,7 @@ public final class CoincidentSurfaces {
             double last = 0;
             for (Face f : faces) {
                 // Extents that differ only by rounding are equal: a chain of them is one size.
-                double same = Face.ROUNDINGS * tolerance(bounds[f.id], bounds[f.id]);
+                double same = Face.ROUNDINGS * tolerance(bounds(f.id), bounds(f.id));
                 size += f.extent - last > same ? 1 : 0;
                 last = f.extent;
                 f.size = size;
@@ -261,7 +266,7 @@ public final class CoincidentSurfaces {
             this.id = id;
             this.face = face;
             this.extent = extent;
-            isGlass = material.kind == SurfaceMaterial.Kind.GLASS;
+            isGlass = material.isGlass;
             appearance = material.appearance();
         }
     }

@@ -1,13 +1,16 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.emitter.Emitter;
+import enlightenment.emitter.PointEmitter;
+import enlightenment.emitter.RectangleEmitter;
+import enlightenment.emitter.SphereEmitter;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.math.Vec3;
-import enlightenment.numeric.Scale;
 import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
@@ -22,17 +25,8 @@ public final class CompiledLight {
     /** The other side. */
     static final int BELOW = 2;
 
-    /** The light's form. */
-    public enum Kind {
-        /** A glowing ball. */
-        SPHERE,
-        /** A glowing parallelogram. */
-        RECTANGLE,
-        /** A light without extent. */
-        POINT
-    }
-
-    public final Kind kind;
+    /** The light's form: points on it, as they are seen from somewhere. */
+    public final Emitter emitter;
 
     /** The display-referred colour, 0..1. */
     public final double r;
@@ -81,23 +75,23 @@ public final class CompiledLight {
         Vec3 toRight = Vec3.ZERO;
         Vec3 toTop = Vec3.ZERO;
         if (light instanceof Light.Sphere s) {
-            kind = Kind.SPHERE;
             at = frame.toFrame(s.center());
             radius = Sizes.inFrame(s.radius(), frame);
+            emitter = new SphereEmitter(at, radius);
             surface = Primitives.place(Sphere.of(s.center(), s.radius()), frame);
         } else if (light instanceof Light.Rectangle q) {
-            kind = Kind.RECTANGLE;
             at = frame.toFrame(q.lowerLeft());
             // Differences of exact corners, not of rounded ones: a small light far away keeps its area.
             toRight = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.lowerRight());
             toTop = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.upperLeft());
             radius = 0;
+            emitter = new RectangleEmitter(at, toRight, toTop);
             surface = Primitives.place(
                     new Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight()), frame);
         } else if (light instanceof Light.Point p) {
-            kind = Kind.POINT;
             at = frame.toFrame(p.position());
             radius = 0;
+            emitter = new PointEmitter(at);
             surface = null;
         } else {
             throw new AssertionError("no compiled form of the light " + light.type());
@@ -107,14 +101,11 @@ public final class CompiledLight {
         z = at.z();
         right = toRight;
         up = toTop;
-        Vec3 middle = at.plus(toRight.plus(toTop).times(0.5));
-        ballX = middle.x();
-        ballY = middle.y();
-        ballZ = middle.z();
-        double half = 0.5
-                * Math.max(toRight.plus(toTop).length(), toRight.minus(toTop).length());
+        ballX = emitter.ballCenter().x();
+        ballY = emitter.ballCenter().y();
+        ballZ = emitter.ballCenter().z();
+        ballRadius = emitter.ballRadius();
         bound = 3 * bounds().maxAbs();
-        ballRadius = radius + half * (1 + Scale.gamma(16));
     }
 
     /** The faces that the light lies on: they do not occlude it. */

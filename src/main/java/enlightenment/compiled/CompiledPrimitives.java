@@ -1,18 +1,17 @@
 package enlightenment.compiled;
 
 import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Shape;
 import enlightenment.material.Material;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.scene.SceneObject;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 
 /**
  * The objects of a scene as primitives in canonical order, with their materials.
@@ -36,107 +35,65 @@ record CompiledPrimitives(
         int objects,
         int[] mediumRank) {
 
-    private record Entry(
-            int index, SceneObject object, Primitive primitive, double[] parameters, List<SurfaceMaterial> surfaces) {}
-
-    /** By kind, then parameters, then material: nothing that depends on names or on the order in the file. */
-    private static final class Canonical implements Comparator<Entry> {
-        @Override
-        public int compare(Entry a, Entry b) {
-            int byKind = a.object.shape().type().compareTo(b.object.shape().type());
-            if (byKind != 0) {
-                return byKind;
-            }
-            int byNumbers = Arrays.compare(a.parameters, b.parameters);
-            if (byNumbers != 0) {
-                return byNumbers;
-            }
-            // Of two surfaces in the same place, an opaque one hides one of glass.
-            int byGlass = Boolean.compare(isGlass(a), isGlass(b));
-            return byGlass != 0 ? byGlass : appearance(a).compareTo(appearance(b));
-        }
-
-        private static boolean isGlass(Entry e) {
-            return e.surfaces.stream().anyMatch(s -> s.kind == SurfaceMaterial.Kind.GLASS);
-        }
-
-        private static String appearance(Entry e) {
-            return e.surfaces.stream().map(SurfaceMaterial::appearance).collect(Collectors.joining(", "));
-        }
+    /** How a shape becomes primitives: one, or several that are its parts. */
+    interface Placement {
+        List<Primitive> place(Shape shape, SceneFrame frame);
     }
 
-    static CompiledPrimitives of(List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces) {
-        Entry[] entries = new Entry[objects.size()];
-        for (int i = 0; i < entries.length; i++) {
+    static CompiledPrimitives of(
+            List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces, Placement placement) {
+        PlacedObjects placed = new PlacedObjects(objects.size(), surfaces);
+        for (int i = 0; i < objects.size(); i++) {
             SceneObject o = objects.get(i);
-            Primitive p = place(o, i, frame);
-            List<SurfaceMaterial> of = o.faces().isEmpty()
-                    ? List.of(surfaces.get(o.material()))
-                    : o.faces().stream().map(surfaces::get).toList();
-            entries[i] = new Entry(i, o, p, p.parameters(), of);
+            placed.add(i, o, place(o, i, frame, placement));
         }
-        Arrays.sort(entries, new Canonical());
-        return of(withoutDuplicates(entries), objects.size());
+        return of(placed, placed.canonicalOrder(), objects.size());
     }
 
-    private static CompiledPrimitives of(Entry[] entries, int objects) {
-        Primitive[] primitives = Arrays.stream(entries).map(Entry::primitive).toArray(Primitive[]::new);
-        FaceMaterials materials =
-                new FaceMaterials(Arrays.stream(entries).map(Entry::surfaces).toList());
-        List<String> kindNames = new ArrayList<>();
-        int[] kind = new int[entries.length];
-        for (int i = 0; i < entries.length; i++) {
-            String type = entries[i].object.shape().type();
-            if (kindNames.isEmpty() || !kindNames.get(kindNames.size() - 1).equals(type)) {
-                // Entries are sorted by kind, so each kind is one run.
-                kindNames.add(type);
-            }
-            kind[i] = kindNames.size() - 1;
+    private static CompiledPrimitives of(PlacedObjects placed, int[] order, int objects) {
+        Primitive[] primitives = new Primitive[order.length];
+        int[] object = new int[order.length];
+        int[] kind = new int[order.length];
+        int[] kindRanks = placed.kindRanks();
+        for (int id = 0; id < order.length; id++) {
+            primitives[id] = placed.primitive(order[id]);
+            object[id] = placed.object(order[id]);
+            kind[id] = kindRanks[placed.kind(order[id])];
         }
+        FaceMaterials materials = new FaceMaterials(order.length, id -> placed.surfaces(order[id]));
         int[] glass = glassSolids(primitives, materials);
-        int[] object = Arrays.stream(entries).mapToInt(Entry::index).toArray();
         return new CompiledPrimitives(
-                primitives, materials, kind, kindNames, glass, object, objects, ranks(primitives, materials, glass));
+                primitives,
+                materials,
+                kind,
+                placed.kindNames(),
+                glass,
+                object,
+                objects,
+                ranks(primitives, materials, glass));
     }
 
     /** Throws if one of the objects cannot be placed in the frame. */
     static void check(List<SceneObject> objects, SceneFrame frame) {
         for (int i = 0; i < objects.size(); i++) {
-            place(objects.get(i), i, frame);
+            place(objects.get(i), i, frame, Primitives::placeAll);
         }
     }
 
-    /** The primitive of the object at an index; the key of an invalid value becomes relative to the scene. */
-    private static Primitive place(SceneObject object, int index, SceneFrame frame) {
+    /** The primitives of the object at an index; the key of an invalid value becomes relative to the scene. */
+    private static List<Primitive> place(SceneObject object, int index, SceneFrame frame, Placement placement) {
         try {
-            return Primitives.place(object.shape(), frame);
+            return placement.place(object.shape(), frame);
         } catch (InvalidValueException e) {
             throw new InvalidValueException("objects/" + index + "/" + e.key(), e.problem());
         }
-    }
-
-    /** Of several objects with exactly the same surface, the first: the others would only shine through by rounding. */
-    private static Entry[] withoutDuplicates(Entry[] sorted) {
-        List<Entry> kept = new ArrayList<>(sorted.length);
-        Entry last = null;
-        for (Entry e : sorted) {
-            boolean duplicate = last != null
-                    && last.primitive.getClass() == e.primitive.getClass()
-                    && last.object.shape().type().equals(e.object.shape().type())
-                    && Arrays.equals(last.parameters, e.parameters);
-            if (!duplicate) {
-                kept.add(e);
-                last = e;
-            }
-        }
-        return kept.toArray(Entry[]::new);
     }
 
     private static int[] glassSolids(Primitive[] primitives, FaceMaterials materials) {
         int[] glass = new int[primitives.length];
         int n = 0;
         for (int i = 0; i < primitives.length; i++) {
-            if (primitives[i].isSolid() && materials.of(i, 0).kind == SurfaceMaterial.Kind.GLASS) {
+            if (primitives[i].isSolid() && materials.of(i, 0).isGlass) {
                 glass[n++] = i;
             }
         }

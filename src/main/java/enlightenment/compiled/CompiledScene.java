@@ -1,6 +1,8 @@
 package enlightenment.compiled;
 
-import enlightenment.accel.Bvh;
+import enlightenment.accel.Accelerator;
+import enlightenment.accel.ConeSearch;
+import enlightenment.accel.PrimitiveList;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.numeric.Scale;
@@ -37,8 +39,8 @@ public final class CompiledScene {
 
     private final FaceMaterials materials;
 
-    /** The hierarchy over the primitives, or null where a plain loop is faster. */
-    public final Bvh bvh;
+    /** Finds what rays meet among the primitives: a hierarchy, or a list where a plain loop is faster. */
+    final Accelerator accelerator;
 
     /** Finds the primitives that may occlude a light. */
     final OccluderSet occluders;
@@ -73,6 +75,7 @@ public final class CompiledScene {
     /** The number of objects in the scene's list, including duplicates of which only one became a primitive. */
     public final int objects;
 
+    private ConeSearch coneSearch;
     private final List<String> features;
     private final List<String> absent;
 
@@ -82,7 +85,7 @@ public final class CompiledScene {
             ClassicShading shading,
             CompiledLight[] lights,
             CompiledPrimitives compiled,
-            Bvh bvh,
+            Accelerator accelerator,
             List<String> features,
             List<String> absent) {
         this.frame = frame;
@@ -97,17 +100,18 @@ public final class CompiledScene {
         this.mediumRank = compiled.mediumRank();
         object = compiled.object();
         objects = compiled.objects();
-        this.bvh = bvh;
+        this.accelerator = accelerator;
+        boolean few = accelerator instanceof PrimitiveList;
         visibleLights = visible(lights);
         lightBounds = new Bounds[visibleLights.length];
         for (int i = 0; i < lightBounds.length; i++) {
             lightBounds[i] = visibleLights[i].bounds();
         }
-        bounds = new Bounds[bvh == null ? primitives.length : 0];
+        bounds = new Bounds[few ? primitives.length : 0];
         for (int id = 0; id < bounds.length; id++) {
             bounds[id] = primitives[id].bounds();
         }
-        coincident = CoincidentSurfaces.of(compiled, bvh);
+        coincident = CoincidentSurfaces.of(compiled, accelerator);
         boolean anyLies = false;
         for (CompiledLight light : lights) {
             light.lieOn(primitives);
@@ -119,7 +123,7 @@ public final class CompiledScene {
             glassBounds[id] = widened(primitives[id].bounds());
         }
         cameraSolids = solidsThatOverlap(camera.startBounds());
-        occluders = new OccluderSet(primitives, lights, bvh);
+        occluders = new OccluderSet(primitives, lights, few);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }
@@ -157,7 +161,7 @@ public final class CompiledScene {
 
     /** Whether a face of a primitive is made of glass. */
     public boolean isGlass(int id, int face) {
-        return material(id, face).kind == SurfaceMaterial.Kind.GLASS;
+        return material(id, face).isGlass;
     }
 
     /** The material of a face of a primitive. */
@@ -173,5 +177,13 @@ public final class CompiledScene {
     /** The features that are left out because the scene does not require them, in plain words. */
     public List<String> absent() {
         return absent;
+    }
+
+    /** Decides visibilities in a hierarchy. Made when it is first needed: few renders do. */
+    synchronized ConeSearch coneSearch() {
+        if (coneSearch == null) {
+            coneSearch = ConeSearch.of(accelerator);
+        }
+        return coneSearch;
     }
 }

@@ -1,29 +1,37 @@
 package enlightenment.compiled;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntFunction;
 
 /** The materials of primitives by id and face: a primitive has one for all its faces or one for each. Immutable. */
 final class FaceMaterials {
-    /** For each id, where its materials begin; one entry more than primitives. */
+    /** For each id, where its materials begin, and where the last one's end; null if each has one. */
     private final int[] first;
 
     private final SurfaceMaterial[] materials;
 
-    /** @param byId for each primitive its one material, or one per face */
-    FaceMaterials(List<List<SurfaceMaterial>> byId) {
-        first = new int[byId.size() + 1];
-        List<SurfaceMaterial> all = new ArrayList<>(byId.size());
-        for (int id = 0; id < byId.size(); id++) {
-            first[id] = all.size();
-            all.addAll(byId.get(id));
+    /** @param byId for each of n primitives its one material, or one per face */
+    FaceMaterials(int n, IntFunction<List<SurfaceMaterial>> byId) {
+        int[] starts = new int[n + 1];
+        SurfaceMaterial[] all = new SurfaceMaterial[n];
+        for (int id = 0; id < n; id++) {
+            int end = starts[id];
+            for (SurfaceMaterial m : byId.apply(id)) {
+                all = end < all.length ? all : Arrays.copyOf(all, 2 * end + 1);
+                all[end++] = m;
+            }
+            starts[id + 1] = end;
         }
-        first[byId.size()] = all.size();
-        materials = all.toArray(SurfaceMaterial[]::new);
+        first = starts[n] == n ? null : starts;
+        materials = Arrays.copyOf(all, starts[n]);
     }
 
     /** The material of a face of a primitive. */
     SurfaceMaterial of(int id, int face) {
+        if (first == null) {
+            return materials[id];
+        }
         int start = first[id];
         return materials[first[id + 1] - start == 1 ? start : start + face];
     }

@@ -1,7 +1,6 @@
 package enlightenment.compiled;
 
-import enlightenment.accel.Bvh;
-import enlightenment.accel.BvhQuery;
+import enlightenment.accel.ConeJudge;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
@@ -20,9 +19,6 @@ import enlightenment.primitive.SupportSurface;
  * only on the two: nothing else in the scene changes it.
  */
 final class OccluderSet {
-    /** What {@link #gather} returns if one ball occludes the whole light, so that no ray is needed. */
-    static final int ALL_BLOCKED = -1;
-
     /** Bounds the rounding of a distance from a plane, relative to the coordinates involved. */
     private static final double PLANE_ERROR = Scale.gamma(16);
 
@@ -34,15 +30,12 @@ final class OccluderSet {
     /** By id: whether the primitive is that ball itself. */
     private final boolean[] isBall;
 
-    private final Bvh bvh;
-
     /** By id: whether the primitive is flat, and its plane's unit normal and offset. */
     private final boolean[] isFlat;
 
     private final double[] planes;
 
-    OccluderSet(Primitive[] primitives, CompiledLight[] lights, Bvh bvh) {
-        this.bvh = bvh;
+    OccluderSet(Primitive[] primitives, CompiledLight[] lights, boolean few) {
         count = primitives.length;
         balls = new double[4 * count];
         isBall = new boolean[count];
@@ -56,7 +49,7 @@ final class OccluderSet {
             }
         }
         for (CompiledLight light : lights) {
-            light.sides = bvh == null ? sides(light) : null;
+            light.sides = few ? sides(light) : null;
         }
     }
 
@@ -94,63 +87,45 @@ final class OccluderSet {
         balls[4 * id + 3] = radius;
     }
 
-    /**
-     * Collects the primitives that may occlude the light from the cone's apex.
-     *
-     * @param cone the cone around the light
-     * @param starts begins with the ids of primitives that are known not to occlude it
-     * @param startCount the number of these
-     * @param query receives the ids
-     * @return the number of ids, or {@link #ALL_BLOCKED}
-     */
-    int gather(LightCone cone, int[] starts, int startCount, BvhQuery query) {
-        query.clear();
-        if (bvh == null) {
-            for (int id = 0; id < count; id++) {
-                if (!isAmong(id, starts, startCount) && add(cone, id, query)) {
-                    return ALL_BLOCKED;
+    /** What is known of the primitives that may occlude a light, for one cone after another. One per thread. */
+    final class Judge implements ConeJudge {
+        private LightCone cone;
+        private int[] starts;
+        private int startCount;
+
+        /**
+         * Sets the cone around the light.
+         *
+         * @param around the cone
+         * @param clear begins with the ids of primitives that are known not to occlude the light
+         * @param count the number of these
+         */
+        Judge of(LightCone around, int[] clear, int count) {
+            cone = around;
+            starts = clear;
+            startCount = count;
+            return this;
+        }
+
+        @Override
+        public int judge(int id) {
+            for (int k = 0; k < startCount; k++) {
+                if (starts[k] == id) {
+                    return CLEAR;
                 }
             }
-            return query.size();
-        }
-        bvh.gather(cone, query);
-        int n = query.size();
-        query.clear();
-        for (int k = 0; k < n; k++) {
-            int id = query.get(k);
-            if (!isAmong(id, starts, startCount) && add(cone, id, query)) {
-                return ALL_BLOCKED;
+            if (isFlat[id] && staysBeside(cone, id)) {
+                return CLEAR;
             }
-        }
-        return query.size();
-    }
-
-    private static boolean isAmong(int id, int[] starts, int startCount) {
-        for (int k = 0; k < startCount; k++) {
-            if (starts[k] == id) {
-                return true;
+            double cx = balls[4 * id];
+            double cy = balls[4 * id + 1];
+            double cz = balls[4 * id + 2];
+            double radius = balls[4 * id + 3];
+            if (cone.misses(cx, cy, cz, radius)) {
+                return CLEAR;
             }
+            return isBall[id] && cone.isHiddenBy(cx, cy, cz, radius) ? BLOCKS_ALL : MAY_BLOCK;
         }
-        return false;
-    }
-
-    /** Adds a primitive if it may occlude the light; true if it certainly occludes all of it. */
-    private boolean add(LightCone cone, int id, BvhQuery query) {
-        if (isFlat[id] && staysBeside(cone, id)) {
-            return false;
-        }
-        double cx = balls[4 * id];
-        double cy = balls[4 * id + 1];
-        double cz = balls[4 * id + 2];
-        double radius = balls[4 * id + 3];
-        if (cone.misses(cx, cy, cz, radius)) {
-            return false;
-        }
-        if (isBall[id] && cone.isHiddenBy(cx, cy, cz, radius)) {
-            return true;
-        }
-        query.add(id);
-        return false;
     }
 
     /**

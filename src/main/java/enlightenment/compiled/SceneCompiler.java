@@ -1,6 +1,9 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.Bvh;
+import enlightenment.accel.PrimitiveList;
+import enlightenment.bsdf.SpecularReflection;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -9,6 +12,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -48,7 +52,7 @@ public final class SceneCompiler {
      * @param files returns the content of an image file, or null if it must be read from the disk
      */
     public static CompiledScene compile(Scene scene, RenderSettings settings, Function<Path, byte[]> files) {
-        return compile(scene, settings, scene.objects().size() > LOOP_LIMIT, files);
+        return compile(scene, settings, LOOP_LIMIT, files, Primitives::placeAll);
     }
 
     /** Places camera, lights and shapes in the frame and discards them: throws where {@link #compile} would, textures aside. */
@@ -61,11 +65,21 @@ public final class SceneCompiler {
 
     /** As {@link #compile(Scene, RenderSettings)}, with or without a hierarchy: the picture is the same. */
     static CompiledScene compile(Scene scene, RenderSettings settings, boolean withBvh) {
-        return compile(scene, settings, withBvh, path -> null);
+        return compile(scene, settings, withBvh ? -1 : Integer.MAX_VALUE, path -> null, Primitives::placeAll);
     }
 
-    private static CompiledScene compile(
-            Scene scene, RenderSettings settings, boolean withBvh, Function<Path, byte[]> files) {
+    /**
+     * As {@link #compile(Scene, RenderSettings, Function)}.
+     *
+     * @param loopLimit with more primitives or objects than this there is a hierarchy
+     * @param placement what shapes become
+     */
+    static CompiledScene compile(
+            Scene scene,
+            RenderSettings settings,
+            int loopLimit,
+            Function<Path, byte[]> files,
+            CompiledPrimitives.Placement placement) {
         ClassicShading shading = shading(scene, settings);
         SceneFrame frame = frameOf(scene);
         CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
@@ -74,11 +88,13 @@ public final class SceneCompiler {
             lights[i] = new CompiledLight(scene.lights().get(i), frame);
         }
         Map<Material, SurfaceMaterial> surfaces = surfaces(scene, files);
-        CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces);
+        CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces, placement);
         Primitive[] primitives = compiled.primitives();
-        Bvh bvh = withBvh ? Bvh.build(primitives) : null;
-        Features features = new Features(scene, shading, bvh, surfaces.values());
-        return new CompiledScene(frame, camera, shading, lights, compiled, bvh, features.present(), features.absent());
+        boolean many = Math.max(primitives.length, scene.objects().size()) > loopLimit;
+        Accelerator accelerator = many ? Bvh.build(primitives) : PrimitiveList.of(primitives);
+        Features features = new Features(scene, shading, many, surfaces.values());
+        return new CompiledScene(
+                frame, camera, shading, lights, compiled, accelerator, features.present(), features.absent());
     }
 
     /** The shading that is compiled so far; any other is refused by name, even if a method from outside claims to render it. */
@@ -187,13 +203,13 @@ public final class SceneCompiler {
         private final List<String> present = new ArrayList<>();
         private final List<String> absent = new ArrayList<>();
 
-        Features(Scene scene, ClassicShading shading, Bvh bvh, Iterable<SurfaceMaterial> surfaces) {
+        Features(Scene scene, ClassicShading shading, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
             boolean mirrors = false;
             boolean glass = false;
             boolean textures = false;
             for (SurfaceMaterial m : surfaces) {
-                mirrors |= m.kind == SurfaceMaterial.Kind.MIRROR;
-                glass |= m.kind == SurfaceMaterial.Kind.GLASS;
+                mirrors |= m.bsdf == SpecularReflection.INSTANCE;
+                glass |= m.isGlass;
                 textures |= m.hasImage();
             }
             int lights = scene.lights().size();
@@ -203,7 +219,7 @@ public final class SceneCompiler {
             add(glass, "refraction", "refraction");
             add(textures, "image textures", "image textures");
             add(
-                    bvh != null,
+                    withBvh,
                     "bounding volume hierarchy over " + scene.objects().size() + " primitives",
                     "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
         }

@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.emitter.RectangleEmitter;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.Rotation;
 import enlightenment.light.Light;
@@ -52,7 +53,8 @@ public final class SceneHints {
         SceneHints hints = new SceneHints(scene, compiled);
         List<String> found = new ArrayList<>();
         ALL.forEach(hint -> hint.accept(hints, found));
-        return List.copyOf(found);
+        // Several primitives of one object may give the same hint.
+        return found.stream().distinct().toList();
     }
 
     private void nothingToSee(List<String> found) {
@@ -94,7 +96,7 @@ public final class SceneHints {
             return;
         }
         for (int id = 0; id < compiled.primitives.length; id++) {
-            if (isOpaqueSolid(id) && startsIn(compiled.primitives[id]) && !holdsLight(compiled.primitives[id])) {
+            if (startsIn(compiled.primitives[id]) && isOpaqueSolid(id) && !holdsLight(compiled.primitives[id])) {
                 found.add("/camera: is inside " + name(id) + ", which is opaque and holds no light");
             }
         }
@@ -115,8 +117,8 @@ public final class SceneHints {
             CompiledLight light = compiled.lights[i];
             for (int id = 0; id < compiled.primitives.length; id++) {
                 Primitive solid = compiled.primitives[id];
-                if (isOpaqueSolid(id)
-                        && isInside(solid, new Vec3(light.ballX, light.ballY, light.ballZ))
+                if (isInside(solid, new Vec3(light.ballX, light.ballY, light.ballZ))
+                        && isOpaqueSolid(id)
                         && points(light).stream().allMatch(p -> isInside(solid, p))
                         && starts.stream().noneMatch(p -> solid.contains(p.x(), p.y(), p.z()))) {
                     found.add("/lights/" + i + ": is inside " + name(id) + ", which is opaque: no light comes out");
@@ -132,7 +134,12 @@ public final class SceneHints {
     }
 
     private boolean startsIn(Primitive solid) {
-        return starts.stream().allMatch(p -> isInside(solid, p));
+        for (Vec3 p : starts) {
+            if (!isInside(solid, p)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private Ray ray(double x, double y) {
@@ -160,10 +167,10 @@ public final class SceneHints {
         List<Vec3> points = new ArrayList<>();
         Vec3 middle = new Vec3(light.ballX, light.ballY, light.ballZ);
         points.add(middle);
-        int steps = light.kind == CompiledLight.Kind.POINT ? 0 : 4;
+        int steps = light.emitter.isDelta() ? 0 : 4;
         for (int i = -steps; i <= steps; i++) {
             for (int j = -steps; j <= steps; j++) {
-                if (light.kind == CompiledLight.Kind.RECTANGLE) {
+                if (light.emitter instanceof RectangleEmitter) {
                     points.add(middle.plus(light.right.times(0.5 * i / steps)).plus(light.up.times(0.5 * j / steps)));
                 } else if (steps > 0) {
                     addOnBall(middle, light.radius, i, j, steps, points);

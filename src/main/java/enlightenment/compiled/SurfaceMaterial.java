@@ -1,5 +1,9 @@
 package enlightenment.compiled;
 
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.ClassicDielectric;
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.SpecularReflection;
 import enlightenment.color.DisplayRgb;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -7,26 +11,19 @@ import enlightenment.texture.ImageTexture;
 
 /** A material as shading reads it: plain fields, textures loaded. */
 public final class SurfaceMaterial {
-    /** What the surface does with light. */
-    public enum Kind {
-        /** Diffuse, shaded by the cosine rule. */
-        MATTE,
-        /** Reflects perfectly. */
-        MIRROR,
-        /** Refracts and reflects. */
-        GLASS
-    }
+    /** How the surface scatters light. */
+    public final Bsdf bsdf;
 
-    /** What the surface does with light. */
-    public final Kind kind;
+    /** Whether light passes through it; then a solid of it is a medium. */
+    public final boolean isGlass;
 
-    /** The index of refraction; 1 unless the kind is glass. */
+    /** The index of refraction; 1 unless it is glass. */
     public final double indexOfRefraction;
 
-    /** The share of what is seen that comes through, 0..1; 0 unless the kind is glass. */
+    /** The share of what is seen that comes through, 0..1; 0 unless it is glass. */
     public final double transparency;
 
-    /** Which of several overlapping solids fills the overlap: the one of highest priority; 0 unless the kind is glass. */
+    /** Which of several overlapping solids fills the overlap: the one of highest priority; 0 unless it is glass. */
     public final int priority;
 
     /** Whether shadows show on the surface. */
@@ -46,16 +43,17 @@ public final class SurfaceMaterial {
         description = material;
         receivesShadows = material.receivesShadows();
         if (material instanceof Material.Glass glass) {
-            kind = Kind.GLASS;
+            bsdf = ClassicDielectric.INSTANCE;
             indexOfRefraction = glass.indexOfRefraction();
             transparency = glass.transparency();
             priority = glass.priority();
         } else {
-            kind = opaqueKind(material);
+            bsdf = opaque(material);
             indexOfRefraction = 1;
             transparency = 0;
             priority = 0;
         }
+        isGlass = bsdf.transmits();
         Texture texture = material.color();
         DisplayRgb first = DisplayRgb.BLACK;
         DisplayRgb second = null;
@@ -80,12 +78,12 @@ public final class SurfaceMaterial {
         bilinear = smooth;
     }
 
-    private static Kind opaqueKind(Material material) {
+    private static Bsdf opaque(Material material) {
         if (material instanceof Material.Matte) {
-            return Kind.MATTE;
+            return Lambert.INSTANCE;
         }
         if (material instanceof Material.Mirror) {
-            return Kind.MIRROR;
+            return SpecularReflection.INSTANCE;
         }
         throw new AssertionError("no compiled form of the material " + material.type());
     }
@@ -140,7 +138,7 @@ public final class SurfaceMaterial {
         String color = texture instanceof Texture.File file
                 ? "image " + image.fingerprint() + " " + file.filter() + " " + file.encoding()
                 : texture.toString();
-        return kind + " " + color + " " + receivesShadows + " " + indexOfRefraction + " " + transparency + " "
-                + priority;
+        return description.type() + " " + color + " " + receivesShadows + " " + indexOfRefraction + " " + transparency
+                + " " + priority;
     }
 }

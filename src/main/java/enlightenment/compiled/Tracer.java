@@ -1,7 +1,10 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
+import enlightenment.accel.ConeSearch;
+import enlightenment.accel.PrimitiveList;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -9,9 +12,6 @@ import enlightenment.primitive.Ray;
 /** Traces rays through a compiled scene. One per thread: it holds the scratch memory of searches and their counts. */
 public final class Tracer {
     private static final int NOTHING = -1;
-
-    /** With more candidates than this, a shadow ray traverses the hierarchy instead of testing them all. */
-    private static final int MAX_CANDIDATES = 12;
 
     /** What is known of the visibility of a light from a point before a ray is traced. */
     public enum Visibility {
@@ -27,19 +27,28 @@ public final class Tracer {
     private final RayCounters counters;
     private final Closest closest;
     private final TileFrustum frustum = new TileFrustum();
-    private final BvhQuery candidates;
-    private int candidateCount;
+    private final BvhQuery query;
+    private final OccluderSet.Judge judge;
+    private LightCone shadowCone;
 
-    /** The ids of primitives and indices of lights that camera rays of the current tile may meet. */
-    private final int[] tileIds;
+    /** Whether visibilities need not be decided. */
+    private boolean leavesOpen;
 
-    private int tileCount;
+    /** Decides visibilities in a hierarchy; null until that is needed. */
+    private ConeSearch decides;
+
+    /** What camera rays of the current tile may meet. */
+    private final Accelerator tile;
+
+    /** The same if it is a list, else null. */
+    private final PrimitiveList tileList;
+
+    /** The indices of lights that they may meet. */
     private final int[] tileLights;
+
     private int tileLightCount;
 
-    /** The same for all other rays: every primitive and light. */
-    private final int[] allIds;
-
+    /** The same for all other rays: every light. */
     private final int[] allLights;
 
     private final CoincidentHits coincident;
@@ -56,9 +65,10 @@ public final class Tracer {
         this.counters = counters;
         coincident = new CoincidentHits(scene);
         closest = new Closest(scene.kind, counters.tests);
-        candidates = new BvhQuery(scene.kind, counters.tests);
-        allIds = scene.bvh == null ? count(scene.primitives.length) : new int[0];
-        tileIds = new int[allIds.length];
+        query = new BvhQuery(scene.kind, counters.tests);
+        judge = scene.occluders.new Judge();
+        tileList = scene.accelerator instanceof PrimitiveList all ? all.empty() : null;
+        tile = tileList == null ? scene.accelerator : tileList;
         allLights = count(scene.visibleLights.length);
         tileLights = new int[allLights.length];
     }
@@ -74,18 +84,20 @@ public final class Tracer {
     /** Prepares {@link #traceCamera} for the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
     public void beginTile(double x0, double y0, double x1, double y1) {
         frustum.set(scene.camera, x0, y0, x1, y1);
-        tileCount = frustum.gather(scene.bounds, tileIds);
+        if (tileList != null) {
+            tileList.size(frustum.gather(scene.bounds, tileList.members()));
+        }
         tileLightCount = frustum.gather(scene.lightBounds, tileLights);
     }
 
     /** Whether it is known without tracing that no camera ray of the current tile meets anything. */
     public boolean seesNothing() {
-        return scene.bvh == null && tileCount == 0 && tileLightCount == 0;
+        return tileList != null && tileList.size() == 0 && tileLightCount == 0;
     }
 
     /** As {@link #trace}, for a camera ray of the current tile. */
     public boolean traceCamera(Ray ray, Hit hit) {
-        return search(ray, hit, tileIds, tileCount, tileLights, tileLightCount);
+        return search(ray, hit, tile, tileLights, tileLightCount);
     }
 
     /**
@@ -94,19 +106,13 @@ public final class Tracer {
      * @return whether there is one; if so, either {@link #light} is set, or {@link #id} and the hit are
      */
     public boolean trace(Ray ray, Hit hit) {
-        return search(ray, hit, allIds, allIds.length, allLights, allLights.length);
+        return search(ray, hit, scene.accelerator, allLights, allLights.length);
     }
 
     /** One method for all rays, so that the just-in-time compiler has only one to compile. */
-    private boolean search(Ray ray, Hit hit, int[] ids, int idCount, int[] lights, int lightCount) {
-        if (scene.bvh != null) {
-            scene.bvh.closest(ray, closest);
-        } else {
-            closest.reset(Double.MAX_VALUE);
-            for (int k = 0; k < idCount; k++) {
-                closest.offer(ray, scene.primitives[ids[k]], ids[k]);
-            }
-        }
+    private boolean search(Ray ray, Hit hit, Accelerator among, int[] lights, int lightCount) {
+        closest.reset(Double.MAX_VALUE);
+        among.search(ray, closest);
         id = closest.id();
         double t = closest.t();
         light = null;
@@ -149,17 +155,43 @@ public final class Tracer {
     }
 
     /**
+     * Lets {@link #prepareShadows} answer {@link Visibility#UNKNOWN} wherever a shadow ray costs less than the answer. Whoever wants the same
+     * picture must then ask {@link #isHidden}. Without this the answer is a function of the cone and the scene alone.
+     */
+    public void leaveVisibilityOpen() {
+        leavesOpen = tileList == null;
+    }
+
+    /**
      * Prepares {@link #occluded} for shadow rays from the cone's apex to its light.
      *
+     * @param cone the cone
      * @param starts begins with the ids of primitives that the apex lies on and that cannot occlude the light
      * @param count the number of these
+     * @param lightSamples how many shadow rays there will be, unless the visibility is known
      * @return what is known without a ray
      */
-    public Visibility prepareShadows(LightCone cone, int[] starts, int count) {
-        candidateCount = scene.occluders.gather(cone, starts, count, candidates);
-        return candidateCount == 0
-                ? Visibility.ALL
-                : candidateCount == OccluderSet.ALL_BLOCKED ? Visibility.NONE : Visibility.UNKNOWN;
+    public Visibility prepareShadows(LightCone cone, int[] starts, int count, int lightSamples) {
+        shadowCone = cone;
+        judge.of(cone, starts, count);
+        int left;
+        if (leavesOpen || tileList != null) {
+            left = scene.accelerator.narrow(cone, judge, lightSamples, query);
+        } else {
+            if (decides == null) {
+                decides = scene.coneSearch();
+            }
+            left = decides.narrow(cone, judge, query);
+        }
+        return left == 0 ? Visibility.ALL : left == Accelerator.BLOCKED ? Visibility.NONE : Visibility.UNKNOWN;
+    }
+
+    /**
+     * Whether {@link #prepareShadows} would have answered {@link Visibility#NONE} if visibilities were not left open: one primitive
+     * occludes all of the light. To be asked after an answer of {@link Visibility#UNKNOWN}, if all shadow rays were occluded.
+     */
+    public boolean isHidden() {
+        return leavesOpen && scene.accelerator.blocksAll(shadowCone, judge, query);
     }
 
     /**
@@ -172,15 +204,6 @@ public final class Tracer {
     public boolean occluded(Ray ray, double tMax, CompiledLight target) {
         counters.shadowRays++;
         ray.endsOn(target.lyingOn(), tMax);
-        if (candidateCount > MAX_CANDIDATES && scene.bvh != null) {
-            return scene.bvh.occluded(ray, tMax, candidates);
-        }
-        for (int k = 0; k < candidateCount; k++) {
-            int candidate = candidates.get(k);
-            if (candidates.blocks(scene.primitives[candidate], candidate, ray, tMax)) {
-                return true;
-            }
-        }
-        return false;
+        return scene.accelerator.occludedWithin(ray, tMax, query);
     }
 }

@@ -30,7 +30,8 @@ public record SceneFrame(ExactPoint origin, int exponent) {
 
     /** The position of p in this frame, each component rounded once. */
     public Vec3 toFrame(ExactPoint p) {
-        return new Vec3(component(p.x(), origin.x()), component(p.y(), origin.y()), component(p.z(), origin.z()));
+        Vec3 d = p.minus(origin);
+        return new Vec3(component(d.x(), p, 0), component(d.y(), p, 1), component(d.z(), p, 2));
     }
 
     /** A length (or an offset's component) in this frame. */
@@ -38,13 +39,13 @@ public record SceneFrame(ExactPoint origin, int exponent) {
         return Scale.scalb(length, -exponent);
     }
 
-    private double component(BigDecimal p, BigDecimal o) {
-        BigDecimal exact = p.subtract(o);
-        double rounded = exact.doubleValue();
+    /** A component in the frame, from that of the difference, rounded. */
+    private double component(double rounded, ExactPoint p, int axis) {
         int e = Scale.exponent(rounded);
         if (rounded != 0 && Math.abs(e) < SAFE_EXPONENT && Math.abs(e - exponent) < SAFE_EXPONENT) {
             return Scale.scalb(rounded, -exponent);
         }
+        BigDecimal exact = p.component(axis).subtract(origin.component(axis));
         return exact.signum() == 0
                 ? 0
                 : Decimals.timesPowerOfTwo(exact, -exponent).doubleValue();

@@ -2,7 +2,7 @@ package enlightenment.math;
 
 import enlightenment.numeric.Decimals;
 import java.math.BigDecimal;
-import java.util.Objects;
+import java.util.Arrays;
 
 /**
  * An exact position in a scene description.
@@ -12,14 +12,10 @@ import java.util.Objects;
  *
  * <p>Points are equal if their coordinates are equal numbers, however these were written.
  *
- * @param x exact first coordinate, in scene units; stored without trailing zeros
- * @param y exact second coordinate
- * @param z exact third coordinate
+ * <p>A coordinate of up to 17 digits is kept in 8 bytes, because a scene may have a million points. What is equal is kept
+ * equally.
  */
-public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
-    /** The origin of the scene's coordinates. */
-    public static final ExactPoint ORIGIN = new ExactPoint(BigDecimal.ZERO, BigDecimal.ZERO, BigDecimal.ZERO);
-
+public final class ExactPoint {
     /** Beyond this binary exponent, components of a difference may have lost digits to the limits of doubles. */
     private static final int ORDINARY_EXPONENT = 900;
 
@@ -29,31 +25,43 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
      */
     private static final double CERTAINLY_NOT_ZERO = 0x1p-40;
 
-    /** Whole numbers of fewer digits are kept without an exponent. */
-    private static final int SHORT = 9;
+    /** The origin of the scene's coordinates. */
+    public static final ExactPoint ORIGIN = new ExactPoint(BigDecimal.ZERO, BigDecimal.ZERO, BigDecimal.ZERO);
+
+    /** The coordinates as {@link ShortDecimal}s; {@link ShortDecimal#NONE} where one has too many digits. */
+    private final long x;
+
+    private final long y;
+    private final long z;
+
+    /** By axis, the coordinates that have too many digits; null where none has. */
+    private final BigDecimal[] exact;
 
     /**
      * The point with these coordinates.
      *
+     * @param x exact first coordinate, in scene units; kept without trailing zeros
+     * @param y exact second coordinate
+     * @param z exact third coordinate
      * @throws NullPointerException if one is missing
      */
-    public ExactPoint {
-        x = canonical(x);
-        y = canonical(y);
-        z = canonical(z);
+    public ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
+        this.x = ShortDecimal.of(x);
+        this.y = ShortDecimal.of(y);
+        this.z = ShortDecimal.of(z);
+        boolean all = this.x != ShortDecimal.NONE && this.y != ShortDecimal.NONE && this.z != ShortDecimal.NONE;
+        exact = all ? null : new BigDecimal[] {longOne(this.x, x), longOne(this.y, y), longOne(this.z, z)};
     }
 
-    private static BigDecimal canonical(BigDecimal v) {
-        Objects.requireNonNull(v, "coordinate");
-        if (v.signum() == 0) {
-            return BigDecimal.ZERO;
-        }
-        if (v.scale() == 0 && v.precision() < SHORT) {
-            return v;
-        }
-        BigDecimal s = v.stripTrailingZeros();
-        // Equal numbers must become equal objects: 100.0 is stripped to 1E+2, which does not equal 100.
-        return s.scale() < 0 && (long) s.precision() - s.scale() < SHORT ? s.setScale(0) : s;
+    private ExactPoint(long x, long y, long z) {
+        this.x = x;
+        this.y = y;
+        this.z = z;
+        exact = null;
+    }
+
+    private static BigDecimal longOne(long form, BigDecimal v) {
+        return form == ShortDecimal.NONE ? v.stripTrailingZeros() : null;
     }
 
     /**
@@ -74,7 +82,12 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
      * @throws NumberFormatException for a text that {@link BigDecimal#BigDecimal(String)} refuses
      */
     public static ExactPoint of(String x, String y, String z) {
-        return new ExactPoint(new BigDecimal(x), new BigDecimal(y), new BigDecimal(z));
+        long p = ShortDecimal.of(x);
+        long q = ShortDecimal.of(y);
+        long r = ShortDecimal.of(z);
+        return p != ShortDecimal.NONE && q != ShortDecimal.NONE && r != ShortDecimal.NONE
+                ? new ExactPoint(p, q, r)
+                : new ExactPoint(new BigDecimal(x), new BigDecimal(y), new BigDecimal(z));
     }
 
     private static BigDecimal exact(double v) {
@@ -84,21 +97,38 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         return new BigDecimal(v);
     }
 
+    /** The exact first coordinate, without zeros at its end. */
+    public BigDecimal x() {
+        return x == ShortDecimal.NONE ? exact[0] : ShortDecimal.value(x);
+    }
+
+    /** The exact second coordinate, without zeros at its end. */
+    public BigDecimal y() {
+        return y == ShortDecimal.NONE ? exact[1] : ShortDecimal.value(y);
+    }
+
+    /** The exact third coordinate, without zeros at its end. */
+    public BigDecimal z() {
+        return z == ShortDecimal.NONE ? exact[2] : ShortDecimal.value(z);
+    }
+
     /**
      * This point moved by exactly d.
      *
      * @throws IllegalArgumentException if d is not finite
      */
     public ExactPoint plus(Vec3 d) {
-        return new ExactPoint(x.add(exact(d.x())), y.add(exact(d.y())), z.add(exact(d.z())));
+        return new ExactPoint(x().add(exact(d.x())), y().add(exact(d.y())), z().add(exact(d.z())));
     }
 
     /** The offset from o to this point, computed exactly and rounded once per component; infinite beyond the range of doubles. */
     public Vec3 minus(ExactPoint o) {
-        return new Vec3(
-                x.subtract(o.x).doubleValue(),
-                y.subtract(o.y).doubleValue(),
-                z.subtract(o.z).doubleValue());
+        return new Vec3(difference(x, o.x, o, 0), difference(y, o.y, o, 1), difference(z, o.z, o, 2));
+    }
+
+    private double difference(long mine, long other, ExactPoint o, int axis) {
+        double d = ShortDecimal.difference(mine, other);
+        return Double.isNaN(d) ? component(axis).subtract(o.component(axis)).doubleValue() : d;
     }
 
     /**
@@ -112,7 +142,7 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         if (Math.abs(e) < ORDINARY_EXPONENT && d.isFinite()) {
             return d.scaledBy(-e);
         }
-        return direction(o.x.subtract(x), o.y.subtract(y), o.z.subtract(z));
+        return direction(difference(this, o, 0), difference(this, o, 1), difference(this, o, 2));
     }
 
     /** An estimate of the binary exponent of the largest component of the difference to another point, off by a few at most. */
@@ -123,8 +153,8 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
             return e;
         }
         return Math.max(
-                Decimals.exponent(o.x.subtract(x)),
-                Math.max(Decimals.exponent(o.y.subtract(y)), Decimals.exponent(o.z.subtract(z))));
+                Decimals.exponent(difference(this, o, 0)),
+                Math.max(Decimals.exponent(difference(this, o, 1)), Decimals.exponent(difference(this, o, 2))));
     }
 
     /** Whether three points lie exactly on one line, or some of them coincide. A sliver, however thin, is not a line. */
@@ -156,12 +186,12 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
 
     /** The coordinates, each rounded to the nearest double. */
     public Vec3 toVec3() {
-        return new Vec3(x.doubleValue(), y.doubleValue(), z.doubleValue());
+        return minus(ORIGIN);
     }
 
     /** A coordinate by its axis: 0 for x, 1 for y, anything else for z. */
     public BigDecimal component(int axis) {
-        return axis == 0 ? x : axis == 1 ? y : z;
+        return axis == 0 ? x() : axis == 1 ? y() : z();
     }
 
     private static void requireFinite(String key, double v) {
@@ -180,5 +210,21 @@ public record ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
                 Decimals.timesPowerOfTwo(x, -e).doubleValue(),
                 Decimals.timesPowerOfTwo(y, -e).doubleValue(),
                 Decimals.timesPowerOfTwo(z, -e).doubleValue());
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof ExactPoint o && x == o.x && y == o.y && z == o.z && Arrays.equals(exact, o.exact);
+    }
+
+    @Override
+    public int hashCode() {
+        int h = 31 * Long.hashCode(x) + Long.hashCode(y);
+        return 31 * (31 * h + Long.hashCode(z)) + Arrays.hashCode(exact);
+    }
+
+    @Override
+    public String toString() {
+        return "ExactPoint[x=" + x() + ", y=" + y() + ", z=" + z() + "]";
     }
 }

@@ -6,10 +6,11 @@ import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TilePasses;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
-import enlightenment.shading.SampleAddress;
+import enlightenment.shading.Shader;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -19,11 +20,16 @@ import java.util.function.BooleanSupplier;
 public final class RayTraceMethod implements TileIntegrator {
     private final CompiledScene scene;
     private final RenderSettings settings;
-    private final ClassicShader shader;
+    private final Shader shader;
     private final Ray ray = new Ray();
-    private final SampleAddress address = new SampleAddress();
+    private final SobolSampler sampler = new SobolSampler();
     private final SampleSpread spread = new SampleSpread();
     private final double[] color = new double[3];
+
+    /** Where in its pixel the last sample is. */
+    private double dx;
+
+    private double dy;
 
     /** Samples of the pixels that get fewer; others get twice as many. */
     private final int fewer;
@@ -31,28 +37,26 @@ public final class RayTraceMethod implements TileIntegrator {
     /** The share of pixels that get twice as many. */
     private final double doubled;
 
-    /** Takes antialias² samples in each pixel. */
-    public RayTraceMethod(CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        this(scene, settings, counters, settings.antialias() * settings.antialias(), 0);
-    }
-
-    private RayTraceMethod(
-            CompiledScene scene, RenderSettings settings, RayCounters counters, int fewer, double doubled) {
+    /**
+     * Takes this many samples per pixel in the mean: the next power of two below in some pixels and that above in the others,
+     * since these are the numbers for which the points are best distributed.
+     *
+     * @param shader what each of the rays is worth
+     * @param samples at least 1; or 0 for antialias² samples in each pixel
+     */
+    public RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader, double samples) {
         this.scene = scene;
         this.settings = settings;
-        this.shader = new ClassicShader(scene, RayTraceSettings.of(settings).shadowSamples(), counters);
-        this.fewer = fewer;
-        this.doubled = doubled;
+        this.shader = shader;
+        fewer = samples == 0 ? settings.antialias() * settings.antialias() : Integer.highestOneBit((int) samples);
+        doubled = samples == 0 ? 0 : samples / fewer - 1;
     }
 
-    /**
-     * Takes this many samples per pixel in the mean, at least 1: the next power of two below in some pixels and that above in
-     * the others, since these are the numbers for which the points are best distributed.
-     */
-    public static RayTraceMethod withMeanSamples(
+    /** The same with the paper's shading. */
+    public static RayTraceMethod classic(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
-        int fewer = Integer.highestOneBit((int) samples);
-        return new RayTraceMethod(scene, settings, counters, fewer, samples / fewer - 1);
+        int lightPoints = RayTraceSettings.of(settings).shadowSamples();
+        return new RayTraceMethod(scene, settings, ClassicShader.ofColors(scene, lightPoints, counters), samples);
     }
 
     @Override
@@ -80,7 +84,7 @@ public final class RayTraceMethod implements TileIntegrator {
     }
 
     private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
-        address.pixel(settings.seed(), x, y);
+        sampler.pixel(settings.seed(), x, y);
         int samples = Dither.at(x, y) < doubled ? 2 * fewer : fewer;
         if (passes > 1) {
             int end = TilePasses.firstSample(samples, pass + 1, passes);
@@ -92,18 +96,18 @@ public final class RayTraceMethod implements TileIntegrator {
         spread.begin(samples);
         for (int s = 0; s < samples; s++) {
             sample(tile, x, y, s);
-            spread.at(address.filmX(), address.filmY());
+            spread.at(dx, dy);
             spread.add(color[0], color[1], color[2]);
         }
         tile.spread(x, y, spread);
     }
 
     private void sample(FilmTile tile, int x, int y, int index) {
-        address.sample(index);
-        double dx = address.filmX();
-        double dy = address.filmY();
+        sampler.sample(index);
+        dx = sampler.filmX();
+        dy = sampler.filmY();
         scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
-        shader.shade(ray, address, color);
+        shader.shade(ray, sampler, color);
         tile.add(x, y, color[0], color[1], color[2]);
     }
 }

@@ -93,10 +93,7 @@ public final class Integrators {
             return ofExtension(plan, scene, settings, counters);
         }
         return switch (method) {
-            case RAYTRACE ->
-                plan.level() == 0
-                        ? new RayTraceMethod(scene, settings, counters)
-                        : RayTraceMethod.withMeanSamples(scene, settings, counters, plan.level());
+            case RAYTRACE -> RayTraceMethod.classic(scene, settings, counters, plan.level());
             case CLUSTER ->
                 new ClusterMethod(
                         scene,

@@ -14,12 +14,18 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.math.Vec3;
+import java.util.List;
 
 /** Places shapes, which are exact descriptions, in a frame, where they are primitives that rays can intersect. */
 public final class Primitives {
     private Primitives() {}
 
-    /** The shape in a frame, ready to be intersected. Every kind of shape has its line here; a test tries them all. */
+    /** The primitives that a shape consists of, in a frame: each has its own place in the hierarchy and its own faces. */
+    public static List<Primitive> placeAll(Shape shape, SceneFrame frame) {
+        return List.of(place(shape, frame));
+    }
+
+    /** A shape that is one primitive, ready to be intersected. Every such kind has its line here; a test tries them all. */
     public static Primitive place(Shape shape, SceneFrame frame) {
         if (shape instanceof Sphere s) {
             return sphere(s, frame);

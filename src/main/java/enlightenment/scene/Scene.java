@@ -28,7 +28,8 @@ import java.util.Set;
  * @param textures named textures, in order; those that materials hold need no name
  * @param materials named materials, in order; those that objects hold need no name
  * @param lights the lights, in order; the picture does not depend on it
- * @param objects the things, in order; the picture does not depend on it. Names differ
+ * @param objects the things, in order; the picture does not depend on it. Names differ. A scene may have millions, so the list
+ *     makes its elements when they are asked for: they are equal each time, not the same
  * @param render the settings it asks to be rendered with
  * @param animation how it changes over frames, if it does
  */
@@ -57,7 +58,7 @@ public record Scene(
         textures = Collections.unmodifiableMap(new LinkedHashMap<>(textures));
         materials = Collections.unmodifiableMap(new LinkedHashMap<>(materials));
         lights = List.copyOf(lights);
-        objects = List.copyOf(objects);
+        objects = ObjectList.copyOf(objects);
         Objects.requireNonNull(render, "render");
         Objects.requireNonNull(animation, "animation");
         Set<String> names = new HashSet<>();

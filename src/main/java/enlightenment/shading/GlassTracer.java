@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CoincidentHits;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
@@ -29,6 +30,7 @@ final class GlassTracer {
     private final Hit other = new Hit();
     private final Hit nextHit = new Hit();
     private final Ray back = new Ray();
+    private final Scattering border = new Scattering();
 
     /** The opaque surface that {@link #arrive} chose among those that coincide, if the event is not one of glass. */
     int id;
@@ -136,7 +138,8 @@ final class GlassTracer {
             startOnAll(ray, -1);
             return true;
         }
-        if (Optics.refract(ray, hit, from / to)) {
+        scatter(ray, hit, coincident.id(boundary), coincident.hit(boundary).face, from / to);
+        if (border.transmitted) {
             counters.refractedRays++;
             startOnAll(ray, -1);
             return true;
@@ -144,9 +147,16 @@ final class GlassTracer {
         inside.set(saved);
         next = NONE;
         counters.mirrorRays++;
-        Optics.reflect(ray, hit);
         startOnAll(ray, 1);
         return false;
+    }
+
+    /** Lets a ray leave the border of two media as the material of a face of glass scatters it: that needs no random numbers. */
+    private void scatter(Ray ray, Hit hit, int solid, int face, double eta) {
+        Optics.arrive(border, ray, hit);
+        border.eta = eta;
+        scene.material(solid, face).bsdf.sample(border, 0, 0, 0);
+        Optics.leave(ray, hit, border);
     }
 
     /** Whether the last {@link #cross} did not turn the ray: it passed a pane, or between media of equal index. */
@@ -266,9 +276,9 @@ final class GlassTracer {
         }
         other.side = side;
         other.setOrigin(ray);
-        if (!Optics.refract(ray, other, from / to)) {
+        scatter(ray, other, solid, other.face, from / to);
+        if (!border.transmitted) {
             change(solid, -side);
-            Optics.reflect(ray, other);
         }
         ray.from(start, startSide);
     }

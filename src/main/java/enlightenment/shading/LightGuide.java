@@ -1,12 +1,13 @@
 package enlightenment.shading;
 
 /**
- * Importance-samples the points of lights that may be partly occluded, and learns from their visibility. Positions on a light
- * are given in the unit disk in which unguided samples are uniform.
+ * A distribution of light points for each surface, light and bounce, which a method gives to a shader: where on lights that may be partly
+ * occluded to look. What the shader found there is in its {@link PathReport}. Positions on a light are given in the unit disk in which
+ * unguided samples are uniform.
  */
 public interface LightGuide {
     /**
-     * Starts sampling a light from a surface.
+     * Turns to the distribution of a light as it is seen from a surface.
      *
      * @param surface the id of the primitive that is shaded
      * @param light index of the light
@@ -31,7 +32,4 @@ public interface LightGuide {
 
     /** Whether the guide samples the blocked points of the light rather than the visible ones. */
     boolean wantsBlocked();
-
-    /** Reports the visibility of the last position. */
-    void tell(boolean blocked);
 }

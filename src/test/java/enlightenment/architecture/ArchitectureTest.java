@@ -61,6 +61,10 @@ class ArchitectureTest {
             .definedBy("enlightenment.primitive")
             .layer("sampling")
             .definedBy("enlightenment.sampling")
+            .layer("bsdf")
+            .definedBy("enlightenment.bsdf")
+            .layer("emitter")
+            .definedBy("enlightenment.emitter")
             .layer("descriptions")
             .definedBy("enlightenment.material", "enlightenment.light", "enlightenment.camera")
             .layer("scene")
@@ -127,6 +131,10 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("method")
             .whereLayer("film")
             .mayOnlyBeAccessedByLayers("shading", "method", "plan", "render", "engine", "net")
+            .whereLayer("bsdf")
+            .mayOnlyBeAccessedByLayers("compiled", "shading")
+            .whereLayer("emitter")
+            .mayOnlyBeAccessedByLayers("compiled", "shading")
             .whereLayer("primitive")
             .mayOnlyBeAccessedByLayers("accel", "compiled", "shading", "method", "render")
             .whereLayer("compiled")
@@ -151,7 +159,8 @@ class ArchitectureTest {
             .whereLayer("descriptions")
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
-            .mayOnlyBeAccessedByLayers("scene", "compiled", "shading", "method", "plan", "render", "net", "cli")
+            .mayOnlyBeAccessedByLayers(
+                    "bsdf", "emitter", "scene", "compiled", "shading", "method", "plan", "render", "net", "cli")
             .whereLayer("text")
             .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
             .whereLayer("codec")
@@ -319,6 +328,8 @@ class ArchitectureTest {
                     "enlightenment.color",
                     "enlightenment.geometry",
                     "enlightenment.sampling",
+                    "enlightenment.bsdf",
+                    "enlightenment.emitter",
                     "enlightenment.accel",
                     "enlightenment.compiled",
                     "enlightenment.film",

@@ -34,6 +34,8 @@ class FloatingLiteralsTest {
             "shading",
             "method",
             "sampling",
+            "bsdf",
+            "emitter",
             "camera");
 
     /** Literals that say nothing about a scale. */

@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.emitter.Emitter;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -58,6 +60,8 @@ class EveryKindTest {
         assertTrue(p.intersect(ray, hit), shape.type());
         assertTrue(hit.t >= 2.5 && hit.t <= 4.5, shape.type() + " met at " + hit.t);
         assertTrue(p.bounds().contains(hit.point()), shape.type());
+        assertEquals(hit.normal(), p.shadingNormal(hit), shape.type());
+        assertEquals(1, Primitives.placeAll(shape, SceneFrame.WORLD).size(), shape.type());
         assertEquals(hit.t, p.nearest(ray, Double.MAX_VALUE));
         p.textureCoordinates(hit);
         assertTrue(hit.u >= 0 && hit.u <= 1 && hit.v >= 0 && hit.v <= 1, shape.type());
@@ -117,9 +121,9 @@ class EveryKindTest {
 
     @Test
     void everyLightIsOfAKindOfItsOwn() {
-        assertDistinct(
-                lights().map(l -> new CompiledLight(l, SceneFrame.WORLD).kind).toList());
-        assertEquals(CompiledLight.Kind.values().length, Descriptions.LIGHTS.size());
+        assertDistinct(lights().map(l -> new CompiledLight(l, SceneFrame.WORLD).emitter.getClass())
+                .toList());
+        assertEquals(Emitter.class.getPermittedSubclasses().length, Descriptions.LIGHTS.size());
     }
 
     @ParameterizedTest
@@ -139,9 +143,9 @@ class EveryKindTest {
     @Test
     void everyMaterialIsOfAKindOfItsOwnAndKeepsItsColour() {
         assertDistinct(Descriptions.MATERIALS.stream()
-                .map(m -> new SurfaceMaterial(m, null).kind)
+                .map(m -> new SurfaceMaterial(m, null).bsdf.getClass())
                 .toList());
-        assertEquals(SurfaceMaterial.Kind.values().length, Descriptions.MATERIALS.size());
+        assertEquals(Bsdf.class.getPermittedSubclasses().length, Descriptions.MATERIALS.size());
         double[] rgb = new double[3];
         for (Material m : Descriptions.MATERIALS) {
             SurfaceMaterial compiled = new SurfaceMaterial(m, null);

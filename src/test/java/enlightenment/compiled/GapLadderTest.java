@@ -91,7 +91,7 @@ class GapLadderTest {
         Tracer tracer = new Tracer(s.scene, new RayCounters(s.scene.kindNames.size()));
         LightCone cone = new LightCone();
         cone.aim(s.scene.lights[0], ray.ox, ray.oy, ray.oz);
-        Tracer.Visibility seen = tracer.prepareShadows(cone, new int[] {s.id(RectanglePrimitive.class)}, 1);
+        Tracer.Visibility seen = tracer.prepareShadows(cone, new int[] {s.id(RectanglePrimitive.class)}, 1, 1);
         return seen == Tracer.Visibility.NONE
                 || seen == Tracer.Visibility.UNKNOWN && tracer.occluded(ray, 10, s.scene.lights[0]);
     }

@@ -173,7 +173,8 @@ class HierarchyTest {
     private static FilmTile render(Scene scene, RenderSettings settings, boolean withBvh) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings, withBvh);
         FilmTile tile = new FilmTile(0, 0, 48, 32);
-        new RayTraceMethod(compiled, settings, new RayCounters(compiled.kindNames.size())).render(tile);
+        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
+                .render(tile);
         return tile;
     }
 }

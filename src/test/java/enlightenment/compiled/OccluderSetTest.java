@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.BvhQuery;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
@@ -36,6 +37,10 @@ class OccluderSetTest {
         return SceneCompiler.compile(scene, RenderSettings.of(scene), false);
     }
 
+    private static int candidates(CompiledScene scene, LightCone cone, BvhQuery out) {
+        return scene.accelerator.narrow(cone, scene.occluders.new Judge().of(cone, new int[0], 0), 2, out);
+    }
+
     /** Distance at which a ray from p along d meets the light's ball, or NaN. */
     private static double toLight(CompiledLight light, double[] p, double[] d) {
         double[] f = {p[0] - light.x, p[1] - light.y, p[2] - light.z};
@@ -64,8 +69,8 @@ class OccluderSetTest {
             for (int k = 0; k < 20; k++) {
                 double[] p = array(scene, point(random, 3));
                 cone.aim(light, p[0], p[1], p[2]);
-                int n = scene.occluders.gather(cone, new int[0], 0, out);
-                boolean all = n == OccluderSet.ALL_BLOCKED;
+                int n = candidates(scene, cone, out);
+                boolean all = n == Accelerator.BLOCKED;
                 hidden += all ? 1 : 0;
                 int[] candidates = IntStream.range(0, all ? 0 : n).map(out::get).toArray();
                 for (int j = 0; j < 12; j++) {
@@ -138,9 +143,9 @@ class OccluderSetTest {
         LightCone cone = new LightCone();
         double[] onFloor = array(scene, ExactPoint.of(0.25, -5, 0.25));
         cone.aim(scene.lights[0], onFloor[0], onFloor[1], onFloor[2]);
-        assertEquals(1, scene.occluders.gather(cone, new int[0], 0, out), "the table, not the floor nor what is below");
+        assertEquals(1, candidates(scene, cone, out), "the table, not the floor nor what is below");
         double[] onTable = array(scene, ExactPoint.of(0.25, -3, 0.25));
         cone.aim(scene.lights[0], onTable[0], onTable[1], onTable[2]);
-        assertEquals(0, scene.occluders.gather(cone, new int[0], 0, out));
+        assertEquals(0, candidates(scene, cone, out));
     }
 }

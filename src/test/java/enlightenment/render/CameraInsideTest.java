@@ -18,12 +18,12 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.shading.ClassicShader;
-import enlightenment.shading.SampleAddress;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -83,7 +83,7 @@ class CameraInsideTest {
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
         ClassicShader shader = new ClassicShader(compiled, 1, new RayCounters(compiled.kindNames.size()));
         shader.beginTile(0, 0, 1, 1);
-        SampleAddress address = new SampleAddress();
+        SobolSampler address = new SobolSampler();
         double[] color = new double[3];
         double bent = 0;
         for (int i = 0; i <= 40; i++) {
@@ -124,7 +124,7 @@ class CameraInsideTest {
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
         ClassicShader shader = new ClassicShader(compiled, 1, new RayCounters(compiled.kindNames.size()));
         shader.beginTile(0, 0, 1, 1);
-        SampleAddress address = new SampleAddress();
+        SobolSampler address = new SobolSampler();
         double[] color = new double[3];
         for (int i = 0; i <= 20; i++) {
             for (int j = 0; j <= 20; j++) {

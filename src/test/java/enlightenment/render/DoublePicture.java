@@ -29,7 +29,8 @@ public final class DoublePicture {
     public static DoublePicture of(Scene scene, RenderSettings settings) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         FilmTile tile = new FilmTile(0, 0, settings.width(), settings.height());
-        new RayTraceMethod(compiled, settings, new RayCounters(compiled.kindNames.size())).render(tile);
+        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
+                .render(tile);
         DoublePicture p = new DoublePicture(settings.width(), settings.height());
         for (int i = 0; i < p.rgb.length; i++) {
             p.rgb[i] = tile.mean(i / 3 % p.width, i / 3 / p.width, i % 3);

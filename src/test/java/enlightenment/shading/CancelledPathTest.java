@@ -9,6 +9,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -35,7 +36,7 @@ class CancelledPathTest {
             """;
 
     private final Ray ray = new Ray();
-    private final SampleAddress address = new SampleAddress();
+    private final SobolSampler address = new SobolSampler();
     private final double[] color = new double[3];
     private CompiledScene compiled;
     private RayCounters counters;
@@ -63,13 +64,13 @@ class CancelledPathTest {
         ClassicShader shader = shader("mirror", 1);
         shader.stopWhen(() -> true);
         assertThrows(CancellationException.class, () -> shade(shader, 0));
-        assertTrue(counters.mirrorRays <= ClassicShader.POLL_INTERVAL, counters.mirrorRays + " bounces");
+        assertTrue(counters.mirrorRays <= Poll.INTERVAL, counters.mirrorRays + " bounces");
         // Later, in the same number of steps.
         AtomicInteger polled = new AtomicInteger();
         shader.stopWhen(() -> polled.incrementAndGet() >= 5);
         long before = counters.mirrorRays;
         assertThrows(CancellationException.class, () -> shade(shader, 0));
-        assertTrue(counters.mirrorRays - before <= 5 * ClassicShader.POLL_INTERVAL, counters.mirrorRays + " bounces");
+        assertTrue(counters.mirrorRays - before <= 5 * Poll.INTERVAL, counters.mirrorRays + " bounces");
         assertEquals(5, polled.get());
     }
 
@@ -78,7 +79,7 @@ class CancelledPathTest {
         ClassicShader shader = shader("matte", 1_000_000);
         shader.stopWhen(() -> true);
         assertThrows(CancellationException.class, () -> shade(shader, 0));
-        assertTrue(counters.shadowRays <= ClassicShader.POLL_INTERVAL, counters.shadowRays + " rays");
+        assertTrue(counters.shadowRays <= Poll.INTERVAL, counters.shadowRays + " rays");
     }
 
     @Test
@@ -87,12 +88,12 @@ class CancelledPathTest {
         shader.stopWhen(() -> true);
         int shaded = 0;
         try {
-            while (shaded <= ClassicShader.POLL_INTERVAL) {
+            while (shaded <= Poll.INTERVAL) {
                 shade(shader, shaded);
                 shaded++;
             }
         } catch (CancellationException e) {
-            assertTrue(shaded < ClassicShader.POLL_INTERVAL, shaded + " paths");
+            assertTrue(shaded < Poll.INTERVAL, shaded + " paths");
             return;
         }
         throw new AssertionError("the condition was never polled");

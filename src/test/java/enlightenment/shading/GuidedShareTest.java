@@ -13,6 +13,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 import enlightenment.render.TestScenes;
+import enlightenment.sampling.SobolSampler;
 import enlightenment.sampling.Warp;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
@@ -40,7 +41,6 @@ class GuidedShareTest {
     private static final class Skewed implements LightGuide {
         private final boolean blocked;
         private final double[] disk = new double[3];
-        private int told;
 
         Skewed(boolean blocked) {
             this.blocked = blocked;
@@ -73,19 +73,16 @@ class GuidedShareTest {
         public boolean wantsBlocked() {
             return blocked;
         }
-
-        @Override
-        public void tell(boolean isBlocked) {
-            told++;
-        }
     }
 
-    private static double[] meanAndError(CompiledScene compiled, LightGuide guide, int points, int runs) {
+    private int told;
+
+    private double[] meanAndError(CompiledScene compiled, LightGuide guide, int points, int runs) {
         ClassicShader shader = new ClassicShader(compiled, points, new RayCounters(compiled.kindNames.size()));
         shader.beginTile(0, 0, 1, 1);
         shader.guide(guide);
         Ray ray = new Ray();
-        SampleAddress address = new SampleAddress();
+        SobolSampler address = new SobolSampler();
         double[] color = new double[3];
         double sum = 0;
         double squares = 0;
@@ -95,6 +92,8 @@ class GuidedShareTest {
             compiled.camera.ray(0.5, 0.5, ray);
             shader.shade(ray, address, color);
             sum += color[1];
+            told += shader.report().guided.size();
+            assertEquals(shader.report().shadowRays, points, "all are partly hidden");
             squares += color[1] * color[1];
         }
         double mean = sum / runs;
@@ -108,8 +107,9 @@ class GuidedShareTest {
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
         Skewed guide = new Skewed(blocked);
         double[] guided = meanAndError(compiled, guide, points, 100_000);
+        assertEquals(100_000 * points, told);
         double[] even = meanAndError(compiled, null, 64, 20_000);
-        assertEquals(100_000 * points, guide.told);
+        assertEquals(100_000 * points, told, "without a guide none is guided");
         assertTrue(even[0] > 0.02 && even[0] < 0.6, "partly hidden: " + even[0]);
         assertEquals(even[0], guided[0], 4 * Math.sqrt(guided[1] * guided[1] + even[1] * even[1]));
         assertTrue(guided[1] < 0.005 * Math.max(1, 4 * even[0]), "too noisy to tell: " + guided[1]);

@@ -1,9 +1,12 @@
 package enlightenment.shading;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.ClassicDielectric;
+import enlightenment.bsdf.Scattering;
+import enlightenment.bsdf.SpecularReflection;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Rectangle;
 import enlightenment.math.ExactPoint;
@@ -43,6 +46,23 @@ class OpticsLadderTest {
         return Ray.of(new Vec3(-x, -y, -z), new Vec3(x, y, z));
     }
 
+    private static boolean refract(Ray ray, Hit hit, double eta) {
+        Scattering s = new Scattering();
+        s.eta = eta;
+        scatter(ray, hit, s, ClassicDielectric.INSTANCE);
+        return s.transmitted;
+    }
+
+    private static void reflect(Ray ray, Hit hit) {
+        scatter(ray, hit, new Scattering(), SpecularReflection.INSTANCE);
+    }
+
+    private static void scatter(Ray ray, Hit hit, Scattering s, Bsdf bsdf) {
+        Optics.arrive(s, ray, hit);
+        assertTrue(bsdf.sample(s, 0, 0, 0));
+        Optics.leave(ray, hit, s);
+    }
+
     /** 1 − η²(1 − c²) for the cosine that the ray's doubles really have: negative where reflection is total. */
     private static BigDecimal exactCosineSquared(Ray ray, BigDecimal eta) {
         BigDecimal x = new BigDecimal(ray.dx);
@@ -66,7 +86,7 @@ class OpticsLadderTest {
                 Ray ray = towards(sin * Math.cos(turn), sin * Math.sin(turn), -cos);
                 BigDecimal exact = exactCosineSquared(ray, new BigDecimal(eta));
                 assertEquals(turn % 2 == 0, exact.signum() > 0, "the ladder's own rounding, k = " + k);
-                assertEquals(exact.signum() > 0, Optics.refract(ray, hit(), eta), "k = " + k);
+                assertEquals(exact.signum() > 0, refract(ray, hit(), eta), "k = " + k);
                 if (exact.signum() > 0) {
                     double t = exact.sqrt(DIGITS).doubleValue();
                     double error = Math.abs(-ray.dz - t) / t / (U / step);
@@ -84,7 +104,7 @@ class OpticsLadderTest {
         for (int i = 0; i < 10_000; i++) {
             Vec3 d = new Vec3(r.nextGaussian(), r.nextGaussian(), -Math.abs(r.nextGaussian())).normalized();
             Ray ray = towards(d.x(), d.y(), d.z());
-            assertTrue(Optics.refract(ray, hit(), 1));
+            assertTrue(refract(ray, hit(), 1));
             assertEquals(d.x(), ray.dx, 4 * U);
             assertEquals(d.y(), ray.dy, 4 * U);
             assertEquals(d.z(), ray.dz, 4 * U);
@@ -100,7 +120,7 @@ class OpticsLadderTest {
             double cos = i == 0 ? 1 : Math.max(r.nextDouble(), 1e-12);
             double sin = Math.sqrt((1 - cos) * (1 + cos));
             Ray into = towards(sin, 0, -cos);
-            assertTrue(Optics.refract(into, hit(), 1 / 1e6));
+            assertTrue(refract(into, hit(), 1 / 1e6));
             assertTrue(-into.dz > 1 - 1e-12);
             assertEquals(sin * 1e-6, into.dx, 1e-6 * 8 * U);
             double sine = 1e-6 * (i % 2 == 0 ? 1 - r.nextDouble() : 1 + r.nextDouble());
@@ -109,7 +129,7 @@ class OpticsLadderTest {
                     exactCosineSquared(out, BigDecimal.valueOf(1_000_000)).signum() > 0;
             // The cosine of so small an angle is rounded at 1e-16: its sine is known to 1e-4 of 1e-6 only.
             if (Math.abs(sine - 1e-6) > 2.5e-4 * 1e-6) {
-                assertEquals(exact, Optics.refract(out, hit(), 1e6), "sine " + sine);
+                assertEquals(exact, refract(out, hit(), 1e6), "sine " + sine);
                 through += exact ? 1 : 0;
                 total += exact ? 0 : 1;
             }
@@ -144,7 +164,7 @@ class OpticsLadderTest {
                 Vec3 d = new Vec3(r.nextGaussian(), r.nextGaussian(), r.nextGaussian()).normalized();
                 d = d.dot(n) > 0 ? d.negated() : d;
                 Ray ray = towards(d.x(), d.y(), d.z());
-                if (Optics.refract(ray, hit(n.x(), n.y(), n.z()), eta)) {
+                if (refract(ray, hit(n.x(), n.y(), n.z()), eta)) {
                     assertEquals(1, ray.dd, 8 * U, "eta " + eta);
                     assertTrue(ray.dx * n.x() + ray.dy * n.y() + ray.dz * n.z() <= 4 * U, "eta " + eta);
                     assertEquals(Ray.INSIDE, ray.startSide);
@@ -152,7 +172,9 @@ class OpticsLadderTest {
                 } else {
                     reflected++;
                     assertTrue(eta > 1, "eta " + eta);
-                    assertFalse(ray.dx != d.x() || ray.dy != d.y() || ray.dz != d.z());
+                    assertEquals(Ray.OUTSIDE, ray.startSide);
+                    assertEquals(1, ray.dd, 8 * U, "eta " + eta);
+                    assertTrue(ray.dx * n.x() + ray.dy * n.y() + ray.dz * n.z() >= -4 * U, "eta " + eta);
                 }
             }
         }
@@ -166,14 +188,14 @@ class OpticsLadderTest {
         Hit front = hit(0, 0, -1);
         Hit back = hit(0, 0, 1);
         for (int i = 0; i < 1_000_000; i++) {
-            Optics.reflect(ray, i % 2 == 0 ? front : back);
+            reflect(ray, i % 2 == 0 ? front : back);
         }
         assertEquals(1, Math.sqrt(ray.dd), 1e-15);
         Vec3 n = new Vec3(1, 2, -2).normalized();
         Hit tilted = hit(n.x(), n.y(), n.z());
         for (int i = 0; i < 1_000_000; i++) {
             tilted.side = ray.dx * n.x() + ray.dy * n.y() + ray.dz * n.z() < 0 ? Ray.OUTSIDE : Ray.INSIDE;
-            Optics.reflect(ray, tilted);
+            reflect(ray, tilted);
         }
         assertEquals(1, Math.sqrt(ray.dd), 1e-15);
         assertEquals(Math.abs(d.z()), Math.abs(ray.dz), 1e-9);

@@ -4,6 +4,8 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Warp;
 import enlightenment.shading.LightGuide;
+import enlightenment.shading.LightSamples;
+import enlightenment.shading.PathReport;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -31,7 +33,6 @@ final class ClusterGuide implements LightGuide {
     private ClusterProposal aimed;
     private double p;
     private double q;
-    private double weight;
     private final double[] disk = new double[3];
 
     ClusterGuide(Distribution family, RayCounters counters) {
@@ -154,13 +155,12 @@ final class ClusterGuide implements LightGuide {
             Warp.toDisk(u, v, disk);
             p = disk[0];
             q = disk[1];
-            weight = 1;
-        } else {
-            counters.proposals++;
-            weight = current.propose(u, v);
-            p = current.p;
-            q = current.q;
+            return 1;
         }
+        counters.proposals++;
+        double weight = current.propose(u, v);
+        p = current.p;
+        q = current.q;
         return weight;
     }
 
@@ -179,13 +179,25 @@ final class ClusterGuide implements LightGuide {
         return current.wantsBlocked();
     }
 
-    @Override
-    public void tell(boolean blocked) {
+    /** Takes in what became of the light points that it proposed for the last path. */
+    void read(PathReport report) {
+        LightSamples samples = report.guided;
+        for (int k = 0; k < samples.size(); k++) {
+            double weight = samples.number(k, PathReport.WEIGHT);
+            double pp = samples.number(k, PathReport.P);
+            double qq = samples.number(k, PathReport.Q);
+            tell(samples.surface(k), samples.light(k), samples.bounce(k), pp, qq, weight, samples.isBlocked(k));
+        }
+    }
+
+    /** Takes in whether a light point was hidden. */
+    void tell(int surface, int light, int bounce, double pp, double qq, double weight, boolean blocked) {
+        ClusterProposal cluster = find(surface, light, bounce);
         if (!proposing) {
-            current.watch(x, y, p, q, blocked);
-        } else if (blocked == current.wantsBlocked()) {
+            cluster.watch(x, y, pp, qq, blocked);
+        } else if (blocked == cluster.wantsBlocked()) {
             counters.accepted++;
-            current.accept(x, y, p, q, weight);
+            cluster.accept(x, y, pp, qq, weight);
         }
     }
 }

@@ -9,9 +9,9 @@ import enlightenment.method.Dither;
 import enlightenment.method.TileIntegrator;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Distribution;
+import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
-import enlightenment.shading.SampleAddress;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -50,7 +50,7 @@ public final class ClusterMethod implements TileIntegrator {
     private final ClusterGuide guide;
     private final ClusterRecorder recorder;
     private final Ray ray = new Ray();
-    private final SampleAddress address = new SampleAddress();
+    private final SobolSampler sampler = new SobolSampler();
     private final SampleSpread spread = new SampleSpread();
     private final double[] color = new double[3];
 
@@ -104,7 +104,9 @@ public final class ClusterMethod implements TileIntegrator {
         firstSamples = firstSamples(samples);
         shader = new ClassicShader(scene, 1, counters);
         recorder = clusters == null ? null : new ClusterRecorder(clusters);
-        shader.observer(recorder);
+        if (recorder != null) {
+            shader.report().keepRays();
+        }
         survey = new Survey(scene, settings, shader, recorder);
         guide = new ClusterGuide(proposal, counters);
     }
@@ -257,7 +259,7 @@ public final class ClusterMethod implements TileIntegrator {
         for (int s = 0; s < count; s++) {
             sample(block.x() + i, block.y() + j, i, j, s);
             System.arraycopy(color, 0, first, 3 * (count * k + s), 3);
-            sum += Evidence.of(color, shader.pathKey() == key, needs, k, 1 << points[k]);
+            sum += Evidence.of(color, shader.report().pathKey == key, needs, k, 1 << points[k]);
         }
         evidence.tell(k, key != Survey.DIFFERENT, sum / count);
     }
@@ -271,7 +273,7 @@ public final class ClusterMethod implements TileIntegrator {
     /** Turns to a pixel. */
     private void turn(Block block, int i, int j, long seed) {
         shader.lightPoints(1 << points[Block.SIDE * j + i]);
-        address.pixel(seed, block.x() + i, block.y() + j);
+        sampler.pixel(seed, block.x() + i, block.y() + j);
         interpolate(i, j);
         if (guided) {
             guide.pixel(i, j);
@@ -288,8 +290,8 @@ public final class ClusterMethod implements TileIntegrator {
         spread.begin(samples);
         for (int s = 0; s < samples; s++) {
             if (s < done) {
-                address.sample(s);
-                spread.at(address.filmX(), address.filmY());
+                sampler.sample(s);
+                spread.at(sampler.filmX(), sampler.filmY());
                 System.arraycopy(first, 3 * (done * k + s), color, 0, 3);
             } else {
                 sample(x, y, i, j, s);
@@ -307,9 +309,9 @@ public final class ClusterMethod implements TileIntegrator {
 
     /** Sets the colour of a sample minus the control variate: the interpolation of the corners there. */
     private void sample(int x, int y, int i, int j, int index) {
-        address.sample(index);
-        double dx = address.filmX();
-        double dy = address.filmY();
+        sampler.sample(index);
+        double dx = sampler.filmX();
+        double dy = sampler.filmY();
         spread.at(dx, dy);
         scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
         if (guided) {
@@ -318,7 +320,13 @@ public final class ClusterMethod implements TileIntegrator {
         if (recorder != null) {
             recorder.camera(ray);
         }
-        shader.shade(ray, address, color);
+        shader.shade(ray, sampler, color);
+        if (recorder != null) {
+            recorder.read(shader.report());
+        }
+        if (guided) {
+            guide.read(shader.report());
+        }
         double dxy = dx * dy;
         for (int c = 0; c < 3; c++) {
             int k = 4 * c;

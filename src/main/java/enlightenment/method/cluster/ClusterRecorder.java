@@ -1,14 +1,14 @@
 package enlightenment.method.cluster;
 
-import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
-import enlightenment.shading.LightObserver;
+import enlightenment.shading.LightSamples;
+import enlightenment.shading.PathReport;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
 /** Keeps the nine distributions of each cluster of a block, if somebody wants to see them. */
-final class ClusterRecorder implements LightObserver {
+final class ClusterRecorder {
     private final Consumer<List<ClusterStatistics>> sink;
     private final double[] points = new double[ClusterStatistics.COORDINATES];
     private List<ClusterStatistics> records = new ArrayList<>();
@@ -38,29 +38,21 @@ final class ClusterRecorder implements LightObserver {
         points[2] = ray.oz + ray.dz;
     }
 
-    @Override
-    public void ray(
-            int surface,
-            int light,
-            int bounce,
-            Hit from,
-            double dx,
-            double dy,
-            double dz,
-            double distance,
-            boolean blocked) {
-        ClusterStatistics record = find(surface, light, bounce);
-        if (blocked) {
-            record.reject();
-            return;
+    /** Records the light samples of the path that was followed. */
+    void read(PathReport report) {
+        LightSamples rays = report.rays;
+        for (int k = 0; k < rays.size(); k++) {
+            ClusterStatistics record = find(rays.surface(k), rays.light(k), rays.bounce(k));
+            if (rays.isBlocked(k)) {
+                record.reject();
+            } else {
+                for (int c = 0; c < 3; c++) {
+                    points[3 + c] = rays.number(k, PathReport.SURFACE_POINT + c);
+                    points[6 + c] = rays.number(k, PathReport.LIGHT_POINT + c);
+                }
+                record.accept(points);
+            }
         }
-        points[3] = from.px;
-        points[4] = from.py;
-        points[5] = from.pz;
-        points[6] = Math.fma(dx, distance, from.px);
-        points[7] = Math.fma(dy, distance, from.py);
-        points[8] = Math.fma(dz, distance, from.pz);
-        record.accept(points);
     }
 
     private ClusterStatistics find(int surface, int light, int bounce) {

@@ -3,9 +3,10 @@ package enlightenment.method.cluster;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
+import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
-import enlightenment.shading.SampleAddress;
+import enlightenment.shading.PathReport;
 
 /**
  * The paper's evenly spaced rays: one through each corner of the block's pixels. They are no samples of the pixels; they show
@@ -42,7 +43,7 @@ final class Survey {
     private final long seed;
     private final ClusterRecorder recorder;
     private final Ray ray = new Ray();
-    private final SampleAddress address = new SampleAddress();
+    private final SobolSampler sampler = new SobolSampler();
     private final double[] color = new double[3];
 
     /** Red, green and blue of each corner, row by row. */
@@ -106,14 +107,15 @@ final class Survey {
      *
      * @param round 1, 2, …: each has random numbers of its own
      */
-    void takeMore(ClusterGuide observer, int round) {
+    void takeMore(ClusterGuide guide, int round) {
         shader.lightPoints(MANY);
-        shader.guide(observer);
+        shader.guide(guide);
         for (int j = 0; j <= block.height(); j++) {
             for (int i = 0; i <= block.width(); i++) {
                 if (asked[node(i, j)] > 0) {
-                    observer.at(i, j);
+                    guide.at(i, j);
                     look(i, j, round);
+                    guide.read(shader.report());
                 }
             }
         }
@@ -123,15 +125,19 @@ final class Survey {
     private void look(int i, int j, int round) {
         int column = block.x() + i;
         int row = block.y() + j;
-        address.pixel(seed, column, row);
-        address.sample(round);
+        sampler.pixel(seed, column, row);
+        sampler.sample(round);
         scene.camera.ray((double) column / settings.width(), (double) row / settings.height(), ray);
         if (recorder != null) {
             recorder.camera(ray);
         }
-        shader.shade(ray, address, color);
+        shader.shade(ray, sampler, color);
+        PathReport report = shader.report();
+        if (recorder != null) {
+            recorder.read(report);
+        }
         int k = node(i, j);
-        int points = shader.shadowRays();
+        int points = report.shadowRays;
         if (round == 0) {
             System.arraycopy(color, 0, rgb, 3 * k, 3);
             asked[k] = 0;
@@ -139,14 +145,14 @@ final class Survey {
         } else {
             join(k, (double) points / Math.max(asked[k] + points, 1));
         }
-        keys[k] = shader.pathKey();
+        keys[k] = report.pathKey;
         asked[k] += points;
-        blocked[k] += shader.blockedShadowRays();
-        contrast[k] = shader.visibilityContrast();
-        spread[k] = shader.colorVariance();
+        blocked[k] += report.blockedShadowRays;
+        contrast[k] = report.visibilityContrast;
+        spread[k] = report.colorVariance;
         spreads |= spread[k] > 0;
         askedInAll += points;
-        blockedInAll += shader.blockedShadowRays();
+        blockedInAll += report.blockedShadowRays;
         rays++;
     }
 

@@ -6,6 +6,7 @@ import java.io.Reader;
 import java.nio.charset.CharacterCodingException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -53,15 +54,49 @@ final class JsonTree {
         Reader open() throws IOException;
     }
 
+    /** Takes the objects of a scene one by one while the text is read, so that they are never all in memory as JSON. */
+    interface ObjectSink {
+        /**
+         * An array of objects begins; if there was one before, it no longer counts.
+         *
+         * @param before the part of the scene that stands before it
+         */
+        void begin(JsonValue.Obj before);
+
+        /**
+         * The next object, or what stands in its place.
+         *
+         * @return what is to stay in the array: the value, or null, so that it is forgotten
+         */
+        JsonValue take(int index, JsonValue v);
+    }
+
     private final JsonParser parser;
     private final Problems problems;
+    private final ObjectSink objects;
     private final Map<String, String> sharedTexts = new HashMap<>();
     private final String[][] lastKeys = new String[DEEPEST_NESTING + 2][];
+
+    /** The values of all arrays and objects that are not complete, outer ones first, and their keys. */
+    private JsonValue[] values = new JsonValue[64];
+
+    private String[] keys = new String[64];
+    private int size;
+
+    /** The number of these arrays and objects; by depth, from 1: where each begins in the stack and in the text. */
     private int depth;
 
-    private JsonTree(JsonParser parser, Problems problems) {
+    private final int[] starts = new int[DEEPEST_NESTING + 2];
+    private final int[] lines = new int[DEEPEST_NESTING + 2];
+    private final int[] columns = new int[DEEPEST_NESTING + 2];
+
+    /** By depth: the keys of an object that has more than a few; null for others. */
+    private final List<Set<String>> seenKeys = new ArrayList<>(Collections.nCopies(DEEPEST_NESTING + 2, null));
+
+    private JsonTree(JsonParser parser, Problems problems, ObjectSink objects) {
         this.parser = parser;
         this.problems = problems;
+        this.objects = objects;
     }
 
     /**
@@ -70,10 +105,19 @@ final class JsonTree {
      * @return null, after adding a problem, where the text is not JSON or cannot be read
      */
     static JsonValue parse(Source source, Problems problems) {
+        return parse(source, problems, null);
+    }
+
+    /**
+     * The same for a scene whose objects are taken one by one; in the value, null stands for those that were forgotten.
+     *
+     * @param objects takes the items of the root's array {@code objects}; null to keep them all
+     */
+    static JsonValue parse(Source source, Problems problems, ObjectSink objects) {
         try (Reader reader = source.open();
                 JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), reader)) {
             try {
-                return new JsonTree(parser, problems).document();
+                return new JsonTree(parser, problems, objects).document();
             } catch (JacksonException e) {
                 if (e.getCause() instanceof IOException io) {
                     throw io;
@@ -103,62 +147,127 @@ final class JsonTree {
         return root;
     }
 
+    /**
+     * The value that begins at the current token. A loop with a stack: as recursive methods, each a copy of the others when it is
+     * compiled, this took seconds of the just-in-time compiler's time.
+     */
     private JsonValue value() {
+        int outside = depth;
+        while (true) {
+            JsonToken token = parser.currentToken();
+            JsonValue complete = null;
+            if (token == JsonToken.PROPERTY_NAME) {
+                addKey();
+            } else if (token == JsonToken.START_ARRAY && isArrayOfObjects()) {
+                complete = objects();
+            } else if (token == JsonToken.START_OBJECT || token == JsonToken.START_ARRAY) {
+                open();
+            } else if (token == JsonToken.END_OBJECT || token == JsonToken.END_ARRAY) {
+                complete = close(token == JsonToken.END_OBJECT);
+            } else {
+                complete = scalar(token);
+            }
+            if (complete != null) {
+                if (depth == outside) {
+                    return complete;
+                }
+                makeRoom();
+                values[size++] = complete;
+            }
+            parser.nextToken();
+        }
+    }
+
+    private JsonValue scalar(JsonToken token) {
         TokenStreamLocation at = parser.currentTokenLocation();
         int line = at.getLineNr();
         int column = at.getColumnNr();
-        JsonToken token = parser.currentToken();
-        switch (token) {
-            case START_OBJECT:
-                return object(line, column);
-            case START_ARRAY:
-                return array(line, column);
-            case VALUE_STRING:
-                return new JsonValue.Str(line, column, shared(parser.getString()));
-            case VALUE_TRUE:
-            case VALUE_FALSE:
-                return new JsonValue.Bool(line, column, token == JsonToken.VALUE_TRUE);
-            case VALUE_NULL:
-                return new JsonValue.Null(line, column);
-            default:
-                return new JsonValue.Num(line, column, parser.getString());
+        return switch (token) {
+            case VALUE_STRING -> new JsonValue.Str(line, column, shared(parser.getString()));
+            case VALUE_TRUE, VALUE_FALSE -> new JsonValue.Bool(line, column, token == JsonToken.VALUE_TRUE);
+            case VALUE_NULL -> new JsonValue.Null(line, column);
+            default -> new JsonValue.Num(line, column, parser.getString());
+        };
+    }
+
+    private void open() {
+        TokenStreamLocation at = parser.currentTokenLocation();
+        makeRoom();
+        depth++;
+        lines[depth] = at.getLineNr();
+        columns[depth] = at.getColumnNr();
+        // Its own place, and its key, stay where they are.
+        starts[depth] = ++size;
+    }
+
+    /** Room for one more value, and for its key. */
+    private void makeRoom() {
+        if (size == values.length) {
+            values = Arrays.copyOf(values, 2 * size);
+            keys = Arrays.copyOf(keys, 2 * size);
         }
     }
 
-    private JsonValue object(int line, int column) {
-        depth++;
-        List<String> keys = new ArrayList<>(8);
-        List<JsonValue> values = new ArrayList<>(8);
-        Set<String> seen = null;
-        while (parser.nextToken() == JsonToken.PROPERTY_NAME) {
-            String key = parser.currentName();
-            if (keys.size() == FEW_KEYS) {
-                seen = new HashSet<>(keys);
-            }
-            if (seen == null ? keys.contains(key) : !seen.add(key)) {
-                TokenStreamLocation at = parser.currentTokenLocation();
-                problems.add(
-                        at.getLineNr(),
-                        at.getColumnNr(),
-                        parser.streamReadContext().pathAsPointer().toString(),
-                        "the key " + Plain.quoted(key) + " is written twice in the same object");
-            }
-            keys.add(key);
-            parser.nextToken();
-            values.add(value());
-        }
-        depth--;
-        return new JsonValue.Obj(line, column, sharedKeys(keys), values.toArray(JsonValue[]::new));
+    private JsonValue close(boolean isObject) {
+        int start = starts[depth];
+        JsonValue v = isObject
+                ? object()
+                : new JsonValue.Arr(lines[depth], columns[depth], Arrays.copyOfRange(values, start, size));
+        size = start - 1;
+        seenKeys.set(depth--, null);
+        return v;
     }
 
-    private JsonValue array(int line, int column) {
-        depth++;
-        List<JsonValue> items = new ArrayList<>(4);
+    /** The innermost object as far as it has been read. */
+    private JsonValue.Obj object() {
+        return new JsonValue.Obj(
+                lines[depth], columns[depth], sharedKeys(), Arrays.copyOfRange(values, starts[depth], size));
+    }
+
+    private void addKey() {
+        String key = parser.currentName();
+        makeRoom();
+        if (isTwice(key)) {
+            TokenStreamLocation at = parser.currentTokenLocation();
+            problems.add(
+                    at.getLineNr(),
+                    at.getColumnNr(),
+                    parser.streamReadContext().pathAsPointer().toString(),
+                    "the key " + Plain.quoted(key) + " is written twice in the same object");
+        }
+        keys[size] = key;
+    }
+
+    private boolean isTwice(String key) {
+        int start = starts[depth];
+        if (size - start < FEW_KEYS) {
+            for (int i = start; i < size; i++) {
+                if (keys[i].equals(key)) {
+                    return true;
+                }
+            }
+            return false;
+        }
+        if (seenKeys.get(depth) == null) {
+            seenKeys.set(depth, new HashSet<>(Arrays.asList(keys).subList(start, size)));
+        }
+        return !seenKeys.get(depth).add(key);
+    }
+
+    private boolean isArrayOfObjects() {
+        return objects != null && depth == 1 && "objects".equals(parser.currentName());
+    }
+
+    private JsonValue objects() {
+        objects.begin(object());
+        open();
+        List<JsonValue> kept = new ArrayList<>();
         while (parser.nextToken() != JsonToken.END_ARRAY) {
-            items.add(value());
+            kept.add(objects.take(kept.size(), value()));
         }
+        size--;
         depth--;
-        return new JsonValue.Arr(line, column, items.toArray(JsonValue[]::new));
+        return new JsonValue.Arr(lines[depth + 1], columns[depth + 1], kept.toArray(JsonValue[]::new));
     }
 
     private String shared(String text) {
@@ -173,10 +282,11 @@ final class JsonTree {
     }
 
     /** Neighbouring objects mostly have the same keys in the same order: one array serves them all. */
-    private String[] sharedKeys(List<String> keys) {
-        String[] mine = keys.toArray(String[]::new);
-        if (!Arrays.equals(mine, lastKeys[depth])) {
-            lastKeys[depth] = mine;
+    private String[] sharedKeys() {
+        int start = starts[depth];
+        String[] last = lastKeys[depth];
+        if (last == null || !Arrays.equals(last, 0, last.length, keys, start, size)) {
+            lastKeys[depth] = Arrays.copyOfRange(keys, start, size);
         }
         return lastKeys[depth];
     }

@@ -25,4 +25,21 @@ final class Library {
         this.folder = folder.toAbsolutePath();
         this.fileNames = fileNames;
     }
+
+    /** One of the same image files that nothing has been read into. */
+    Library unread() {
+        return new Library(folder, fileNames);
+    }
+
+    /** Reads a scene's textures and materials, as far as they are there. */
+    static void read(JsonValue.Obj scene, Values values) {
+        JsonValue textures = scene.get("textures");
+        if (textures != null) {
+            Textures.readNamed(textures, JsonPointer.ROOT.child("textures"), values);
+        }
+        JsonValue materials = scene.get("materials");
+        if (materials != null) {
+            Materials.readNamed(materials, JsonPointer.ROOT.child("materials"), values);
+        }
+    }
 }

@@ -84,8 +84,12 @@ final class Numbers {
 
     /** The exact value of a text without {@linkplain #objection objections}; zero is zero, however it is spelled. */
     static BigDecimal exact(String text) {
-        // Only a zero's exponent may be beyond what a BigDecimal holds.
-        return exponentIsModest(text, exponentIndex(text)) ? new BigDecimal(text) : BigDecimal.ZERO;
+        return new BigDecimal(decimal(text));
+    }
+
+    /** A text without objections in a form that BigDecimal reads: only a zero's exponent may be beyond what it holds. */
+    static String decimal(String text) {
+        return exponentIsModest(text, exponentIndex(text)) ? text : "0";
     }
 
     private static boolean isZero(String text) {

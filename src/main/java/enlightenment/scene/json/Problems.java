@@ -25,6 +25,21 @@ final class Problems {
         this.remark = remark;
     }
 
+    /** An empty collection for a part of the same file, to be {@linkplain #add(Problems) added} in its turn. */
+    Problems ofPart() {
+        return new Problems(file, remark);
+    }
+
+    /** Adds what was found in a part. */
+    void add(Problems part) {
+        for (Problem p : part.kept) {
+            if (kept.size() < MOST_KEPT) {
+                kept.add(p);
+            }
+        }
+        count += part.count;
+    }
+
     /** How many problems were found so far: unchanged means that what was done in between went well. */
     int count() {
         return count;

@@ -26,18 +26,25 @@ final class SceneBinder {
         this.values = new Values(problems, new Library(folder, fileNames));
     }
 
-    /** The scene at a frame, or as it is written; null after a problem. */
-    Scene bind(JsonValue root, OptionalInt frame) {
-        Fields f = Fields.of(root, JsonPointer.ROOT, Vocabulary.SCENE, values);
+    /** The scene that a text holds, at a frame or as it is written; null after a problem. */
+    Scene read(JsonTree.Source source, OptionalInt frame) {
+        ObjectStream objects = new ObjectStream(source, values);
+        JsonValue root = objects.readAll();
+        Fields f = root == null ? null : Fields.of(root, JsonPointer.ROOT, Vocabulary.SCENE, values);
         if (f == null) {
             return null;
         }
-        Animation animation =
-                f.has("animation") ? new Tracks(root, values).read(f.get("animation"), f.at("animation")) : null;
+        JsonValue.Obj scene = (JsonValue.Obj) root;
+        Animation animation = null;
+        if (f.has("animation")) {
+            objects.keepTargets(scene);
+            animation = new Tracks(root, values).read(f.get("animation"), f.at("animation"));
+        }
         if (frame.isPresent()) {
             setFrame(f, animation, frame.getAsInt(), root);
         }
-        return scene(f, animation);
+        objects.prepare(scene, animation != null && frame.isPresent());
+        return scene(f, animation, objects);
     }
 
     private static void setFrame(Fields f, Animation animation, int frame, JsonValue root) {
@@ -50,7 +57,7 @@ final class SceneBinder {
         }
     }
 
-    private Scene scene(Fields f, Animation animation) {
+    private Scene scene(Fields f, Animation animation, ObjectStream stream) {
         f.text("$schema", "the address of the schema");
         String name = f.text("name", "a text");
         Fields image = f.has("image") ? Fields.of(f.get("image"), f.at("image"), Vocabulary.IMAGE, values) : null;
@@ -59,15 +66,9 @@ final class SceneBinder {
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
         Shading shading =
                 f.has("shading") ? Shadings.read(f.get("shading"), f.at("shading"), values) : ClassicShading.DEFAULT;
-        if (f.has("textures")) {
-            Textures.readNamed(f.get("textures"), f.at("textures"), values);
-        }
-        if (f.has("materials")) {
-            Materials.readNamed(f.get("materials"), f.at("materials"), values);
-        }
+        stream.tellLibrary();
         List<Light> lights = f.has("lights") ? Lights.read(f.get("lights"), f.at("lights"), values) : List.of();
-        List<SceneObject> objects =
-                f.has("objects") ? new SceneObjects(values).read(f.get("objects"), f.at("objects")) : List.of();
+        List<SceneObject> objects = f.has("objects") ? stream.objects(f.get("objects"), f.at("objects")) : List.of();
         RenderDefaults render =
                 f.has("render") ? RenderPart.read(f.get("render"), f.at("render"), values) : RenderDefaults.DEFAULT;
         return f.make(() -> new Scene(

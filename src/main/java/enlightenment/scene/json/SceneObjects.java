@@ -11,24 +11,27 @@ import java.util.Map;
 
 /** Reads the objects: shapes and what they are made of. */
 final class SceneObjects {
+    private static final JsonPointer PLACE = JsonPointer.ROOT.child("objects");
+
     private final Values values;
+    private final List<SceneObject> objects = new ArrayList<>();
     private final Map<String, JsonValue> names = new HashMap<>();
 
     SceneObjects(Values values) {
         this.values = values;
     }
 
-    /** The objects that have no problems. */
-    List<SceneObject> read(JsonValue v, JsonPointer place) {
-        JsonValue.Arr a = values.array(v, place, -1, "an array of objects");
-        List<SceneObject> objects = new ArrayList<>(a == null ? 0 : a.size());
-        for (int i = 0; a != null && i < a.size(); i++) {
-            Fields f = Fields.of(a.get(i), place.child(i), Shapes.FAMILY, values);
-            SceneObject object = f == null ? null : object(f);
-            if (object != null) {
-                objects.add(object);
-            }
+    /** The next object, unless it has a problem. */
+    void add(JsonValue v, int index) {
+        Fields f = Fields.of(v, PLACE.child(index), Shapes.FAMILY, values);
+        SceneObject object = f == null ? null : object(f);
+        if (object != null) {
+            objects.add(object);
         }
+    }
+
+    /** The objects that have no problems. */
+    List<SceneObject> all() {
         return objects;
     }
 

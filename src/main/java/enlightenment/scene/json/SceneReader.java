@@ -83,10 +83,8 @@ public final class SceneReader {
      */
     public static Scene readNamed(String json, Set<String> fileNames, String displayName) {
         Problems problems = new Problems(displayName, "");
-        JsonValue root = JsonTree.parse(() -> new StringReader(json), problems);
-        Scene scene = root == null
-                ? null
-                : new SceneBinder(problems, Path.of(""), Set.copyOf(fileNames)).bind(root, OptionalInt.empty());
+        Scene scene = new SceneBinder(problems, Path.of(""), Set.copyOf(fileNames))
+                .read(() -> new StringReader(json), OptionalInt.empty());
         problems.throwIfAny();
         return scene;
     }
@@ -112,8 +110,7 @@ public final class SceneReader {
     }
 
     private static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame) {
-        JsonValue root = JsonTree.parse(source, problems);
-        Scene scene = root == null ? null : new SceneBinder(problems, folder, null).bind(root, frame);
+        Scene scene = new SceneBinder(problems, folder, null).read(source, frame);
         problems.throwIfAny();
         return scene;
     }

@@ -44,6 +44,11 @@ final class Values {
         return isNumber(v, place, "a number") ? Numbers.exact(((JsonValue.Num) v).text) : BigDecimal.ZERO;
     }
 
+    /** The text of a coordinate that a double can hold; "0" after a problem. */
+    private String decimal(JsonValue v, JsonPointer place, int axis) {
+        return isNumber(v, place.child(axis), "a number") ? Numbers.decimal(((JsonValue.Num) v).text) : "0";
+    }
+
     private boolean isNumber(JsonValue v, JsonPointer place, String expected) {
         if (!(v instanceof JsonValue.Num n)) {
             problems.add(v, place, "must be " + expected + ", not " + v.describe());
@@ -134,8 +139,7 @@ final class Values {
         if (a == null) {
             return ExactPoint.ORIGIN;
         }
-        return new ExactPoint(
-                exact(a.get(0), place.child(0)), exact(a.get(1), place.child(1)), exact(a.get(2), place.child(2)));
+        return ExactPoint.of(decimal(a.get(0), place, 0), decimal(a.get(1), place, 1), decimal(a.get(2), place, 2));
     }
 
     /** Three doubles; zeros after a problem. */

@@ -34,8 +34,8 @@ class ClusterGuideTest {
     private void watch(int light, Hidden hidden) {
         guide.at(8 * random.nextDouble(), 8 * random.nextDouble());
         guide.begin(1, light, 0);
-        guide.propose(random.nextDouble(), random.nextDouble());
-        guide.tell(hidden.at(guide.p(), guide.q()));
+        double weight = guide.propose(random.nextDouble(), random.nextDouble());
+        guide.tell(1, light, 0, guide.p(), guide.q(), weight, hidden.at(guide.p(), guide.q()));
     }
 
     @Test

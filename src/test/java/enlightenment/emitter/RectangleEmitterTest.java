@@ -1,20 +1,15 @@
-package enlightenment.shading;
+package enlightenment.emitter;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.compiled.CompiledLight;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.frame.LightVectors;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
-import enlightenment.math.Vec3;
 import enlightenment.sampling.Quadrature;
 import enlightenment.sampling.RunningStatistics;
-import enlightenment.scene.RenderSettings;
-import enlightenment.scene.Scene;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Map;
@@ -26,7 +21,7 @@ import org.junit.jupiter.api.Test;
  * Points on rectangle lights are chosen evenly over the area; so the solid angle of the light is the mean of
  * area · cosine at the light / distance² over them (numerics, N31: "or the area-sampling estimator is used").
  */
-class RectangleLightTest {
+class RectangleEmitterTest {
     /** The rectangle of a line of the vectors: parallel to the x-y plane, seen from the origin. */
     private static CompiledLight light(Map<String, String> line) {
         BigDecimal x0 = new BigDecimal(line.get("x0"));
@@ -40,26 +35,24 @@ class RectangleLightTest {
                 new ExactPoint(x1, y1, z),
                 new ExactPoint(x1, y0, z),
                 DisplayRgb.WHITE);
-        Scene scene = Scene.builder()
-                .camera(new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 1), Vec3.Y, 40))
-                .light(rectangle)
-                .build();
-        return SceneCompiler.compile(scene, RenderSettings.of(scene)).lights[0];
+        return Views.compile(rectangle);
     }
 
     /** What one light point says about the solid angle. */
     private static final class Estimator {
-        private final LightSampler sampler = new LightSampler();
+        private final Emitter emitter;
+        private final EmitterView view;
         private final double area;
 
         Estimator(CompiledLight light) {
-            sampler.aim(light, 0, 0, 0);
+            emitter = light.emitter;
+            view = Views.fromOrigin(emitter);
             area = light.right.length() * light.up.length();
         }
 
         double at(double u, double v) {
-            sampler.sample(u, v);
-            return area * Math.abs(sampler.dz) / (sampler.length * sampler.length);
+            emitter.sample(view, u, v);
+            return area * Math.abs(view.dz) / (view.length * view.length);
         }
     }
 

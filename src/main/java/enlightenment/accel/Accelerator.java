@@ -1,0 +1,58 @@
+package enlightenment.accel;
+
+import enlightenment.frame.BallCone;
+import enlightenment.frame.Bounds;
+import enlightenment.primitive.Ray;
+
+/**
+ * Answers questions about rays and a set of primitives. Whatever the structure, the answers are those of a loop over all
+ * primitives, bit for bit. Immutable, safe for any number of threads, each with its own {@link Closest} and {@link BvhQuery};
+ * a {@link PrimitiveList} that is refilled belongs to one thread.
+ *
+ * <p>Accelerators nest: {@link Bvh#over} makes a hierarchy whose leaves are accelerators.
+ */
+public interface Accelerator {
+    /** What {@link #narrow} returns if one primitive blocks every segment. */
+    int BLOCKED = -1;
+
+    /** Continues a search: offers to the state every primitive that could be closer than what it has. */
+    void search(Ray ray, Closest state);
+
+    /**
+     * Finds the closest crossing with t at least {@link Ray#tMin}.
+     *
+     * @return the id of the primitive, or -1; t is in the state
+     */
+    default int closest(Ray ray, Closest state) {
+        state.reset(Double.MAX_VALUE);
+        search(ray, state);
+        return state.id();
+    }
+
+    /** Whether any primitive has a crossing with tMin ≤ t ≤ tMax. */
+    boolean occluded(Ray ray, double tMax, BvhQuery query);
+
+    /**
+     * Prepares {@link #occludedWithin} for rays from the cone's apex to its ball.
+     *
+     * @param cone the cone
+     * @param judge says what single primitives are to the cone
+     * @param rays about how many rays there will be: for few of them it may not pay to look
+     * @param query receives what is left to be asked
+     * @return 0 if the judge let no primitive pass, {@link #BLOCKED} if one was found to block everything; else a positive number:
+     *     rays must be asked. A primitive that blocks everything may then exist all the same
+     */
+    int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query);
+
+    /** As {@link #occluded}, for a ray within the cone that the query was narrowed to by {@link #narrow}. */
+    boolean occludedWithin(Ray ray, double tMax, BvhQuery query);
+
+    /** Whether a primitive blocks every segment from the cone's apex to its ball, by the judge's verdict. */
+    boolean blocksAll(BallCone cone, ConeJudge judge, BvhQuery query);
+
+    /** Adds the ids of primitives to the query's list, among them all whose boxes overlap a box. */
+    void overlapping(Bounds box, BvhQuery query);
+
+    /** A box around all primitives. */
+    Bounds bounds();
+}

@@ -1,0 +1,139 @@
+package enlightenment.accel;
+
+import enlightenment.frame.BallCone;
+
+/**
+ * The test of a shaft, all segments from a point P to a box around a ball, against boxes of floats that were rounded outwards. At the
+ * share s of their way the segments fill the box P + s·(L − P), L being the box at their end; it overlaps another box on an axis
+ * for s in an interval, so the shaft meets that box if the three intervals and [0, 1] have a point in common. No square root is taken.
+ *
+ * <p>The test is conservative. With m the largest absolute coordinate of P, L and the boxes, P is moved by w = 2^-19 m towards the outside of
+ * each face, and L is widened by w. The roundings are those of {@link FloatSlabs}, 7·2^-24 m; the factors {@link #LESS} and
+ * {@link #MORE} cover the roundings of quotients once more. What is left of w exceeds what {@link BallCone#misses} leaves in doubt:
+ * where the shaft misses the box of a ball, so does the cone of the ball.
+ */
+final class FloatShaft {
+    private static final double WIDENING = 0x1p-19;
+    private static final float LESS = 1 - 0x1p-20f;
+    private static final float MORE = 1 + 0x1p-20f;
+
+    /** An upper limit where the axis sets none. */
+    private static final float FAR = 0x1p60f;
+
+    private static final int ONE = Float.floatToRawIntBits(1 + 0x1p-12f);
+
+    /** By axis: P for lower faces and for upper faces. */
+    private float lowerX;
+
+    private float upperX;
+    private float lowerY;
+    private float upperY;
+    private float lowerZ;
+    private float upperZ;
+
+    /** By axis: times the distance to a lower and an upper face, the least s; 0 where the face sets none. */
+    private float leastLowerX;
+
+    private float leastUpperX;
+    private float leastLowerY;
+    private float leastUpperY;
+    private float leastLowerZ;
+    private float leastUpperZ;
+
+    /** By axis: which face sets the largest s, P for it, and what the distance is multiplied by. */
+    private int mostAtX;
+
+    private float mostX;
+    private float mostInvX;
+    private int mostAtY;
+    private float mostY;
+    private float mostInvY;
+    private int mostAtZ;
+    private float mostZ;
+    private float mostInvZ;
+
+    /**
+     * Prepares the test.
+     *
+     * @param reach the largest absolute coordinate of any box, such that {@link FloatSlabs#suits}
+     * @return whether this test is right for the cone
+     */
+    boolean set(BallCone cone, double reach) {
+        double r = cone.radius;
+        double cx = Math.fma(cone.distance, cone.wx, cone.x);
+        double cy = Math.fma(cone.distance, cone.wy, cone.y);
+        double cz = Math.fma(cone.distance, cone.wz, cone.z);
+        double p = Math.max(Math.abs(cone.x), Math.max(Math.abs(cone.y), Math.abs(cone.z)));
+        double l = Math.max(Math.abs(cx), Math.max(Math.abs(cy), Math.abs(cz))) + r;
+        double m = Math.max(reach, Math.max(p, l));
+        if (!(m <= FloatSlabs.LARGEST)) {
+            return false;
+        }
+        double w = WIDENING * m;
+        setX(cone.x, cx - r - w - cone.x, cx + r + w - cone.x, w);
+        setY(cone.y, cy - r - w - cone.y, cy + r + w - cone.y, w);
+        setZ(cone.z, cz - r - w - cone.z, cz + r + w - cone.z, w);
+        return true;
+    }
+
+    private void setX(double p, double low, double high, double w) {
+        lowerX = (float) (p + w);
+        upperX = (float) (p - w);
+        leastLowerX = leastLower(high, w);
+        leastUpperX = leastUpper(low, w);
+        mostAtX = low > w ? 6 : 0;
+        mostX = low > w ? upperX : high < -w ? lowerX : -FAR;
+        mostInvX = most(low, high, w);
+    }
+
+    private void setY(double p, double low, double high, double w) {
+        lowerY = (float) (p + w);
+        upperY = (float) (p - w);
+        leastLowerY = leastLower(high, w);
+        leastUpperY = leastUpper(low, w);
+        mostAtY = low > w ? 8 : 2;
+        mostY = low > w ? upperY : high < -w ? lowerY : -FAR;
+        mostInvY = most(low, high, w);
+    }
+
+    private void setZ(double p, double low, double high, double w) {
+        lowerZ = (float) (p + w);
+        upperZ = (float) (p - w);
+        leastLowerZ = leastLower(high, w);
+        leastUpperZ = leastUpper(low, w);
+        mostAtZ = low > w ? 10 : 4;
+        mostZ = low > w ? upperZ : high < -w ? lowerZ : -FAR;
+        mostInvZ = most(low, high, w);
+    }
+
+    /** s·high reaches the lower face from s = (face − P)/high on, if the shaft goes up at all. */
+    private static float leastLower(double high, double w) {
+        return high > 0 ? (float) (1 / Math.max(high, w)) * LESS : 0;
+    }
+
+    /** s·low reaches the upper face from s = (face − P)/low on, if the shaft goes down at all. */
+    private static float leastUpper(double low, double w) {
+        return low < 0 ? (float) (1 / Math.min(low, -w)) * LESS : 0;
+    }
+
+    /** A shaft that only goes up passes the upper face, one that only goes down the lower one, at (face − P) times this. */
+    private static float most(double low, double high, double w) {
+        return low > w ? (float) (1 / low) * MORE : high < -w ? (float) (1 / high) * MORE : 1;
+    }
+
+    /** Whether the shaft may meet the box whose numbers begin at b[k] and lie two apart. */
+    boolean meets(float[] b, int k) {
+        int lx = Float.floatToRawIntBits((b[k] - lowerX) * leastLowerX);
+        int ux = Float.floatToRawIntBits((b[k + 6] - upperX) * leastUpperX);
+        int mx = Float.floatToRawIntBits((b[k + mostAtX] - mostX) * mostInvX);
+        int ly = Float.floatToRawIntBits((b[k + 2] - lowerY) * leastLowerY);
+        int uy = Float.floatToRawIntBits((b[k + 8] - upperY) * leastUpperY);
+        int my = Float.floatToRawIntBits((b[k + mostAtY] - mostY) * mostInvY);
+        int lz = Float.floatToRawIntBits((b[k + 4] - lowerZ) * leastLowerZ);
+        int uz = Float.floatToRawIntBits((b[k + 10] - upperZ) * leastUpperZ);
+        int mz = Float.floatToRawIntBits((b[k + mostAtZ] - mostZ) * mostInvZ);
+        int least = Math.max(Math.max(Math.max(lx, ux), Math.max(ly, uy)), Math.max(Math.max(lz, uz), 0));
+        int most = Math.min(Math.min(mx, my), Math.min(mz, ONE));
+        return least <= most;
+    }
+}

@@ -1,0 +1,119 @@
+package enlightenment.accel;
+
+import enlightenment.frame.BallCone;
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+
+/** A few primitives, of which each is tested: faster than a hierarchy up to some two dozen. */
+public final class PrimitiveList implements Accelerator {
+    private final Primitive[] primitives;
+    private final int[] members;
+    private int size;
+
+    private PrimitiveList(Primitive[] primitives, int size) {
+        this.primitives = primitives;
+        this.size = size;
+        members = new int[primitives.length];
+        for (int i = 0; i < size; i++) {
+            members[i] = i;
+        }
+    }
+
+    /** A list of all of these primitives; ids are indices into the array. */
+    public static PrimitiveList of(Primitive[] primitives) {
+        return new PrimitiveList(primitives, primitives.length);
+    }
+
+    /** An empty list that can be filled, by {@link #members} and {@link #size(int)}, with some of this one's primitives. */
+    public PrimitiveList empty() {
+        return new PrimitiveList(primitives, 0);
+    }
+
+    /** The ids of the members, then room for as many as there are primitives. */
+    public int[] members() {
+        return members;
+    }
+
+    /** Sets how many of {@link #members} count. */
+    public void size(int count) {
+        size = count;
+    }
+
+    /** The number of members. */
+    public int size() {
+        return size;
+    }
+
+    @Override
+    public void search(Ray ray, Closest state) {
+        for (int k = 0; k < size; k++) {
+            state.offer(ray, primitives[members[k]], members[k]);
+        }
+    }
+
+    @Override
+    public boolean occluded(Ray ray, double tMax, BvhQuery query) {
+        for (int k = 0; k < size; k++) {
+            if (query.blocks(primitives[members[k]], members[k], ray, tMax)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Override
+    public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {
+        query.clear();
+        for (int k = 0; k < size; k++) {
+            int verdict = judge.judge(members[k]);
+            if (verdict == ConeJudge.BLOCKS_ALL) {
+                return BLOCKED;
+            }
+            if (verdict == ConeJudge.MAY_BLOCK) {
+                query.add(members[k]);
+            }
+        }
+        return query.size();
+    }
+
+    @Override
+    public boolean occludedWithin(Ray ray, double tMax, BvhQuery query) {
+        int n = query.size();
+        for (int k = 0; k < n; k++) {
+            int id = query.get(k);
+            if (query.blocks(primitives[id], id, ray, tMax)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Override
+    public boolean blocksAll(BallCone cone, ConeJudge judge, BvhQuery query) {
+        for (int k = 0; k < size; k++) {
+            if (judge.judge(members[k]) == ConeJudge.BLOCKS_ALL) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Adds all ids: comparing boxes is left to the caller. */
+    @Override
+    public void overlapping(Bounds box, BvhQuery query) {
+        for (int k = 0; k < size; k++) {
+            query.add(members[k]);
+        }
+    }
+
+    @Override
+    public Bounds bounds() {
+        Bounds all = size == 0 ? Bounds.of(Vec3.ZERO) : primitives[members[0]].bounds();
+        for (int k = 1; k < size; k++) {
+            all = all.union(primitives[members[k]].bounds());
+        }
+        return all;
+    }
+}

@@ -1,0 +1,50 @@
+package enlightenment.bsdf;
+
+import enlightenment.sampling.Warp;
+
+/** Matte: f = colour/π on the side that is seen, alike on both sides of the surface. Sampled proportionally to the cosine. */
+public final class Lambert implements Bsdf {
+    public static final Lambert INSTANCE = new Lambert();
+
+    private Lambert() {}
+
+    @Override
+    public boolean isDelta() {
+        return false;
+    }
+
+    @Override
+    public boolean transmits() {
+        return false;
+    }
+
+    @Override
+    public void evaluate(Scattering s) {
+        double p = pdf(s);
+        s.value(s.red * p, s.green * p, s.blue * p);
+    }
+
+    @Override
+    public double pdf(Scattering s) {
+        return Math.max(s.cosineIn(), 0) / Math.PI;
+    }
+
+    /** Malley's method: uniform in the disk below the hemisphere. */
+    @Override
+    public boolean sample(Scattering s, double u, double v, double choice) {
+        Warp.toDisk(u, v, s.disk);
+        double x = s.disk[0];
+        double y = s.disk[1];
+        double z = Math.sqrt(Math.max(1 - s.disk[2], 0));
+        s.basis.around(s.nx, s.ny, s.nz);
+        s.direct(
+                Math.fma(x, s.basis.ax, Math.fma(y, s.basis.bx, z * s.nx)),
+                Math.fma(x, s.basis.ay, Math.fma(y, s.basis.by, z * s.ny)),
+                Math.fma(x, s.basis.az, Math.fma(y, s.basis.bz, z * s.nz)));
+        s.pdf = pdf(s);
+        s.delta = false;
+        s.transmitted = false;
+        s.value(s.red, s.green, s.blue);
+        return s.pdf > 0;
+    }
+}

@@ -1,0 +1,36 @@
+package enlightenment.bsdf;
+
+/** A perfect mirror: one delta lobe, whose reflectance is the surface's colour at every angle. */
+public final class SpecularReflection implements Bsdf {
+    public static final SpecularReflection INSTANCE = new SpecularReflection();
+
+    private SpecularReflection() {}
+
+    @Override
+    public boolean isDelta() {
+        return true;
+    }
+
+    @Override
+    public boolean transmits() {
+        return false;
+    }
+
+    @Override
+    public void evaluate(Scattering s) {
+        s.value(0, 0, 0);
+    }
+
+    @Override
+    public double pdf(Scattering s) {
+        return 0;
+    }
+
+    @Override
+    public boolean sample(Scattering s, double u, double v, double choice) {
+        s.reflect();
+        s.certain(false);
+        s.value(s.red, s.green, s.blue);
+        return true;
+    }
+}

@@ -1,0 +1,60 @@
+package enlightenment.emitter;
+
+import enlightenment.math.Vec3;
+
+/**
+ * The form of a light, in the frame of a render. Immutable, shared by threads; what depends on the point that it is seen from is in an
+ * {@link EmitterView}, which must have been aimed at it.
+ */
+public sealed interface Emitter permits SphereEmitter, RectangleEmitter, PointEmitter {
+    /** The centre of a ball around it. */
+    Vec3 ballCenter();
+
+    /** The radius of that ball. */
+    double ballRadius();
+
+    /**
+     * Whether it has no extent: then all of its points are the same, and densities are with respect to the discrete measure rather than
+     * to solid angle.
+     */
+    boolean isDelta();
+
+    /** Whether the viewer is inside it, and sees it in every direction. */
+    boolean surrounds(EmitterView view);
+
+    /** Whether all of it lies below the horizon of the unit normal n, so that its cosine is 0 everywhere. */
+    boolean isBelow(EmitterView view, double nx, double ny, double nz);
+
+    /** Sets direction and length of the view to the point for (u, v) in the unit square. */
+    void sample(EmitterView view, double u, double v);
+
+    /**
+     * The density with which {@link #sample} chose the view's direction: per solid angle, or 1 if {@link #isDelta}. Infinite where the
+     * emitter is seen edge-on, and covers no solid angle; 0 for a viewer at the very point.
+     */
+    double pdf(EmitterView view);
+
+    /**
+     * The density per solid angle with which {@link #sample} chooses the unit direction (x, y, z): that of {@link #pdf(EmitterView)} for
+     * a direction that it chose, up to rounding; 0 for one that misses the emitter, and if {@link #isDelta}.
+     */
+    double pdf(EmitterView view, double x, double y, double z);
+
+    /**
+     * The exact mean over the emitter's solid angle of the cosine between direction and unit normal n, if all of it is above the
+     * horizon and the mean has a closed form; NaN otherwise.
+     */
+    double meanCosine(EmitterView view, double nx, double ny, double nz);
+
+    /** Prepares {@link #sampleByCosine} and {@link #sampleDisk} for a normal whose {@link #meanCosine} is not NaN. */
+    void prepareByCosine(EmitterView view, double nx, double ny, double nz);
+
+    /** As {@link #sample}, with a density that is that of {@link #pdf} times the cosine over the mean cosine. */
+    void sampleByCosine(EmitterView view, double u, double v);
+
+    /**
+     * As {@link #sampleByCosine} for a position (p, q) in the unit disk itself, whose axes do not turn with the normal, so that
+     * neighbouring viewers see the same part of the emitter at nearly the same position.
+     */
+    void sampleDisk(EmitterView view, double p, double q);
+}

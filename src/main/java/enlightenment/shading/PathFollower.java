@@ -1,0 +1,193 @@
+package enlightenment.shading;
+
+import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.CompiledLight;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.compiled.Tracer;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
+import enlightenment.primitive.SpherePrimitive;
+import enlightenment.sampling.Hash;
+
+/**
+ * Follows a path from event to event, through surfaces and media: says what comes next, and lets whoever shades decide what that is
+ * worth and where the path goes on. One per thread.
+ */
+final class PathFollower {
+    /** A line meets a primitive at most this often: a torus is of the fourth degree. */
+    private static final int MAX_CROSSINGS = 4;
+
+    /** What a path comes to. */
+    enum Event {
+        /** It leaves the scene. */
+        NOTHING,
+        /** {@link #light}. */
+        LIGHT,
+        /** An opaque surface: {@link #id} at {@link #hit}. */
+        SURFACE,
+        /** Surfaces of glass, to be {@link #cross crossed}. */
+        GLASS
+    }
+
+    final Tracer tracer;
+    final GlassTracer glass;
+    final Poll poll;
+
+    /** The surface that the path is at. */
+    final Hit hit = new Hit();
+
+    /** The id of its primitive. */
+    int id;
+
+    /** The light that the path came to. */
+    CompiledLight light;
+
+    /** A hash of what the path came to, in order. */
+    long key;
+
+    /** How many surfaces the path has left behind. */
+    int surfaces;
+
+    private final CompiledScene scene;
+    private final RayCounters counters;
+    private final Scattering scattering = new Scattering();
+    private final int maxBounces;
+
+    /** No line meets more surfaces: a path that passes more of them straight is caught in a loop by rounding, and ends. */
+    private final int maxStraight;
+
+    private int bounces;
+    private int straight;
+
+    /** Whether the last event was glass that did not turn the ray. */
+    private boolean passedStraight;
+
+    PathFollower(CompiledScene scene, RayCounters counters, int maxBounces) {
+        this.scene = scene;
+        this.counters = counters;
+        this.maxBounces = maxBounces;
+        maxStraight = MAX_CROSSINGS * scene.primitives.length;
+        tracer = new Tracer(scene, counters);
+        glass = new GlassTracer(scene, counters);
+        poll = new Poll();
+    }
+
+    /** Starts a path with a camera ray. */
+    void begin(Ray ray) {
+        counters.cameraRays++;
+        glass.begin(ray);
+        key = 0;
+        surfaces = 0;
+        bounces = 0;
+        straight = 0;
+        passedStraight = false;
+        poll.tick();
+    }
+
+    /** Follows the ray to what it meets next. */
+    Event next(Ray ray) {
+        id = glass.takeNext(hit);
+        if (id < 0) {
+            if (!(surfaces == 0 ? tracer.traceCamera(ray, hit) : tracer.trace(ray, hit))) {
+                return Event.NOTHING;
+            }
+            light = tracer.light;
+            if (light != null) {
+                key = Hash.mix(key + 1);
+                return Event.LIGHT;
+            }
+            id = tracer.id;
+        }
+        key = Hash.mix(key - 1 - id - ((long) hit.face << 32));
+        if (glass.arrive(ray, id, hit)) {
+            return Event.GLASS;
+        }
+        id = glass.id;
+        return Event.SURFACE;
+    }
+
+    /** The material of the surface that the path is at. */
+    SurfaceMaterial material() {
+        return scene.material(id, hit.face);
+    }
+
+    /** Writes the colour of that surface. */
+    void color(SurfaceMaterial material, double[] rgb) {
+        if (!material.isTextured()) {
+            material.color(rgb);
+            return;
+        }
+        if (material.hasImage()) {
+            counters.textureLookups++;
+        }
+        hit.primitive.textureCoordinates(hit);
+        material.color(hit.u, hit.v, hit.primitive instanceof SpherePrimitive, rgb);
+    }
+
+    /**
+     * Lets the ray leave an opaque surface in a direction that its material samples, from a point (u, v) of the unit square and a number
+     * that chooses the lobe.
+     *
+     * @param color the surface's colour; receives the weight of the direction, by which the path's throughput changes
+     * @return false if the path ends here
+     */
+    boolean scatter(Ray ray, SurfaceMaterial material, double[] color, double u, double v, double choice) {
+        Optics.arrive(scattering, ray, hit);
+        scattering.red = color[0];
+        scattering.green = color[1];
+        scattering.blue = color[2];
+        if (!material.bsdf.sample(scattering, u, v, choice)) {
+            return false;
+        }
+        color[0] = scattering.valueR;
+        color[1] = scattering.valueG;
+        color[2] = scattering.valueB;
+        counters.mirrorRays++;
+        Optics.leave(ray, hit, scattering);
+        glass.settle(ray, id, hit);
+        glass.reflectFromAll(ray);
+        return true;
+    }
+
+    /**
+     * Lets the ray pass, be refracted or be reflected at the surfaces of glass that it came to.
+     *
+     * @return whether it was transmitted
+     */
+    boolean cross(Ray ray) {
+        boolean through = glass.cross(ray, hit);
+        passedStraight = glass.passedStraight();
+        key += through ? 1 : 0;
+        return through;
+    }
+
+    /** Turns to one of the surfaces that coincide here. */
+    void turnTo(int k) {
+        id = glass.surface(k);
+        hit.set(glass.hitOf(k));
+    }
+
+    /**
+     * Counts the event that the path leaves behind. Surfaces that do not turn the ray are no bounces, so cutting a scene into more
+     * pieces changes nothing.
+     *
+     * @return whether the path may go on
+     */
+    boolean goesOn() {
+        surfaces++;
+        if (!passedStraight) {
+            bounces++;
+            straight = 0;
+        } else if (++straight > maxStraight) {
+            return false;
+        }
+        passedStraight = false;
+        if (bounces > maxBounces) {
+            return false;
+        }
+        poll.tick();
+        return true;
+    }
+}

@@ -33,7 +33,8 @@ final class BenchJson {
         json.writeNumberProperty("width", s.width());
         json.writeNumberProperty("height", s.height());
         json.writeNumberProperty("antialias", s.antialias());
-        ReportJson.influences(json, s);
+        ReportJson.numbers(json, s);
+        ReportJson.words(json, s);
         json.writeNumberProperty("threads", s.threads());
         spread(json, "wallSeconds", b.wall());
         spread(json, "cpuSeconds", b.cpu());

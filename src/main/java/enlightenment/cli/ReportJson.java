@@ -52,22 +52,30 @@ final class ReportJson {
             json.writeArray(new int[] {c.x(), c.y(), c.width(), c.height()}, 0, 4);
         }
         json.writeNumberProperty("antialias", s.antialias());
-        influences(json, s);
+        numbers(json, s);
         json.writeNumberProperty("seed", s.seed());
         s.budget().samples().ifPresent(n -> json.writeNumberProperty("samples", n));
         s.budget().error().ifPresent(e -> json.writeNumberProperty("error", e));
         s.budget().seconds().ifPresent(t -> json.writeNumberProperty("time", t));
+        words(json, s);
         json.writeNumberProperty("threads", s.threads());
         json.writeEndObject();
     }
 
-    /** The settings that only some methods look at, of those the method in use does. */
-    static void influences(JsonGenerator json, RenderSettings s) {
+    /** The whole numbers among the settings that have an influence with the method in use. */
+    static void numbers(JsonGenerator json, RenderSettings s) {
         for (MethodSetting setting : Method.influences(s.method())) {
             if (setting instanceof MethodSetting.Whole whole) {
                 json.writeNumberProperty(setting.key(), s.chosen().whole(whole));
-            } else {
-                json.writeStringProperty(setting.key(), s.chosen().word((MethodSetting.Word) setting));
+            }
+        }
+    }
+
+    /** The words among them. */
+    static void words(JsonGenerator json, RenderSettings s) {
+        for (MethodSetting setting : Method.influences(s.method())) {
+            if (setting instanceof MethodSetting.Word word) {
+                json.writeStringProperty(setting.key(), s.chosen().word(word));
             }
         }
     }

@@ -3,25 +3,49 @@ package enlightenment.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 
 /** The methods from outside, looked for when this class is first needed: a start without them must not pay for the search. */
 final class Extensions {
-    /** By their words: the order in which services are found is anybody's. */
-    static final List<Method> FOUND = found();
+    /**
+     * What came of the search.
+     *
+     * @param fault why they cannot be used, or null; told each time somebody asks, as a class is initialised only once
+     */
+    private record Search(List<Method> found, Throwable fault) {}
+
+    private static final Search SEARCH = search();
 
     private Extensions() {}
 
-    private static List<Method> found() {
-        List<Method> all = new ArrayList<>(BuiltInMethod.ALL);
-        List<Method> sorted = new ArrayList<>();
-        ServiceLoader.load(MethodExtension.class).forEach(sorted::add);
-        sorted.sort(Comparator.comparing(Method::word));
-        for (Method method : sorted) {
-            all.forEach(other -> requireDistinct(method, other));
-            all.add(method);
+    /**
+     * By their words: the order in which services are found is anybody's.
+     *
+     * @throws IllegalStateException if one cannot be made, or two cannot be told apart
+     */
+    static List<Method> found() {
+        Throwable fault = SEARCH.fault();
+        if (fault != null) {
+            throw new IllegalStateException("the methods from outside cannot be used: " + fault.getMessage(), fault);
         }
-        return List.copyOf(sorted);
+        return SEARCH.found();
+    }
+
+    private static Search search() {
+        try {
+            List<Method> all = new ArrayList<>(BuiltInMethod.ALL);
+            List<Method> sorted = new ArrayList<>();
+            ServiceLoader.load(MethodExtension.class).forEach(sorted::add);
+            sorted.sort(Comparator.comparing(Method::word));
+            for (Method method : sorted) {
+                all.forEach(other -> requireDistinct(method, other));
+                all.add(method);
+            }
+            return new Search(List.copyOf(sorted), null);
+        } catch (ServiceConfigurationError | RuntimeException e) {
+            return new Search(List.of(), e);
+        }
     }
 
     /** Whoever put these two together must hear of it; to take one of them would be silent. */

@@ -60,7 +60,7 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
     /** All methods: our own in order, then those from outside by their words. */
     static List<Method> all() {
         List<Method> all = new ArrayList<>(BuiltInMethod.ALL);
-        all.addAll(Extensions.FOUND);
+        all.addAll(Extensions.found());
         return List.copyOf(all);
     }
 
@@ -81,7 +81,7 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
     /** The method with this name; empty if there is none. */
     static Optional<Method> of(String word) {
         Optional<Method> own = find(BuiltInMethod.ALL, word);
-        return own.isPresent() ? own : find(Extensions.FOUND, word);
+        return own.isPresent() ? own : find(Extensions.found(), word);
     }
 
     private static Optional<Method> find(List<Method> methods, String word) {

@@ -4,10 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.scene.Method;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.lang.reflect.Method;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -58,10 +63,14 @@ class MethodExtensionCommandTest {
         assertTrue(run.err().contains("--toy-shape must be one of round, square, not \"flat\""), run.err());
         run = CliRun.of("render", "--help");
         assertTrue(run.out().contains("--toy-rays=N"), run.out());
-        assertTrue(run.out().replaceAll("\\s+", " ").contains(String.join(", ", Method.words())), run.out());
+        assertTrue(
+                run.out().replaceAll("\\s+", " ").contains(String.join(", ", enlightenment.scene.Method.words())),
+                run.out());
         assertTrue(CliRun.of("completion").out().contains("toy-shape"));
         run = CliRun.of("inspect", classic, "--method", "toys");
-        assertTrue(run.err().contains("--method must be one of " + String.join(", ", Method.words())), run.err());
+        assertTrue(
+                run.err().contains("--method must be one of " + String.join(", ", enlightenment.scene.Method.words())),
+                run.err());
     }
 
     @ParameterizedTest
@@ -83,6 +92,51 @@ class MethodExtensionCommandTest {
                         + " classic; what can: "),
                 all);
         assertFalse(Files.exists(out), "no folder of a trade that cannot be");
+    }
+
+    /** Loads the program's classes anew, and tells which it has loaded. */
+    private static final class Fresh extends URLClassLoader {
+        Fresh() {
+            super(
+                    new URL[] {Main.class.getProtectionDomain().getCodeSource().getLocation()},
+                    Main.class.getClassLoader());
+        }
+
+        @Override
+        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+            synchronized (getClassLoadingLock(name)) {
+                Class<?> loaded = findLoadedClass(name);
+                boolean own = loaded == null && name.startsWith("enlightenment.");
+                return own ? findClass(name) : loaded != null ? loaded : super.loadClass(name, resolve);
+            }
+        }
+
+        boolean looked() {
+            return findLoadedClass("enlightenment.scene.Extensions") != null;
+        }
+
+        int run(Object... words) throws Exception {
+            Method main = loadClass("enlightenment.cli.Main", true)
+                    .getDeclaredMethod("run", String[].class, PrintStream.class, PrintStream.class);
+            main.setAccessible(true);
+            String[] args = Stream.of(words).map(Object::toString).toArray(String[]::new);
+            PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
+            return (int) main.invoke(null, args, nowhere, nowhere);
+        }
+    }
+
+    @Test
+    void whoNeedsNoneOfTheMethodsFromOutsideDoesNotPayForTheSearch() throws Exception {
+        Path out = folder.resolve("a.png");
+        try (Fresh fresh = new Fresh()) {
+            assertEquals(0, fresh.run("validate", classic));
+            assertEquals(0, fresh.run("render", classic, "-o", out, "--method", "raytrace", "--shadow-samples", "2"));
+            assertEquals(
+                    0, fresh.run("render", classic, "-o", out, "--method=cluster", "--proposal=zeta", "--samples=3"));
+            assertFalse(fresh.looked());
+            assertEquals(2, fresh.run("inspect", classic, "--method", "no-such-method"));
+            assertTrue(fresh.looked());
+        }
     }
 
     @Test

@@ -65,8 +65,8 @@ class PlannerTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"cylinders, cluster", "glass, cluster", "keyhole, cluster", "keyhole, raytrace"})
-    void theTrueErrorStaysBelowWhatWasAsked(String name, Method method) {
+    @CsvSource({"cylinders, CLUSTER", "glass, CLUSTER", "keyhole, CLUSTER", "keyhole, RAYTRACE"})
+    void theTrueErrorStaysBelowWhatWasAsked(String name, BuiltInMethod method) {
         assertBelow(name, method, 48, 24);
     }
 
@@ -260,9 +260,9 @@ class PlannerTest {
 
     @ParameterizedTest
     @Tag("full")
-    @CsvSource({"fire-and-ice, cluster", "cylinders, cluster", "glass, cluster", "keyhole, cluster", "keyhole, raytrace"
+    @CsvSource({"fire-and-ice, CLUSTER", "cylinders, CLUSTER", "glass, CLUSTER", "keyhole, CLUSTER", "keyhole, RAYTRACE"
     })
-    void norIsTheTrueErrorAboveWhatWasAskedInLargerPictures(String name, Method method) {
+    void norIsTheTrueErrorAboveWhatWasAskedInLargerPictures(String name, BuiltInMethod method) {
         assertBelow(name, method, 72, 36);
     }
 

@@ -126,8 +126,8 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"raytrace,4", "raytrace,1", "cluster,2", "cluster,4"})
-    void thePassesDoNotChangeABit(Method method, int antialias) {
+    @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,2", "CLUSTER,4"})
+    void thePassesDoNotChangeABit(BuiltInMethod method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).with(new RayTraceSettings(1));
         RenderResult plain = Renderer.render(RenderRequest.of(SMALL, settings));
@@ -141,14 +141,14 @@ class RenderRequestTest {
 
     @ParameterizedTest
     @Tag("full")
-    @CsvSource({"raytrace,16", "cluster,8"})
-    void norDoThePassesWithManySamples(Method method, int antialias) {
+    @CsvSource({"RAYTRACE,16", "CLUSTER,8"})
+    void norDoThePassesWithManySamples(BuiltInMethod method, int antialias) {
         thePassesDoNotChangeABit(method, antialias);
     }
 
     @ParameterizedTest
-    @CsvSource({"raytrace,4", "raytrace,1", "cluster,4"})
-    void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(Method method, int antialias) {
+    @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,4"})
+    void everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(BuiltInMethod method, int antialias) {
         RenderSettings settings =
                 QUICK.withMethod(method).withAntialias(antialias).withCrop(new RenderSettings.Crop(3, 5, 61, 30));
         List<Image> seen = new ArrayList<>();

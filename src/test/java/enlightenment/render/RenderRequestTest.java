@@ -175,7 +175,7 @@ class RenderRequestTest {
     @Test
     @Tag("full")
     void everyPictureOfALongProgressiveRenderIsWholeToo() {
-        everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(Method.CLUSTER, 12);
+        everyPictureOfAProgressiveRenderIsWholeAndTheLastIsBetterThanTheFirst(BuiltInMethod.CLUSTER, 12);
     }
 
     private static double distance(Image a, Image b) {

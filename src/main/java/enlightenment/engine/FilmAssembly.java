@@ -43,10 +43,10 @@ public final class FilmAssembly {
 
     FilmAssembly(RenderOutline outline, Phases phases, int round) {
         this.round = round;
-        PictureMemory.check(outline.settings(), 0);
         this.outline = outline;
         this.phases = phases;
         units = WorkUnits.forMachines(outline.settings(), outline.plan());
+        PictureMemory.check(outline.settings(), units.imagesBeside());
         form = ResultForm.of(units, outline);
         film = PictureFilm.of(units, outline, true);
         counters = new RayCounters[units.count()];

@@ -15,6 +15,8 @@ public abstract class PictureFilm {
     /** The units that are there. */
     private final BitSet done = new BitSet();
 
+    private int number;
+
     PictureFilm(WorkUnits units, RenderSettings settings) {
         this.units = units;
         region = settings.region();
@@ -44,6 +46,7 @@ public abstract class PictureFilm {
         boolean isNew = !done.get(Objects.checkIndex(unit, units.count()));
         done.set(unit);
         if (isNew) {
+            number++;
             count(unit, 1);
         }
         return isNew;
@@ -54,6 +57,7 @@ public abstract class PictureFilm {
         boolean was = done.get(Objects.checkIndex(unit, units.count()));
         done.clear(unit);
         if (was) {
+            number--;
             count(unit, -1);
         }
         return was;
@@ -69,7 +73,7 @@ public abstract class PictureFilm {
 
     /** Number of units that are there. */
     public final synchronized int done() {
-        return done.cardinality();
+        return number;
     }
 
     /** Whether all units are there. */

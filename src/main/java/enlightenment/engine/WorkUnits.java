@@ -1,10 +1,12 @@
 package enlightenment.engine;
 
+import enlightenment.check.Check;
 import enlightenment.film.FilmTile;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.MethodTraits;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.PictureMemory;
 import java.util.Objects;
 
 /**
@@ -35,6 +37,12 @@ public final class WorkUnits {
 
     /** Paths of a batch, if there are not so many that there would be too many batches. */
     private static final int PATHS_PER_BATCH = 1 << 16;
+
+    /** Batches have at most 2^30 paths, and a job has at most 2^24 units; so many are a million processors for a day. */
+    private static final double MOST_PATHS = 1L << 52;
+
+    /** The quarters of a tile have six doubles and an int per pixel each, an image has three floats. */
+    private static final int IMAGES_OF_PASSES = 4 * (6 * 8 + 4) / (3 * 4);
 
     private final TileCut cut;
     private final int passes;
@@ -87,8 +95,9 @@ public final class WorkUnits {
     }
 
     private static long paths(RenderSettings settings, RenderPlan plan) {
-        double all = Math.ceil(plan.samples() * settings.width() * settings.height());
-        return Math.max((long) all, 1);
+        double all = Math.max(Math.ceil(plan.samples() * settings.width() * settings.height()), 1);
+        Check.that(all <= MOST_PATHS, "samples", "make too many paths: " + all + ", of at most " + MOST_PATHS);
+        return (long) all;
     }
 
     private static int pathsPerBatch(long paths) {
@@ -112,6 +121,14 @@ public final class WorkUnits {
     /** In how many passes each tile is made. */
     public int passes() {
         return passes;
+    }
+
+    /**
+     * The memory that a picture takes, beyond that of finished tiles, while units are added up that can be taken out again: in images as
+     * large as the picture.
+     */
+    int imagesBeside() {
+        return areBatches() ? PictureMemory.IMAGES_OF_SPLATS : passes > 1 ? IMAGES_OF_PASSES : 0;
     }
 
     /** The tile that a unit belongs to, counted from 0. */

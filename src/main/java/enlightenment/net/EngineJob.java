@@ -114,9 +114,9 @@ public final class EngineJob implements Closeable {
                 .toArray();
     }
 
-    /** Number of bytes of a tile. */
-    public int length(int tile) {
-        return job.film().longest(tile);
+    /** The greatest number of bytes that the result of a unit can have. */
+    public int longest(int unit) {
+        return job.film().longest(unit);
     }
 
     /**

@@ -94,6 +94,7 @@ public final class Renderer {
         PictureMemory.check(
                 settings,
                 (request.progressive() ? 1 : 0)
+                        + (settings.method().kind() == Method.Kind.SPLATS ? PictureMemory.IMAGES_OF_SPLATS : 0)
                         + request.auxiliary().size()
                         // The picture that was not exact enough is kept until there is a better one.
                         + (settings.budget().error().isPresent() ? 1 : 0));

@@ -11,6 +11,9 @@ public final class PictureMemory {
     /** Another image as large as the picture. */
     private static final long BYTES_PER_IMAGE_PIXEL = 3 * 4;
 
+    /** What a film of paths that may end anywhere takes more than that of tiles, in images: four groups of three longs per pixel. */
+    public static final int IMAGES_OF_SPLATS = (4 * 3 * 8 - 3 * (8 + 4)) / (3 * 4);
+
     private PictureMemory() {}
 
     /** Bytes for the film and the finished picture. */

@@ -103,7 +103,7 @@ public final class SparkRender {
             work(Units.deal(missing, spark.defaultParallelism()), new UnitTask(shared, TRIAL_NANOS));
             missing = job.missing();
             if (missing.length > 0 && !cancelled.getAsBoolean()) {
-                long bytes = Arrays.stream(missing).mapToLong(job::length).sum();
+                long bytes = Arrays.stream(missing).mapToLong(job::longest).sum();
                 int units = Units.number(seconds / timed * missing.length, spark.defaultParallelism(), bytes);
                 work(Units.deal(missing, units), new UnitTask(shared, Long.MAX_VALUE));
             }

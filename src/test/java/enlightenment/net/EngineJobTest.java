@@ -44,7 +44,7 @@ class EngineJobTest {
             int[] missing = job.missing();
             for (int i = missing.length - 1; i >= 0; i--) {
                 byte[] bytes = maker.apply(missing[i]);
-                assertEquals(job.length(missing[i]), bytes.length);
+                assertEquals(job.longest(missing[i]), bytes.length);
                 job.put(missing[i], bytes, "a");
                 job.put(missing[i], bytes, "b");
             }
@@ -127,7 +127,7 @@ class EngineJobTest {
     void aTileThatMakesNoSenseIsRefusedAndStaysMissing() throws IOException {
         try (EngineJob job = start(null)) {
             int before = job.missing().length;
-            byte[] bytes = new byte[job.length(3)];
+            byte[] bytes = new byte[job.longest(3)];
             IllegalArgumentException e =
                     assertThrows(IllegalArgumentException.class, () -> job.put(3, bytes, "host-7"));
             assertTrue(e.getMessage().startsWith("tile 3 of host-7: "), e.getMessage());

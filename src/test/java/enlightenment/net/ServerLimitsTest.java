@@ -45,9 +45,10 @@ class ServerLimitsTest {
         try (Farm farm = new Farm(Farm.options().timing(Farm.QUICK)).begin();
                 RawPeer peer = new RawPeer(farm.server.port())) {
             peer.enter("large", Token.NONE);
-            peer.bytes("00800001");
+            peer.bytes("02000001");
             peer.awaitClose();
-            Farm.until(() -> farm.logHas("a frame of 8388609 bytes is outside the limits 1..8388608"), "it is refused");
+            Farm.until(
+                    () -> farm.logHas("a frame of 33554433 bytes is outside the limits 1..33554432"), "it is refused");
             farm.join(Farm.worker(2));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
         }

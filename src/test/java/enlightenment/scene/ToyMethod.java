@@ -1,10 +1,16 @@
 package enlightenment.scene;
 
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.method.Integrator;
+import enlightenment.plan.IntegratorFactory;
+import enlightenment.plan.RenderPlan;
+import enlightenment.plan.ToySplats;
 import java.util.List;
 import java.util.Set;
 
 /** A method that is in the tests only: the program finds it as a service, and nothing in the program names it. */
-public final class ToyMethod extends MethodExtension {
+public final class ToyMethod extends MethodExtension implements IntegratorFactory {
     public static final String WORD = "toy";
     public static final MethodSetting.Whole RAYS =
             new MethodSetting.Whole("toyRays", 1, 64, 8, "rays of the toy per hit");
@@ -18,6 +24,11 @@ public final class ToyMethod extends MethodExtension {
                 Kind.SPLATS,
                 Set.of(Shading.Model.CLASSIC, Shading.Model.PHYSICAL),
                 List.of(RAYS, SHAPE));
+    }
+
+    @Override
+    public Integrator make(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        return new ToySplats(scene, settings, counters);
     }
 
     /** Its settings. */

@@ -125,10 +125,10 @@ class FramesTest {
     @Test
     void aFrameAboveTheLimitIsRefusedByItsHeadAlone() {
         byte[] twoGib = {0x7F, -1, -1, -1};
-        assertEquals("a frame of 2147483647 bytes is outside the limits 1..8388608", refusal(twoGib));
+        assertEquals("a frame of 2147483647 bytes is outside the limits 1..33554432", refusal(twoGib));
         byte[] fourGib = {-1, -1, -1, -1};
-        assertEquals("a frame of 4294967295 bytes is outside the limits 1..8388608", refusal(fourGib));
-        assertEquals("a frame of 0 bytes is outside the limits 1..8388608", refusal(new byte[4]));
+        assertEquals("a frame of 4294967295 bytes is outside the limits 1..33554432", refusal(fourGib));
+        assertEquals("a frame of 0 bytes is outside the limits 1..33554432", refusal(new byte[4]));
         byte[] hello = frame(ALL.get(14));
         assertThrows(ProtocolException.class, () -> read(hello, Limits.FRAME_BEFORE_AUTHENTICATION));
     }

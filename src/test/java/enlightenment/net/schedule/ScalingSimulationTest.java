@@ -44,10 +44,27 @@ class ScalingSimulationTest {
 
     @Test
     void aThousandMachinesDoTheWorkOfNineHundredAndFiftyWhereThereArePixelsForThem() {
-        double efficiency = ScalingSimulation.run(
-                        ScalingSimulation.LARGE.unitSeconds(), MEASURED, new Fleet(1_000, 1, 0, 0), 0, 1)
+        assertBusy(ScalingSimulation.LARGE, 0);
+    }
+
+    /** Its tiles are made in passes: there are 5,000 blocks of pixels only, and without passes 0.58 would be busy. */
+    @Test
+    void aThousandMachinesDoTheWorkOfNineHundredAndFiftyForASmallPictureWithManySamples() {
+        assertEquals(16 * 5_000, JOB.length);
+        assertBusy(ScalingSimulation.PAPERS, 0);
+    }
+
+    @Test
+    @Tag("full")
+    void soItIsWithAuditsAndWhereTheExpensivePartComesLast() {
+        assertBusy(ScalingSimulation.PAPERS, CoordinatorSettings.AUDIT_RATE);
+        assertBusy(ScalingSimulation.PAPERS.withExpensive(1), 0);
+    }
+
+    private static void assertBusy(ScalingSimulation.Job job, double auditRate) {
+        double efficiency = ScalingSimulation.run(job.unitSeconds(), MEASURED, new Fleet(1_000, 1, 0, 0), auditRate, 1)
                 .efficiency();
-        assertTrue(efficiency > 0.95 && efficiency <= 1, "efficiency " + efficiency);
+        assertTrue(efficiency > 0.95 && efficiency <= 1, "efficiency " + efficiency + " of " + job);
     }
 
     @Test

@@ -1,0 +1,175 @@
+package enlightenment.net;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.net.protocol.Timing;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
+import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.nio.ByteBuffer;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntFunction;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Passes over tiles and batches of paths go wherever tiles do, and make the picture of one process. */
+@Timeout(120)
+class UnitKindsTest {
+    private static final Scene SCENE = TestScenes.whiteFireAndIce().build();
+    private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
+
+    @TempDir
+    Path folder;
+
+    enum Kind {
+        /** Two tiles of a pixel, in four passes each. */
+        PASSES(
+                RenderSettings.of(SCENE)
+                        .withSize(64, 48)
+                        .withCrop(new RenderSettings.Crop(31, 20, 2, 1))
+                        .with(new RayTraceSettings(1))
+                        .withBudget(Budget.NONE.withSamples(90_000)),
+                8),
+
+        /** Eight batches, the last not full. */
+        BATCHES(
+                RenderSettings.of(SCENE)
+                        .withMethod(Method.named("toy"))
+                        .withSize(64, 50)
+                        .withCrop(new RenderSettings.Crop(3, 1, 50, 49))
+                        .withAntialias(12),
+                8);
+
+        final RenderSettings settings;
+        final int units;
+        final RenderResult alone;
+
+        Kind(RenderSettings settings, int units) {
+            this.settings = settings.withThreads(1);
+            this.units = units;
+            alone = Renderer.render(RenderRequest.of(SCENE, settings));
+        }
+
+        void check(RenderResult result) {
+            assertTrue(result.complete());
+            assertArrayEquals(alone.image().toArray(), result.image().toArray());
+            assertEquals(alone.report().raysByKind(), result.report().raysByKind());
+            assertEquals(alone.report().sampling(), result.report().sampling());
+            assertEquals(alone.report().pixels(), result.report().pixels());
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void partsThatKnowNothingOfEachOtherMakeIt(Kind kind) throws Exception {
+        List<Path> files = new ArrayList<>();
+        for (int part = 3; part > 0; part--) {
+            Path file = folder.resolve(part + ".film");
+            RenderProgress progress = (done, total, soFar) -> assertTrue(done <= total);
+            assertTrue(RenderParts.render(
+                    SCENE, kind.settings, part, 3, n -> Map.of("n", "" + n), file, progress, () -> false));
+            files.add(file);
+        }
+        RenderParts.Merged some = RenderParts.merge(files.subList(0, 2));
+        assertEquals(List.of("part 1/3"), some.missing());
+        RenderParts.Merged all = RenderParts.merge(files);
+        assertEquals(List.of(), all.missing());
+        kind.check(all.result());
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void anotherEngineMakesItFromTheContentsAloneAndGoesOnFromACheckpoint(Kind kind) throws Exception {
+        Path checkpoint = folder.resolve("ck");
+        IntFunction<byte[]> maker;
+        try (EngineJob job = EngineJob.start(SCENE, kind.settings, checkpoint, text -> {}, () -> false)) {
+            maker = EngineJob.makers(job.contents()).get();
+            assertEquals(kind.units, job.missing().length);
+            for (int unit = 0; unit < kind.units; unit += 2) {
+                byte[] bytes = maker.apply(unit);
+                assertTrue(bytes.length <= job.longest(unit));
+                job.put(unit, bytes, "one");
+                job.put(unit, bytes, "another");
+            }
+            assertThrows(IllegalArgumentException.class, () -> job.put(1, new byte[99], "a liar"));
+        }
+        try (EngineJob job = EngineJob.start(SCENE, kind.settings, checkpoint, text -> {}, () -> false)) {
+            assertEquals(kind.units / 2, job.missing().length);
+            for (int unit : job.missing()) {
+                job.put(unit, maker.apply(unit), "one");
+            }
+            kind.check(job.result());
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aServerAndItsWorkersMakeIt(Kind kind) throws Exception {
+        ServerOptions.Builder options = Farm.options().timing(PATIENT).localThreads(1);
+        try (Farm farm = new Farm(SCENE, kind.settings, options.awaitWorkers(2, 60)).begin()) {
+            farm.join(Farm.worker(1));
+            farm.join(Farm.worker(2));
+            kind.check(farm.result());
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aServerThatWasStoppedGoesOnFromItsCheckpoint(Kind kind) throws Exception {
+        Path checkpoint = folder.resolve("ck");
+        int done;
+        try (Farm farm = new Farm(SCENE, kind.settings, Farm.options().checkpoint(checkpoint)).begin()) {
+            farm.join(Farm.slow(40));
+            Farm.until(() -> farm.server.round().job().film().done() >= 4, "some units are done, and a tile of them");
+            RenderResult stopped = farm.stop();
+            done = farm.server.round().job().film().done();
+            assertTrue(!stopped.complete() && stopped.report().pixels() > 0);
+        }
+        try (Farm farm = new Farm(
+                SCENE, kind.settings, Farm.options().checkpoint(checkpoint).awaitWorkers(1, 60))) {
+            assertEquals(done, farm.server.round().job().film().done());
+            farm.begin().join(Farm.worker(2));
+            kind.check(farm.result());
+        }
+    }
+
+    /** What it said is added up with what others said, and has to be taken out again. */
+    @ParameterizedTest
+    @EnumSource
+    void whatAMachineSaidThatIsFoundOutLeavesNothing(Kind kind) throws Exception {
+        ServerOptions.Builder options =
+                Farm.options().timing(PATIENT).auditRate(1).localThreads(1);
+        try (Farm farm = new Farm(SCENE, kind.settings, options.awaitWorkers(2, 60)).begin()) {
+            farm.join(Farm.worker(1).machine("liar").tamper((unit, bytes) -> liesLike(kind, bytes)));
+            farm.join(Farm.worker(1).machine("honest"));
+            kind.check(farm.result());
+            assertTrue(farm.logHas(RawPeer.called("liar", farm) + " expelled"), farm.log.toString());
+        }
+    }
+
+    /** Bytes with nothing wrong about them but what they say. */
+    private static byte[] liesLike(Kind kind, byte[] bytes) {
+        byte[] wrong = bytes.clone();
+        if (kind == Kind.PASSES) {
+            ByteBuffer.wrap(wrong).putDouble(wrong.length - 52, 0.125);
+        } else {
+            wrong[wrong.length - 1] ^= 1;
+        }
+        return wrong;
+    }
+}

@@ -48,8 +48,12 @@ public final class PrimitiveList implements Accelerator {
 
     @Override
     public void search(Ray ray, Closest state) {
-        for (int k = 0; k < size; k++) {
-            state.offer(ray, primitives[members[k]], members[k]);
+        Primitive[] all = primitives;
+        int[] ids = members;
+        int n = size;
+        for (int k = 0; k < n; k++) {
+            int id = ids[k];
+            state.offer(ray, all[id], id);
         }
     }
 
@@ -65,14 +69,17 @@ public final class PrimitiveList implements Accelerator {
 
     @Override
     public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {
+        int[] ids = members;
+        int n = size;
         query.clear();
-        for (int k = 0; k < size; k++) {
-            int verdict = judge.judge(members[k]);
+        for (int k = 0; k < n; k++) {
+            int id = ids[k];
+            int verdict = judge.judge(id);
             if (verdict == ConeJudge.BLOCKS_ALL) {
                 return BLOCKED;
             }
             if (verdict == ConeJudge.MAY_BLOCK) {
-                query.add(members[k]);
+                query.add(id);
             }
         }
         return query.size();

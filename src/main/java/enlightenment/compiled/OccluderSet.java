@@ -93,11 +93,26 @@ final class OccluderSet {
         balls[4 * id + 3] = radius;
     }
 
-    /** What is known of the primitives that may occlude a light, for one cone after another. One per thread. */
+    /**
+     * What is known of the primitives that may occlude a light, for one cone after another. One per thread. Every shaded point asks it
+     * of many primitives, so it has the arrays and the apex in fields of its own.
+     */
     final class Judge implements ConeJudge {
+        private final double[] ballOf = balls;
+        private final boolean[] isBallOf = isBall;
+        private final int[] planeOf = planeAt;
+        private final double[] planeAtPlace = planes;
+
         private LightCone cone;
         private int[] starts;
         private int startCount;
+
+        /** The cone's apex, and the sum of the sizes of its coordinates. */
+        private double x;
+
+        private double y;
+        private double z;
+        private double size;
 
         /**
          * Sets the cone around the light.
@@ -110,6 +125,10 @@ final class OccluderSet {
             cone = around;
             starts = clear;
             startCount = count;
+            x = around.x;
+            y = around.y;
+            z = around.z;
+            size = Math.abs(x) + Math.abs(y) + Math.abs(z);
             return this;
         }
 
@@ -120,34 +139,40 @@ final class OccluderSet {
                     return CLEAR;
                 }
             }
-            if (planeAt[id] != NO_PLANE && staysBeside(cone, id)) {
+            int plane = planeOf[id];
+            if (plane != NO_PLANE && staysBeside(id, plane)) {
                 return CLEAR;
             }
-            double cx = balls[4 * id];
-            double cy = balls[4 * id + 1];
-            double cz = balls[4 * id + 2];
-            double radius = balls[4 * id + 3];
+            double[] b = ballOf;
+            int at = 4 * id;
+            double cx = b[at];
+            double cy = b[at + 1];
+            double cz = b[at + 2];
+            double radius = b[at + 3];
             if (cone.misses(cx, cy, cz, radius)) {
                 return CLEAR;
             }
-            return isBall[id] && cone.isHiddenBy(cx, cy, cz, radius) ? BLOCKS_ALL : MAY_BLOCK;
+            return isBallOf[id] && cone.isHiddenBy(cx, cy, cz, radius) ? BLOCKS_ALL : MAY_BLOCK;
         }
-    }
 
-    /**
-     * Whether no segment from the apex to the light crosses the plane of a flat primitive: both lie on the same side of it, or
-     * one of them lies in it. A segment that only starts or ends in the plane does not cross it.
-     */
-    private boolean staysBeside(LightCone cone, int id) {
-        int k = planeAt[id];
-        CompiledLight light = cone.light();
-        int sides = light.sides == null ? sidesOf(light, k) : light.sides[id];
-        double offset = planes[k + 3];
-        double height = planes[k] * cone.x + planes[k + 1] * cone.y + planes[k + 2] * cone.z - offset;
-        double error = PLANE_ERROR * (Math.abs(cone.x) + Math.abs(cone.y) + Math.abs(cone.z) + Math.abs(offset));
-        if (height > error) {
-            return (sides & CompiledLight.ABOVE) != 0;
+        /**
+         * Whether no segment from the apex to the light crosses the plane of a flat primitive, which is at a place: both lie on the same
+         * side of it, or one of them lies in it. A segment that only starts or ends in the plane does not cross it.
+         */
+        private boolean staysBeside(int id, int plane) {
+            double[] p = planeAtPlace;
+            double offset = p[plane + 3];
+            double height = p[plane] * x + p[plane + 1] * y + p[plane + 2] * z - offset;
+            double error = PLANE_ERROR * (size + Math.abs(offset));
+            if (height > error) {
+                return (sides(id, plane) & CompiledLight.ABOVE) != 0;
+            }
+            return height >= -error || (sides(id, plane) & CompiledLight.BELOW) != 0;
         }
-        return height >= -error || (sides & CompiledLight.BELOW) != 0;
+
+        private int sides(int id, int plane) {
+            CompiledLight light = cone.light();
+            return light.sides == null ? sidesOf(light, plane) : light.sides[id];
+        }
     }
 }

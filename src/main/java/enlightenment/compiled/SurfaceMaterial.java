@@ -14,6 +14,9 @@ public final class SurfaceMaterial {
     /** How the surface scatters light. */
     public final Bsdf bsdf;
 
+    /** Whether all that it scatters goes in single directions: {@link Bsdf#isDelta}. */
+    public final boolean isDelta;
+
     /** Whether light passes through it; then a solid of it is a medium. */
     public final boolean isGlass;
 
@@ -53,6 +56,7 @@ public final class SurfaceMaterial {
             transparency = 0;
             priority = 0;
         }
+        isDelta = bsdf.isDelta();
         isGlass = bsdf.transmits();
         Texture texture = material.color();
         DisplayRgb first = DisplayRgb.BLACK;

@@ -125,7 +125,7 @@ public final class ClassicShader implements Shader {
         if (event == PathFollower.Event.SURFACE) {
             SurfaceMaterial material = path.material();
             path.color(material, surface);
-            if (!material.bsdf.isDelta()) {
+            if (!material.isDelta) {
                 shadeSurface(material, sampler, 1);
                 return false;
             }

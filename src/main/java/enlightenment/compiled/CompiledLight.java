@@ -28,6 +28,9 @@ public final class CompiledLight {
     /** The light's form: points on it, as they are seen from somewhere. */
     public final Emitter emitter;
 
+    /** Whether the light has no extent: {@link Emitter#isDelta}. */
+    public final boolean isDelta;
+
     /** The display-referred colour, 0..1. */
     public final double r;
 
@@ -101,6 +104,7 @@ public final class CompiledLight {
         z = at.z();
         right = toRight;
         up = toTop;
+        isDelta = emitter.isDelta();
         ballX = emitter.ballCenter().x();
         ballY = emitter.ballCenter().y();
         ballZ = emitter.ballCenter().z();

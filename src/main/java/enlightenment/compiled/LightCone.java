@@ -16,7 +16,7 @@ public final class LightCone extends BallCone {
     }
 
     /** The light that the cone is around. */
-    CompiledLight light() {
+    public CompiledLight light() {
         return light;
     }
 }

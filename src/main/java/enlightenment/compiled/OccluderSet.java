@@ -122,14 +122,24 @@ final class OccluderSet {
          * @param count the number of these
          */
         Judge of(LightCone around, int[] clear, int count) {
-            cone = around;
-            starts = clear;
+            // Mostly they are the same objects, and the collector of garbage has work with each reference that is
+            // stored.
+            if (cone != around) {
+                cone = around;
+            }
+            if (starts != clear) {
+                starts = clear;
+            }
             startCount = count;
             x = around.x;
             y = around.y;
             z = around.z;
             size = Math.abs(x) + Math.abs(y) + Math.abs(z);
             return this;
+        }
+
+        LightCone cone() {
+            return cone;
         }
 
         @Override

@@ -32,7 +32,6 @@ public final class Tracer {
     private final TileFrustum frustum = new TileFrustum();
     private final BvhQuery query;
     private final OccluderSet.Judge judge;
-    private LightCone shadowCone;
 
     /** Whether visibilities need not be decided. */
     private boolean leavesOpen;
@@ -184,7 +183,6 @@ public final class Tracer {
      * @return what is known without a ray
      */
     public Visibility prepareShadows(LightCone cone, int[] starts, int count, int lightSamples) {
-        shadowCone = cone;
         judge.of(cone, starts, count);
         int left;
         if (leavesOpen || tileList != null) {
@@ -203,7 +201,7 @@ public final class Tracer {
      * occludes all of the light. To be asked after an answer of {@link Visibility#UNKNOWN}, if all shadow rays were occluded.
      */
     public boolean isHidden() {
-        return leavesOpen && scene.accelerator.blocksAll(shadowCone, judge, query);
+        return leavesOpen && scene.accelerator.blocksAll(judge.cone(), judge, query);
     }
 
     /**

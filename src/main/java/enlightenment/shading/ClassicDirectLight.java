@@ -41,10 +41,15 @@ final class ClassicDirectLight {
     private int lightPoints;
     private LightGuide guide;
 
-    /** The light that is gathered. */
-    private CompiledLight light;
-
+    /** The index of the light that is gathered; the light itself is that of the cone. */
     private int index;
+
+    /** How much of the light becomes colour of the path, for the report: by component, and the same factor of all three. */
+    private double weightR;
+
+    private double weightG;
+    private double weightB;
+    private double weight;
 
     /** The normal on the viewer's side. */
     private double nx;
@@ -88,14 +93,24 @@ final class ClassicDirectLight {
     }
 
     /**
+     * Sets for the report how much of the light that is gathered next becomes colour of the path.
+     *
+     * @param r how much of the red light; g and b likewise
+     * @param share the same factor of all three
+     */
+    void weigh(double r, double g, double b, double share) {
+        weightR = r;
+        weightG = g;
+        weightB = b;
+        weight = share;
+    }
+
+    /**
      * Gathers the light of all lights at the surface that the path is at.
      *
      * @param receivesShadows whether occluded light points count less there
-     * @param weightR how much of the red light becomes colour of the path; weightG and weightB likewise
-     * @param share the same factor of all three
      */
-    void gather(
-            boolean receivesShadows, Sampler sampler, double weightR, double weightG, double weightB, double share) {
+    void gather(boolean receivesShadows, Sampler sampler) {
         double facing = hit.side;
         nx = hit.nx * facing;
         ny = hit.ny * facing;
@@ -106,13 +121,11 @@ final class ClassicDirectLight {
         double b = 0;
         for (int i = 0; i < lights.length; i++) {
             CompiledLight l = lights[i];
-            light = l;
             index = i;
-            double mean = meanCosine(keeps, sampler);
+            double mean = meanCosine(l, keeps, sampler);
             double factor = Math.fma(1 - ambient, mean, ambient);
-            if (contrast > 0 || cosineVariance > 0) {
-                double scale = (1 - ambient) * share / lights.length;
-                addUncertainty(weightR * l.r, weightG * l.g, weightB * l.b, scale);
+            if (report.isRead() && (contrast > 0 || cosineVariance > 0)) {
+                addUncertainty(weightR * l.r, weightG * l.g, weightB * l.b, (1 - ambient) * weight / lights.length);
             }
             r += l.r * factor;
             g += l.g * factor;
@@ -130,13 +143,13 @@ final class ClassicDirectLight {
     }
 
     /** The mean over light points of (visible ? 1 : keeps) · cosθ at the hit. */
-    private double meanCosine(double keeps, Sampler sampler) {
+    private double meanCosine(CompiledLight light, double keeps, Sampler sampler) {
         contrast = 0;
         cosineVariance = 0;
         Emitter emitter = light.emitter;
         cone.aim(light, hit.px, hit.py, hit.pz);
         view.aim();
-        int count = emitter.isDelta() ? 1 : lightPoints;
+        int count = light.isDelta ? 1 : lightPoints;
         counters.lightSamples += count;
         double unshadowed = meanCosine(emitter);
         if (unshadowed == 0) {
@@ -144,7 +157,7 @@ final class ClassicDirectLight {
             return 0;
         }
         boolean known = unshadowed == unshadowed;
-        Tracer.Visibility visibility = keeps < 1 ? visibility() : Tracer.Visibility.ALL;
+        Tracer.Visibility visibility = keeps < 1 ? visibility(count) : Tracer.Visibility.ALL;
         boolean rays = visibility == Tracer.Visibility.UNKNOWN;
         double factor = visibility == Tracer.Visibility.NONE ? keeps : 1;
         if (!rays) {
@@ -164,7 +177,7 @@ final class ClassicDirectLight {
             return factor * unshadowed;
         }
         contrast = (1 - keeps) * unshadowed;
-        boolean guided = guide != null && !emitter.isDelta() && guide.begin(path.id, index, path.surfaces);
+        boolean guided = guide != null && !light.isDelta && guide.begin(path.id, index, path.surfaces);
         double blocked = guided ? guidedShare(emitter, sampler, count) : blockedShare(emitter, sampler, count);
         if (blocked == 1 && keeps > 0 && tracer.isHidden()) {
             return keeps * unshadowed;
@@ -254,7 +267,8 @@ final class ClassicDirectLight {
         return guide.wantsBlocked() ? share : 1 - share;
     }
 
-    private Tracer.Visibility visibility() {
+    /** What is known without a ray of so many light points. */
+    private Tracer.Visibility visibility(int points) {
         int count = 0;
         if (neverReturnsTo(hit)) {
             starts[count++] = path.id;
@@ -265,7 +279,7 @@ final class ClassicDirectLight {
                 starts[count++] = glass.surface(k);
             }
         }
-        return tracer.prepareShadows(cone, starts, count, light.emitter.isDelta() ? 1 : lightPoints);
+        return tracer.prepareShadows(cone, starts, count, points);
     }
 
     /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */
@@ -281,11 +295,13 @@ final class ClassicDirectLight {
         if (glass.surfaces() > 1) {
             glass.startOnAll(shadowRay);
         }
-        boolean blocked = tracer.occluded(shadowRay, view.length, light);
-        report.shadowRays++;
-        report.blockedShadowRays += blocked ? 1 : 0;
-        if (report.keepsRays()) {
-            keepRay(blocked);
+        boolean blocked = tracer.occluded(shadowRay, view.length, cone.light());
+        if (report.isRead()) {
+            report.shadowRays++;
+            report.blockedShadowRays += blocked ? 1 : 0;
+            if (report.keepsRays()) {
+                keepRay(blocked);
+            }
         }
         return blocked;
     }

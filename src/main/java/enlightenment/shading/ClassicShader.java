@@ -57,6 +57,7 @@ public final class ClassicShader implements Shader {
     public static ClassicShader ofColors(CompiledScene scene, int lightPoints, RayCounters counters) {
         ClassicShader shader = new ClassicShader(scene, lightPoints, counters);
         shader.path.tracer.leaveVisibilityOpen();
+        shader.report.stayEmpty();
         return shader;
     }
 
@@ -85,7 +86,7 @@ public final class ClassicShader implements Shader {
         direct.guide(chooser);
     }
 
-    /** What is known of the last path; the same object for all of them. */
+    /** What is known of the last path; the same object for all of them. Empty for a shader {@link #ofColors}. */
     public PathReport report() {
         return report;
     }
@@ -98,13 +99,17 @@ public final class ClassicShader implements Shader {
         throughputR = 1;
         throughputG = 1;
         throughputB = 1;
-        report.clear();
+        if (report.isRead()) {
+            report.clear();
+        }
         path.begin(ray);
         boolean goesOn = true;
         while (goesOn) {
             goesOn = step(ray, sampler) && path.goesOn();
         }
-        report.pathKey = path.key;
+        if (report.isRead()) {
+            report.pathKey = path.key;
+        }
         out[0] = red;
         out[1] = green;
         out[2] = blue;
@@ -175,17 +180,15 @@ public final class ClassicShader implements Shader {
             add(surface[0] * factor, surface[1] * factor, surface[2] * factor);
             return;
         }
-        direct.gather(
-                material.receivesShadows,
-                sampler,
-                throughputR * surface[0],
-                throughputG * surface[1],
-                throughputB * surface[2],
-                share);
+        if (report.isRead()) {
+            direct.weigh(throughputR * surface[0], throughputG * surface[1], throughputB * surface[2], share);
+        }
+        direct.gather(material.receivesShadows, sampler);
         // Divided last: n white lights on white give exactly white, whatever n is.
+        double n = lights;
         add(
-                surface[0] * (direct.red * share) / lights,
-                surface[1] * (direct.green * share) / lights,
-                surface[2] * (direct.blue * share) / lights);
+                surface[0] * (direct.red * share) / n,
+                surface[1] * (direct.green * share) / n,
+                surface[2] * (direct.blue * share) / n);
     }
 }

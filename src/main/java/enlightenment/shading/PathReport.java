@@ -45,11 +45,23 @@ public final class PathReport {
 
     private boolean keepsRays;
 
+    /** Whether anybody reads this; if not, it stays empty. */
+    private boolean isRead = true;
+
     PathReport() {}
 
     /** Asks for {@link #rays}. */
     public void keepRays() {
         keepsRays = true;
+    }
+
+    /** Leaves this empty from now on: nobody will read it. */
+    void stayEmpty() {
+        isRead = false;
+    }
+
+    boolean isRead() {
+        return isRead;
     }
 
     boolean keepsRays() {

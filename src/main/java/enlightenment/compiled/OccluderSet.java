@@ -107,6 +107,9 @@ final class OccluderSet {
         private int[] starts;
         private int startCount;
 
+        /** The first of them, mostly the only one; or no id. */
+        private int firstStart;
+
         /** The cone's apex, and the sum of the sizes of its coordinates. */
         private double x;
 
@@ -131,6 +134,7 @@ final class OccluderSet {
                 starts = clear;
             }
             startCount = count;
+            firstStart = count > 0 ? clear[0] : -1;
             x = around.x;
             y = around.y;
             z = around.z;
@@ -144,10 +148,8 @@ final class OccluderSet {
 
         @Override
         public int judge(int id) {
-            for (int k = 0; k < startCount; k++) {
-                if (starts[k] == id) {
-                    return CLEAR;
-                }
+            if (id == firstStart || startCount > 1 && isLaterStart(id)) {
+                return CLEAR;
             }
             int plane = planeOf[id];
             if (plane != NO_PLANE && staysBeside(id, plane)) {
@@ -178,6 +180,15 @@ final class OccluderSet {
                 return (sides(id, plane) & CompiledLight.ABOVE) != 0;
             }
             return height >= -error || (sides(id, plane) & CompiledLight.BELOW) != 0;
+        }
+
+        private boolean isLaterStart(int id) {
+            for (int k = 1; k < startCount; k++) {
+                if (starts[k] == id) {
+                    return true;
+                }
+            }
+            return false;
         }
 
         private int sides(int id, int plane) {

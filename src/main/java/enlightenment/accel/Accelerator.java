@@ -41,7 +41,7 @@ public interface Accelerator extends RaySearch {
      */
     int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query);
 
-    /** As {@link #occluded}, for a ray within the cone that the query was narrowed to by {@link #narrow}. */
+    /** As {@link #occluded}, for a ray from the apex of the cone that the query was narrowed to by {@link #narrow}, to its ball. */
     boolean occludedWithin(Ray ray, double tMax, BvhQuery query);
 
     /** Whether a primitive blocks every segment from the cone's apex to its ball, by the judge's verdict. */

@@ -155,7 +155,7 @@ public abstract class Bvh implements Accelerator {
         slabs.set(ray, reach);
         double limit = slabs.limit(tMax);
         int[] stack = query.stack();
-        int depth = query.pushFront();
+        int depth = query.pushFront(ray);
         while (depth > 0) {
             int node = stack[--depth];
             if (node < 0) {

@@ -7,11 +7,11 @@ import java.util.Arrays;
 /**
  * A growing list of primitive ids, a front, and the scratch memory of a traversal. A mutable work object, one per thread.
  *
- * <p>A <em>front</em> is a cut of a hierarchy: links to nodes and leaves which together hold all that rays of a cone may meet.
+ * <p>A <em>front</em> is a cut of a hierarchy: links to nodes and leaves which, with the candidates, hold all that rays of a cone may meet.
  */
 public final class BvhQuery {
-    /** A front has at most this many links; 4, 16 and 32 measured worse. */
-    static final int MAX_FRONT = 8;
+    /** A front has at most this many links; a power of two. */
+    static final int MAX_FRONT = 16;
 
     static final int QUEUE_MASK = 2 * MAX_FRONT - 1;
 
@@ -32,6 +32,12 @@ public final class BvhQuery {
 
     /** Links that rays start with; expanding one may add one before the size is looked at. */
     final int[] front = new int[MAX_FRONT + 1];
+
+    /** Primitives that are asked before the front. */
+    final ConeCandidates candidates = new ConeCandidates();
+
+    /** By place in the front: the ball around a node's box. */
+    final ApexBalls frontBalls = new ApexBalls(MAX_FRONT + 1);
 
     int frontSize;
 
@@ -72,14 +78,19 @@ public final class BvhQuery {
     void startAtRoot() {
         front[0] = 0;
         frontSize = 1;
+        frontBalls.setAny(0);
+        candidates.close();
     }
 
-    /** Fills the stack with the front; returns its depth. */
-    int pushFront() {
+    /** Fills the stack with what the ray may meet of the front; returns its depth. */
+    int pushFront(Ray ray) {
+        int depth = 0;
         for (int i = 0; i < frontSize; i++) {
-            stack[i] = front[i];
+            if (!frontBalls.misses(i, ray) || ray.extreme) {
+                stack[depth++] = front[i];
+            }
         }
-        return frontSize;
+        return depth;
     }
 
     /** Whether a primitive has a crossing with tMin ≤ t ≤ tMax. */

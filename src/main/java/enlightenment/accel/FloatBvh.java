@@ -93,16 +93,19 @@ final class FloatBvh extends Bvh {
 
     @Override
     public boolean occludedWithin(Ray ray, double tMax, BvhQuery query) {
+        if (query.candidates.block(ray, tMax, query)) {
+            return true;
+        }
+        int depth = query.pushFront(ray);
+        if (depth == 0) {
+            return false;
+        }
         FloatSlabs slabs = query.floatSlabs;
         if (!slabs.set(ray, reach)) {
             return super.occludedWithin(ray, tMax, query);
         }
         int limit = FloatSlabs.limit(tMax);
         int[] stack = query.stack();
-        int depth = query.pushFront();
-        if (depth == 0) {
-            return false;
-        }
         int node = stack[--depth];
         while (true) {
             if (node < 0) {
@@ -133,8 +136,9 @@ final class FloatBvh extends Bvh {
     }
 
     /**
-     * Opens nodes breadth first until {@link BvhQuery#MAX_FRONT} links are pending or none can be opened; leaves stay if the judge
-     * lets one of their primitives pass.
+     * Opens nodes breadth first until {@link BvhQuery#MAX_FRONT} links are pending, {@link ConeCandidates#MAX} primitives are found or no
+     * node is left. What the judge lets pass of leaves becomes candidates; nodes that are left are asked last, each by the ball around its box
+     * first.
      */
     @Override
     public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {
@@ -145,33 +149,50 @@ final class FloatBvh extends Bvh {
         int[] queue = query.queue;
         int[] front = query.front;
         int kept = 0;
+        query.candidates.start(cone);
+        query.frontBalls.startAt(cone);
         int head = 0;
         int tail = 1;
         queue[0] = 0;
-        while (head != tail && tail - head + kept < BvhQuery.MAX_FRONT) {
-            int node = queue[head++ & BvhQuery.QUEUE_MASK];
+        while (head != tail
+                && tail - head + kept < BvhQuery.MAX_FRONT
+                && query.candidates.size() < ConeCandidates.MAX) {
+            int node = head == 0 ? 0 : child[queue[head & BvhQuery.QUEUE_MASK]];
+            head++;
             for (int side = 0; side < 2; side++) {
                 if (!shaft.meets(boxes, NODE * node + side)) {
                     continue;
                 }
                 int link = child[2 * node + side];
                 if (link >= 0) {
-                    queue[tail++ & BvhQuery.QUEUE_MASK] = link;
+                    queue[tail++ & BvhQuery.QUEUE_MASK] = 2 * node + side;
                     continue;
                 }
-                int verdict = leaves.judge(first(link), end(link), judge);
+                int verdict = leaves.gather(first(link), end(link), judge, query);
                 if (verdict == ConeJudge.BLOCKS_ALL) {
                     return BLOCKED;
                 }
                 if (verdict == ConeJudge.MAY_BLOCK) {
+                    query.frontBalls.setAny(kept);
                     front[kept++] = link;
                 }
             }
         }
         while (head != tail) {
-            front[kept++] = queue[head++ & BvhQuery.QUEUE_MASK];
+            int slot = queue[head++ & BvhQuery.QUEUE_MASK];
+            setBall(query.frontBalls, kept, slot);
+            front[kept++] = child[slot];
         }
         query.frontSize = kept;
-        return kept;
+        return kept + query.candidates.size();
+    }
+
+    /** Sets the ball around a box, whose widening covers what is rounded here. */
+    private void setBall(ApexBalls balls, int k, int slot) {
+        int at = NODE * (slot >> 1) + (slot & 1);
+        double hx = boxes[at + 6];
+        double hy = boxes[at + 8];
+        double hz = boxes[at + 10];
+        balls.set(k, boxes[at], boxes[at + 2], boxes[at + 4], hx * hx + hy * hy + hz * hz);
     }
 }

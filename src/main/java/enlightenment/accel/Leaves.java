@@ -18,6 +18,14 @@ abstract class Leaves {
     /** The strongest verdict on the places from..to−1. */
     abstract int judge(int from, int to, ConeJudge judge);
 
+    /**
+     * The strongest verdict on the places from..to−1; but those that may block are added to the query's candidates if the leaves are
+     * primitives, and then the verdict is {@link ConeJudge#CLEAR}.
+     */
+    int gather(int from, int to, ConeJudge judge, BvhQuery query) {
+        return judge(from, to, judge);
+    }
+
     /** Whether something at the places from..to−1 blocks every segment of the cone. */
     abstract boolean blocksAll(BallCone cone, int from, int to, ConeJudge judge, BvhQuery query);
 

@@ -34,6 +34,7 @@ final class PrimitiveLeaves extends Leaves {
     boolean block(Ray ray, int from, int to, double tMax, BvhQuery query) {
         for (int i = from; i < to; i++) {
             if (query.blocks(primitives[i], ids[i], ray, tMax)) {
+                query.candidates.addBlocker(primitives[i], ids[i]);
                 return true;
             }
         }
@@ -51,6 +52,20 @@ final class PrimitiveLeaves extends Leaves {
             strongest |= verdict;
         }
         return strongest;
+    }
+
+    @Override
+    int gather(int from, int to, ConeJudge judge, BvhQuery query) {
+        for (int i = from; i < to; i++) {
+            int verdict = judge.judge(ids[i]);
+            if (verdict == ConeJudge.BLOCKS_ALL) {
+                return verdict;
+            }
+            if (verdict == ConeJudge.MAY_BLOCK) {
+                query.candidates.add(primitives[i], ids[i]);
+            }
+        }
+        return ConeJudge.CLEAR;
     }
 
     @Override

@@ -44,6 +44,21 @@ public final class SpherePrimitive extends Primitive {
         return new Vec3(cx, cy, cz);
     }
 
+    /** The centre's x. */
+    public double x() {
+        return cx;
+    }
+
+    /** The centre's y. */
+    public double y() {
+        return cy;
+    }
+
+    /** The centre's z. */
+    public double z() {
+        return cz;
+    }
+
     /** The radius. */
     public double radius() {
         return radius;

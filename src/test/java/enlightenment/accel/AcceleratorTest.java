@@ -196,6 +196,41 @@ class AcceleratorTest {
     }
 
     @Test
+    void raysFromASphereIntoItselfOrAwayAreBlockedInNarrowedConesAsInALoop() {
+        RandomPrimitives random = new RandomPrimitives(77);
+        Primitive[] spheres = new Primitive[200];
+        for (int i = 0; i < spheres.length; i++) {
+            Sphere s = Sphere.of(ExactPoint.of(8 * random.uniform(), 8 * random.uniform(), 8 * random.uniform()), 0.6);
+            spheres[i] = Primitives.place(s, SceneFrame.WORLD);
+        }
+        Bvh bvh = Bvh.build(spheres);
+        BvhQuery scratch = new BvhQuery(new int[spheres.length], new long[1]);
+        int[] count = new int[2];
+        for (int i = 0; i < 400; i++) {
+            SpherePrimitive start = (SpherePrimitive) spheres[i % spheres.length];
+            Vec3 from = start.center().plus(random.vector(1).normalized().times(0.6));
+            Vec3 to = random.vector(12);
+            int side = i % 2 == 0 ? Ray.OUTSIDE : Ray.INSIDE;
+            BallCone cone = new BallCone();
+            cone.set(to.x(), to.y(), to.z(), 0.5, from.x(), from.y(), from.z());
+            bvh.narrow(cone, id -> ConeJudge.MAY_BLOCK, 20, scratch);
+            for (int j = 0; j < 20; j++) {
+                Ray ray = Ray.leaving(from, to.plus(random.vector(0.28)).minus(from), start, side);
+                if (j % 3 == 0) {
+                    ray.alsoFrom(spheres[j], Ray.OUTSIDE);
+                }
+                boolean blocked = false;
+                for (Primitive p : spheres) {
+                    blocked |= p.nearest(ray, 1) <= 1;
+                }
+                assertEquals(blocked, bvh.occludedWithin(ray, 1, scratch));
+                count[blocked ? 1 : 0]++;
+            }
+        }
+        assertTrue(count[0] > 500 && count[1] > 500, count[0] + " " + count[1]);
+    }
+
+    @Test
     void anEmptyHierarchyHasABoxAndNothingInIt() {
         Bvh bvh = Bvh.build(new Primitive[0]);
         assertEquals(Bounds.of(Vec3.ZERO), bvh.bounds());

@@ -80,6 +80,9 @@ class FloatingLiteralsTest {
                     "relative: more than the roundings of floats, which have 24 bits"),
             new Explained("accel/FloatShaft.java", "0x1p-12f", "share of a segment: more than the roundings of floats"),
             new Explained("accel/FloatShaft.java", "0x1p60f", "range of floats: stands for no limit"),
+            new Explained("accel/ApexBalls.java", "0x1p-40", "relative: more than the roundings of doubles"),
+            new Explained("accel/ApexBalls.java", "0x1p480", "range of doubles: beyond it nothing is left out"),
+            new Explained("accel/ApexBalls.java", "0x1p-480", "range of doubles: beyond it nothing is left out"),
             new Explained("primitive/Ray.java", "0x1p240", "where squares could overflow: chooses the rescaling path"),
             new Explained(
                     "primitive/Ray.java", "0x1p-240", "where squares could underflow: chooses the rescaling path"),

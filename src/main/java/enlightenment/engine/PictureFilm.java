@@ -29,9 +29,7 @@ public abstract class PictureFilm {
 
     /** @param isKept whether units can be taken out again */
     static PictureFilm of(WorkUnits units, RenderOutline outline, boolean isKept) {
-        return units.areBatches()
-                ? new SplatPicture(units, outline)
-                : new TilePicture(units, outline.settings(), isKept);
+        return units.areBatches() ? new SplatPicture(units, outline) : new TilePicture(units, outline, isKept);
     }
 
     /**
@@ -106,6 +104,14 @@ public abstract class PictureFilm {
 
     /** Says whether the samples of pixels are differences from something known, by what there is now. */
     void samplesAreDifferences(boolean are) {}
+
+    /** Says how many samples were no finite numbers, by what there is now. */
+    void samplesAreLost(long number) {}
+
+    /** How many samples were no finite numbers; more than none fails the render. */
+    public long lostSamples() {
+        return 0;
+    }
 
     /** The picture so far; what is missing is black. */
     public abstract Image image();

@@ -57,14 +57,7 @@ public final class FilmTile {
     /** Samples that were no finite numbers. */
     private long lost;
 
-    /**
-     * A tile of display-referred pixels without samples.
-     *
-     * @param x first column in the whole picture
-     * @param y first row in the whole picture
-     * @param width number of columns
-     * @param height number of rows
-     */
+    /** A tile of display-referred pixels without samples; given as below. */
     public FilmTile(int x, int y, int width, int height) {
         this(x, y, width, height, DisplayCurve.NONE);
     }

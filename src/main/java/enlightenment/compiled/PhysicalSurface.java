@@ -1,8 +1,16 @@
 package enlightenment.compiled;
 
 import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Fresnel;
+import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Microfacets;
+import enlightenment.bsdf.RoughDielectric;
+import enlightenment.bsdf.RoughDiffuse;
+import enlightenment.bsdf.SmoothConductor;
+import enlightenment.bsdf.SmoothDielectric;
 import enlightenment.bsdf.SpecularReflection;
+import enlightenment.bsdf.ThinDielectric;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
@@ -22,14 +30,12 @@ record PhysicalSurface(Bsdf bsdf, Bsdf pane, Rgb glow, boolean glowsInside, Rgb 
     /** That of a material of classic shading. */
     static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, "");
 
-    /** A smaller alpha of microfacets is that of a smooth surface. */
-    private static final double LEAST_ALPHA = 1e-4;
-
     static PhysicalSurface of(Material material, SceneFrame frame) {
         Rgb absorption = Rgb.BLACK;
         Bsdf pane = null;
         String look = material.radiance().toString();
         if (material instanceof Material.Glass glass) {
+            pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + glass.absorption() + " " + glass.multipleScattering();
         } else if (material instanceof Material.Matte matte) {
@@ -47,11 +53,24 @@ record PhysicalSurface(Bsdf bsdf, Bsdf pane, Rgb glow, boolean glowsInside, Rgb 
     }
 
     private static Bsdf bsdf(Material material) {
-        if (material instanceof Material.Matte) {
-            return Lambert.INSTANCE;
+        if (material instanceof Material.Matte matte) {
+            return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
         }
         if (material instanceof Material.Mirror) {
             return SpecularReflection.INSTANCE;
+        }
+        if (material instanceof Material.Glossy glossy) {
+            double alpha = glossy.roughness() * glossy.roughness();
+            Fresnel fresnel = glossy.conductor()
+                    .map(c -> Fresnel.conductor(c.eta(), c.k()))
+                    .orElse(Fresnel.SCHLICK);
+            return Microfacets.isSmooth(alpha)
+                    ? new SmoothConductor(fresnel)
+                    : new GlossyReflection(alpha, fresnel, glossy.multipleScattering());
+        }
+        if (material instanceof Material.Glass glass) {
+            double alpha = glass.roughness() * glass.roughness();
+            return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha);
         }
         throw new AssertionError("no physical form of the material " + material.type());
     }

@@ -305,11 +305,8 @@ public final class FilmTile {
 
     /** What a difference from the known part, or all of a pixel that has none, changes in what a screen shows. */
     private double shown(int pixel, int component, double value) {
-        if (!isLinear) {
-            return value;
-        }
         double part = knownPart(pixel, component);
-        return curve.nearly(part + value) - (known == null ? 0 : curve.nearly(part));
+        return !isLinear ? value : curve.nearly(part + value) - (known == null ? 0 : curve.nearly(part));
     }
 
     /** The mean of component 0, 1 or 2 of a pixel as a screen takes it; 0 where there are no samples. */

@@ -20,6 +20,18 @@ final class DielectricFresnel {
     }
 
     /**
+     * The share that is refracted, from the cosines of arrival and refraction, both positive: one does not follow well from the other
+     * next to total reflection. The same from both sides.
+     */
+    static double transmittance(double c, double through, double eta) {
+        double perpendicular = 1 / Math.fma(eta, c, through);
+        double parallel = 1 / Math.fma(eta, through, c);
+        double s = c * perpendicular * (through * perpendicular);
+        double p = c * parallel * (through * parallel);
+        return 2 * eta * (s + p);
+    }
+
+    /**
      * The share of unpolarised light that a pane between two parallel faces reflects, with all that goes to and fro inside: each
      * polarisation for itself, 2R/(1 + R), because parallel faces do not mix them.
      */

@@ -65,12 +65,12 @@ public final class RoughDielectric implements Bsdf {
         double hz = sign * Math.fma(s.eta, s.oz, s.iz);
         facets.at(s, hx, hy, hz);
         double length2 = hx * hx + hy * hy + hz * hz;
-        double there = -(hx * s.ix + hy * s.iy + hz * s.iz);
+        double there = -(hx * s.ix + hy * s.iy + hz * s.iz) / Math.sqrt(length2);
         if (!(s.facets > 0 && s.cosineFacet > 0 && there > 0)) {
             return 0;
         }
-        double share = 1 - DielectricFresnel.reflectance(s.cosineFacet, s.eta);
-        return 2 * share * s.facets * s.cosineFacet * (there / Math.sqrt(length2)) / length2;
+        double share = DielectricFresnel.transmittance(s.cosineFacet, there, s.eta);
+        return 2 * share * s.facets * s.cosineFacet * there / length2;
     }
 
     @Override

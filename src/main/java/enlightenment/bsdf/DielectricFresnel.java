@@ -52,15 +52,14 @@ final class DielectricFresnel {
 
     /** The reflectance of light that is polarised perpendicularly to the plane of incidence, at most 1. */
     private static double perpendicular(double c, double eta) {
+        if (eta == 1) {
+            return 0;
+        }
         double through2 = refracted2(c, eta);
         if (!(through2 >= 0)) {
             return 1;
         }
         double sum = Math.fma(eta, c, Math.sqrt(through2));
-        if (!(sum > 0)) {
-            // Along the surface; there is no border if the indices are equal.
-            return eta == 1 ? 0 : 1;
-        }
         double r = (eta - 1) * (eta + 1) / (sum * sum);
         return Math.min(r * r, 1);
     }

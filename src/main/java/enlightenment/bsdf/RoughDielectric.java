@@ -3,7 +3,7 @@ package enlightenment.bsdf;
 /**
  * Frosted glass, a rough border of two media: {@link Microfacets} that reflect and refract by Fresnel's equations (Walter et al. 2007,
  * equations 20 and 21), sampled by the normals that are visible from o; {@code choice} selects which of the two. Light that hits it
- * more than once is lost: below 1 % up to α = 0.1, several per cent from α = 0.5 on. The surface's colour is no part of the value.
+ * more than once is lost: docs/bsdfs.md says how much. The surface's colour is no part of the value.
  *
  * <p>From both sides, for {@link Scattering#radiance} and importance: f(o, i) over the squared index on i's side is reciprocal for importance.
  * Where {@link Scattering#eta} is 1 there is no border and light passes straight, as by a delta lobe.

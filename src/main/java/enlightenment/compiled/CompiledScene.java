@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import enlightenment.accel.Accelerator;
 import enlightenment.accel.ConeSearch;
 import enlightenment.accel.PrimitiveList;
+import enlightenment.color.DisplayCurve;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.numeric.Scale;
@@ -90,6 +91,9 @@ public final class CompiledScene {
     private final List<String> features;
     private final List<String> absent;
 
+    /** What the pixels of its pictures are, and how they become what a screen takes. */
+    public final DisplayCurve display;
+
     CompiledScene(
             SceneFrame frame,
             CompiledCamera camera,
@@ -99,7 +103,9 @@ public final class CompiledScene {
             CompiledPrimitives compiled,
             Accelerator accelerator,
             List<String> features,
-            List<String> absent) {
+            List<String> absent,
+            DisplayCurve display) {
+        this.display = display;
         this.frame = frame;
         this.camera = camera;
         this.shading = shading;

@@ -56,6 +56,12 @@ class FloatingLiteralsTest {
                     "numeric/Angles.java", "0.198912367379658", "tan(π/16): where a reduction of the angle changes"),
             new Explained("numeric/Angles.java", "0.41421356237309503", "tan(π/8): what the reduction subtracts"),
             new Explained("numeric/Angles.java", "0.6681786379192989", "tan(3π/16): where the reduction changes"),
+            new Explained("compiled/PhysicalLight.java", "0.2126", "luminance of red (Rec. 709), a ratio"),
+            new Explained("compiled/PhysicalLight.java", "0.7152", "luminance of green"),
+            new Explained("compiled/PhysicalLight.java", "0.0722", "luminance of blue"),
+            new Explained("sampling/SobolSampler.java", "0x1p-32", "32 bits to 0..1"),
+            new Explained("shading/PathTracer.java", "0.05", "roulette: a share of a path's throughput, a ratio"),
+            new Explained("shading/PathTracer.java", "0.99", "roulette: the largest probability to survive"),
             new Explained("numeric/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),
             new Explained(
                     "primitive/SpherePrimitive.java", "0.75", "ratio of two roots that chooses between equal forms"),
@@ -140,12 +146,40 @@ class FloatingLiteralsTest {
             new Explained("sampling/NormalIntegral.java", "0.425", "Wichura: where the first approximation ends"),
             new Explained("sampling/NormalIntegral.java", "0.180625", "0.425², a probability squared"),
             new Explained("sampling/NormalIntegral.java", "1.6", "Wichura: centre of the second approximation"),
+            new Explained(
+                    "emitter/HorizonPolygon.java",
+                    "0x1p-9",
+                    "ratio of size to distance that chooses between equal forms"),
+            new Explained("emitter/HorizonPolygon.java", "9.0", "9/40: weight of a quadrature"),
+            new Explained(
+                    "emitter/LightWeights.java", "0.25", "Cauchy: the mean share of its area that a convex body shows"),
+            new Explained(
+                    "emitter/LightWeights.java", "0x1p-900", "range of doubles: an inverse that does not overflow"),
+            new Explained("emitter/NormalCone.java", "0x1p-24", "angle: more than what the arc cosine is off by"),
+            new Explained(
+                    "emitter/ParallelogramLight.java", "1e-3", "solid angle that chooses between two ways of sampling"),
+            new Explained(
+                    "emitter/ParallelogramLight.java", "1e-9", "solid angle that chooses between two ways of sampling"),
+            new Explained(
+                    "emitter/ParallelogramLight.java", "6", "solid angle that chooses between two ways of sampling"),
+            new Explained("emitter/SphereIrradiance.java", "0.25", "tangent that chooses between equal forms"),
+            new Explained("emitter/SphereIrradiance.java", "4.0", "coefficients of a series"),
+            new Explained("emitter/SphereIrradiance.java", "7.0", "coefficients of a series"),
             new Explained("film/ErrorEstimate.java", "1.96", "deviations that hold 95 % of a normal distribution"),
             new Explained(
                     "film/ErrorEstimate.java",
                     "1.23",
                     "ln 40/3: three pixels of which no sample meets so much in one of 40 pictures"),
             new Explained("film/Neighbours.java", "16.0", "4²: the density of two points of one pixel"),
+            new Explained("film/LinearError.java", "100", "kurtosis, a ratio"),
+            new Explained("film/LinearFigures.java", "0.05", "share of the mean, by the definition of the error"),
+            new Explained("film/LinearFigures.java", "3.0", "number of bands"),
+            new Explained("film/PathDecay.java", "0.3", "share or ratio of variances"),
+            new Explained("film/PathDecay.java", "0.6", "share or ratio of variances, fitted"),
+            new Explained("film/PathDecay.java", "0.7", "power of a share, fitted"),
+            new Explained("film/PathDecay.java", "1.15", "share or ratio of variances, fitted"),
+            new Explained("film/PathDecay.java", "1.4", "power of a share, fitted"),
+            new Explained("film/PathDecay.java", "4", "share or ratio of variances"),
             new Explained("film/VarianceDecay.java", "2.3", "share or ratio of variances, fitted"),
             new Explained("film/VarianceDecay.java", "2.6", "share or ratio of variances, fitted"),
             new Explained("film/VarianceDecay.java", "3.5", "share or ratio of variances, fitted"),

@@ -100,6 +100,26 @@ final class SeenLight {
         }
     }
 
+    /** What is done with each crossing of a line. */
+    interface Crossing {
+        void at(double x, double y, double z);
+    }
+
+    /** Follows a line through all of its crossings with the light. */
+    void cross(Vec3 o, Vec3 d, Crossing crossing) {
+        double from = 0;
+        while (true) {
+            ray.set(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), from);
+            if (!primitive.intersect(ray, hit)) {
+                return;
+            }
+            if (hit.face == face) {
+                crossing.at(hit.px, hit.py, hit.pz);
+            }
+            from = hit.t * (1 + 1e-9);
+        }
+    }
+
     @Override
     public String toString() {
         return name;

@@ -43,6 +43,10 @@ final class SeenLight {
         basis.around(sample.cone.wx, sample.cone.wy, sample.cone.wz);
     }
 
+    Class<?> primitiveKind() {
+        return primitive.getClass();
+    }
+
     void aim(Vec3 from) {
         light.aim(sample, from.x(), from.y(), from.z());
     }

@@ -198,7 +198,8 @@ class ShippedScenesTest {
         assertEquals(classic.camera(), physical.camera());
         assertEquals(classic.textures(), physical.textures());
         for (int i = 0; i < classic.objects().size(); i++) {
-            assertEquals(classic.objects().get(i).shape(), physical.objects().get(i).shape());
+            assertEquals(
+                    classic.objects().get(i).shape(), physical.objects().get(i).shape());
             Material of = classic.objects().get(i).material();
             assertEquals(of.color(), physical.objects().get(i).material().color());
             assertEquals(of.type(), physical.objects().get(i).material().type());
@@ -210,7 +211,13 @@ class ShippedScenesTest {
     @Test
     void scenesOfPhysicalLightShowWhatTheirNamesSay() {
         for (String name : List.of(
-                "cornell-box", "caustics", "metals", "glass-physical", "furnace", "lamp-room", "fire-and-ice-physical")) {
+                "cornell-box",
+                "caustics",
+                "metals",
+                "glass-physical",
+                "furnace",
+                "lamp-room",
+                "fire-and-ice-physical")) {
             assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
         }
         assertEquals(

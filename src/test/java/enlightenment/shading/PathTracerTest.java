@@ -282,4 +282,25 @@ class PathTracerTest {
         double own = render(scene, 256).value;
         assertTrue(Math.abs(own - mean) < 4 * error, () -> own + ", naive " + mean + " ± " + error);
     }
+
+    /** Of the same paths, what is direct does not depend on how many bounces follow; the rest of one bounce is 0. */
+    @Test
+    void withOneBounceAllLightIsDirect() {
+        for (int bounces = 0; bounces < 2; bounces++) {
+            Scene scene = room(bounces);
+            CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
+            PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()));
+            tracer.beginTile(0, 0, 1, 1);
+            SobolSampler sampler = new SobolSampler();
+            Ray ray = new Ray();
+            double[] out = new double[3];
+            for (int k = 0; k < 2000; k++) {
+                sampler.pixel(1, k, 0);
+                sampler.sample(0);
+                compiled.camera.ray(sampler.filmX(), sampler.filmY(), ray);
+                tracer.shade(ray, sampler, out);
+                assertEquals(out[0], tracer.parts().directR);
+            }
+        }
+    }
 }

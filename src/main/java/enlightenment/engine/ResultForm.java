@@ -18,11 +18,13 @@ abstract class ResultForm {
     /** The form for the units of this render. */
     static ResultForm of(WorkUnits units, RenderOutline outline) {
         int kinds = outline.kinds().size();
-        if (units.areBatches()) {
-            RenderSettings.Crop region = outline.settings().region();
-            return new BatchForm(units, kinds, Math.multiplyExact(region.width(), region.height()));
+        ResultForm tiles = units.passes() > 1 ? new PassForm(units, kinds) : new TileForm(units, kinds);
+        if (units.batches() == 0) {
+            return tiles;
         }
-        return units.passes() > 1 ? new PassForm(units, kinds) : new TileForm(units, kinds);
+        RenderSettings.Crop region = outline.settings().region();
+        ResultForm batches = new BatchForm(units, kinds, Math.multiplyExact(region.width(), region.height()));
+        return units.haveTiles() ? new MixedForm(units, kinds, batches, tiles) : batches;
     }
 
     /** The greatest number of bytes that the result of a unit can have. */

@@ -28,6 +28,16 @@ final class SplatPicture extends PictureFilm {
                 Encoding.DISPLAY);
     }
 
+    /** What the batches have brought so far. */
+    SplatFilm film() {
+        return film;
+    }
+
+    /** The share of the batches that is there. */
+    synchronized double share() {
+        return (double) batches / units.batches();
+    }
+
     @Override
     public FilmTile render(int unit, UnitWork work) {
         put(unit, work.batch(unit));
@@ -53,7 +63,7 @@ final class SplatPicture extends PictureFilm {
 
     @Override
     public synchronized long pixelsDone() {
-        return (long) ((double) pixels() * batches / units.count());
+        return (long) ((double) pixels() * batches / units.batches());
     }
 
     @Override

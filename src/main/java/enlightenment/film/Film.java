@@ -112,6 +112,39 @@ public final class Film {
         return ErrorEstimate.of(halves, quarters, counts, differences, contrast.get());
     }
 
+    /**
+     * This picture, with what paths bring that may end anywhere added to its finished pixels. Paths and samples do not depend on each
+     * other: their squared errors add, and groups of paths stand beside quarters of the samples.
+     *
+     * @param splats of the same rectangle
+     */
+    public Film plus(SplatFilm splats) {
+        Film sum = new Film(x, y, width, height, encoding);
+        double[] means = new double[3];
+        double[] groups = new double[3 * SplatFilm.GROUPS];
+        int[] sizes = {1, 1, 1, 1};
+        for (int pixel = 0; pixel < counts.length; pixel++) {
+            if (counts[pixel] > 0) {
+                int column = x + pixel % width;
+                int row = y + pixel / width;
+                for (int c = 0; c < 3; c++) {
+                    means[c] = rgb[3 * pixel + c] + splats.component(column, row, c);
+                    for (int g = 0; g < SplatFilm.GROUPS; g++) {
+                        groups[3 * g + c] = splats.component(column, row, c, g);
+                    }
+                }
+                double first = SampleSpread.halves(groups, sizes);
+                // Of one or two samples the second figure is a variance, too.
+                double second = counts[pixel] > 2 ? SampleSpread.quarters(groups, sizes) : first;
+                float half = (float) (halves[pixel] + first);
+                sum.put(column, row, means, 0, half, (float) (quarters[pixel] + second), counts[pixel]);
+            }
+        }
+        sum.surveyRays = surveyRays;
+        sum.differences = differences;
+        return sum;
+    }
+
     /** Camera rays of all finished pixels: their samples, and those that only showed where samples are needed. */
     public long cameraSamples() {
         long sum = surveyRays;

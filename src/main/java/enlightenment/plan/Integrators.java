@@ -65,6 +65,34 @@ public final class Integrators {
         return method == BuiltInMethod.CLUSTER ? new EffortLevels(scene, settings, cancelled) : Levels.SAMPLES;
     }
 
+    /**
+     * How many paths that may end anywhere are splatted over the tiles of a method, per camera sample of the whole picture; 0 for none,
+     * as of a method that has no tiles.
+     */
+    static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
+        return method instanceof IntegratorFactory factory && method.kind() == Method.Kind.TILES
+                ? factory.lightPathsPerSample(scene, settings)
+                : 0;
+    }
+
+    /**
+     * What follows the paths of a plan that may end anywhere, for one thread: all of those of a method without tiles, otherwise the
+     * plan's light paths.
+     *
+     * @param counters are added to by it
+     * @throws InvalidValueException for a method that nothing here can do the work of
+     */
+    public static SplatIntegrator splats(
+            RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        if (traits(plan.method()).areBatches()) {
+            return (SplatIntegrator) of(plan, scene, settings, counters);
+        }
+        if (plan.method() instanceof IntegratorFactory factory) {
+            return factory.makeLightPaths(plan, scene, settings, counters);
+        }
+        throw new InvalidValueException("method", "has no light paths: " + plan.method());
+    }
+
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */
     public static RenderSettings cheapest(RenderSettings settings) {
         Method below = traits(settings.method()).below();

@@ -29,7 +29,7 @@ import java.util.Map;
  * all that. Numbers with their most significant byte first.
  */
 public final class PartFile implements Closeable {
-    private static final byte[] MAGIC = "ENLPART2".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "ENLPART3".getBytes(StandardCharsets.US_ASCII);
     private static final int BUFFER = 1 << 16;
 
     private final Path file;

@@ -11,7 +11,7 @@ import enlightenment.check.Check;
  * @param g green, encoded, 0..1
  * @param b blue, encoded, 0..1
  */
-public record DisplayRgb(double r, double g, double b) {
+public record DisplayRgb(double r, double g, double b) implements Color {
     /** All components 0. */
     public static final DisplayRgb BLACK = new DisplayRgb(0, 0, 0);
 
@@ -41,5 +41,15 @@ public record DisplayRgb(double r, double g, double b) {
      */
     public static DisplayRgb ofBytes(int r, int g, int b) {
         return new DisplayRgb(r / 255.0, g / 255.0, b / 255.0);
+    }
+
+    @Override
+    public DisplayRgb display() {
+        return this;
+    }
+
+    @Override
+    public Rgb linear() {
+        return Rgb.of(this);
     }
 }

@@ -11,9 +11,12 @@ import enlightenment.check.Check;
  * @param g green, finite and at least 0
  * @param b blue, finite and at least 0
  */
-public record Rgb(double r, double g, double b) {
+public record Rgb(double r, double g, double b) implements Color {
     /** All components 0. */
     public static final Rgb BLACK = new Rgb(0, 0, 0);
+
+    /** All components 1. */
+    public static final Rgb WHITE = new Rgb(1, 1, 1);
 
     /**
      * The colour with these components.
@@ -31,5 +34,42 @@ public record Rgb(double r, double g, double b) {
     public static Rgb of(DisplayRgb color) {
         return new Rgb(
                 TransferCurve.decode(color.r()), TransferCurve.decode(color.g()), TransferCurve.decode(color.b()));
+    }
+
+    /**
+     * The same number in all bands.
+     *
+     * @throws enlightenment.math.InvalidValueException as the constructor
+     */
+    public static Rgb gray(double value) {
+        return new Rgb(value, value, value);
+    }
+
+    /**
+     * Band by band, this times another.
+     *
+     * @throws enlightenment.math.InvalidValueException if a product is beyond the range of doubles
+     */
+    public Rgb times(Rgb other) {
+        return new Rgb(r * other.r, g * other.g, b * other.b);
+    }
+
+    /** The largest component. */
+    public double max() {
+        return Math.max(r, Math.max(g, b));
+    }
+
+    @Override
+    public DisplayRgb display() {
+        return new DisplayRgb(shown(r), shown(g), shown(b));
+    }
+
+    private static double shown(double linear) {
+        return linear < 1 ? TransferCurve.encode(linear) : 1;
+    }
+
+    @Override
+    public Rgb linear() {
+        return this;
     }
 }

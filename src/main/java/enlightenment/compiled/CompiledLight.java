@@ -70,7 +70,7 @@ public final class CompiledLight {
     private final EndFaces lyingOn = new EndFaces();
 
     CompiledLight(Light light, SceneFrame frame) {
-        DisplayRgb c = light.color();
+        DisplayRgb c = light.color().display();
         r = c.r();
         g = c.g();
         b = c.b();

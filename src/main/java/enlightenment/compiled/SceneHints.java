@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.color.DisplayRgb;
 import enlightenment.emitter.RectangleEmitter;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.Rotation;
@@ -77,7 +78,8 @@ public final class SceneHints {
     }
 
     private static boolean isBlack(Light light) {
-        return light.color().r() == 0 && light.color().g() == 0 && light.color().b() == 0;
+        DisplayRgb c = light.color().display();
+        return c.r() == 0 && c.g() == 0 && c.b() == 0;
     }
 
     /** Whether the object shows the light that falls on it: mirrors and clear glass do not. */

@@ -64,10 +64,10 @@ public final class SurfaceMaterial {
         double scale = 0;
         boolean smooth = false;
         if (texture instanceof Texture.Solid solid) {
-            first = solid.color();
+            first = solid.color().display();
         } else if (texture instanceof Texture.Checker checker) {
-            first = checker.colors().get(0);
-            second = checker.colors().get(1);
+            first = checker.colors().get(0).display();
+            second = checker.colors().get(1).display();
             scale = checker.scale();
         } else if (texture instanceof Texture.File file) {
             smooth = file.filter() == Texture.Filter.BILINEAR;

@@ -1,23 +1,33 @@
 package enlightenment.light;
 
 import enlightenment.check.Check;
-import enlightenment.color.DisplayRgb;
+import enlightenment.color.Color;
+import enlightenment.color.Rgb;
 import enlightenment.frame.Parallelograms;
 import enlightenment.math.ExactPoint;
 import java.util.List;
 import java.util.Objects;
 
 /**
- * A light: an immutable description in scene coordinates and scene units, exact, validated when it is made. A light never
- * occludes another light.
+ * A light: an immutable description in scene coordinates and scene units, exact, validated when it is made. In
+ * classic shading a light never occludes another light, and its colour is all that counts; in physical shading its surface is
+ * black and opaque, and how much it emits counts.
  *
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range or a degenerate light, and {@link NullPointerException} for a missing value.
  */
 public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point {
 
-    /** The light's colour: what a viewer looking straight at it sees. */
-    DisplayRgb color();
+    /** The light's colour: in classic shading, what a viewer looking straight at it sees. */
+    Color color();
+
+    /** How much light of this colour it gives. */
+    Emission emission();
+
+    /** What it gives: its linear colour times the value of its {@link #emission}, in that one's quantity. */
+    default Rgb emitted() {
+        return color().linear().times(emission().value());
+    }
 
     /** The name of this kind of light in the scene format, such as {@code "sphere"}. */
     String type();
@@ -34,13 +44,19 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      * @param center its centre
      * @param radius greater than 0
      * @param color its colour
+     * @param emission radiance or power; radiance = power / (4 π² radius²)
      */
-    record Sphere(ExactPoint center, double radius, DisplayRgb color) implements Light {
+    record Sphere(ExactPoint center, double radius, Color color, Emission emission) implements Light {
         /** Validates the components, as {@link Light} states. */
         public Sphere {
             Objects.requireNonNull(center, "center");
             Check.positive("radius", radius);
-            Objects.requireNonNull(color, "color");
+            Emissions.checkSurface("sphere", color, emission);
+        }
+
+        /** A ball of this colour and radiance 1. */
+        public Sphere(ExactPoint center, double radius, Color color) {
+            this(center, radius, color, Emission.RADIANCE_1);
         }
 
         @Override
@@ -60,7 +76,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
     }
 
     /**
-     * A glowing parallelogram that emits to both sides. The corners are given in order around it.
+     * A glowing parallelogram. The corners are given in order around it.
      *
      * @param lowerLeft first corner
      * @param upperLeft next corner
@@ -68,14 +84,29 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      *     decimals
      * @param lowerRight last corner; not collinear with the first two
      * @param color its colour
+     * @param twoSided whether it shines to both sides, or only to its front: the side that (upperLeft − lowerLeft) ×
+     *     (lowerRight − lowerLeft) points to, from which the corners look as they are named. In classic shading it shines to both
+     * @param emission radiance or power; radiance = power / (π area), or with both sides power / (2 π area)
      */
     record Rectangle(
-            ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight, DisplayRgb color)
+            ExactPoint lowerLeft,
+            ExactPoint upperLeft,
+            ExactPoint upperRight,
+            ExactPoint lowerRight,
+            Color color,
+            boolean twoSided,
+            Emission emission)
             implements Light {
         /** Validates the components, as {@link Light} states. */
         public Rectangle {
             Parallelograms.check("corners", lowerLeft, upperLeft, upperRight, lowerRight);
-            Objects.requireNonNull(color, "color");
+            Emissions.checkSurface("rectangle", color, emission);
+        }
+
+        /** A parallelogram of this colour that shines to both sides with radiance 1. */
+        public Rectangle(
+                ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight, Color color) {
+            this(lowerLeft, upperLeft, upperRight, lowerRight, color, true, Emission.RADIANCE_1);
         }
 
         @Override
@@ -99,12 +130,18 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
      *
      * @param position where it is
      * @param color its colour
+     * @param emission intensity or power; intensity = power / (4 π)
      */
-    record Point(ExactPoint position, DisplayRgb color) implements Light {
+    record Point(ExactPoint position, Color color, Emission emission) implements Light {
         /** Validates the components, as {@link Light} states. */
         public Point {
             Objects.requireNonNull(position, "position");
-            Objects.requireNonNull(color, "color");
+            Emissions.checkPoint(color, emission);
+        }
+
+        /** A light of this colour and intensity 1. */
+        public Point(ExactPoint position, Color color) {
+            this(position, color, Emission.INTENSITY_1);
         }
 
         @Override

@@ -1,40 +1,70 @@
 package enlightenment.material;
 
 import enlightenment.check.Check;
+import enlightenment.color.Rgb;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
- * What a surface does with light: an immutable description.
+ * What a surface does with light: an immutable description. Classic shading ignores what only physical shading knows of a
+ * material: roughness, absorption, radiance.
  *
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
- * of range, and {@link NullPointerException} for a missing one.
+ * of range, and {@link NullPointerException} for a missing one. A colour may not reflect more than it receives: no linear component
+ * is above 1.
  */
-public sealed interface Material permits Material.Matte, Material.Mirror, Material.Glass {
+public sealed interface Material permits Material.Matte, Material.Mirror, Material.Glossy, Material.Glass {
 
     /** The surface's colour; for a mirror or glass, the filter that is multiplied onto what is seen in or through it. */
     Texture color();
 
-    /** Whether shadows show on the surface (false is the paper's {@code noShadow}). */
+    /** Whether shadows show on the surface (false is the paper's {@code noShadow}, which physical shading does not have). */
     boolean receivesShadows();
+
+    /**
+     * The radiance with which the surface glows by itself, to both of its sides, in physical shading: the object is a light then.
+     * Black for glass: only what is opaque glows.
+     */
+    Rgb radiance();
 
     /** The name of this kind of material in the scene format, such as {@code "matte"}. */
     String type();
 
     /**
-     * A diffuse surface, shaded by the cosine rule.
+     * A diffuse surface; in classic shading, shaded by the cosine rule.
      *
-     * @param color its colour
+     * @param color its colour: in physical shading its reflectance
      * @param receivesShadows whether shadows show on it
+     * @param roughness of its microscopic surface, 0 (Lambert) to 1 (Portsmouth, Kutz and Hill, "EON: a practical
+     *     energy-preserving rough diffuse BRDF", 2025)
+     * @param radiance see {@link Material#radiance}
      */
-    record Matte(Texture color, boolean receivesShadows) implements Material {
+    record Matte(Texture color, boolean receivesShadows, double roughness, Rgb radiance) implements Material {
         /** Validates the components, as {@link Material} states. */
         public Matte {
-            Objects.requireNonNull(color, "color");
+            Reflectance.check(color);
+            Check.range("roughness", roughness, 0, 1);
+            Objects.requireNonNull(radiance, "radiance");
         }
 
-        /** A matte surface that receives shadows. */
+        /** A Lambertian surface that does not glow. */
+        public Matte(Texture color, boolean receivesShadows) {
+            this(color, receivesShadows, 0, Rgb.BLACK);
+        }
+
+        /** A Lambertian surface that receives shadows and does not glow. */
         public static Matte of(Texture color) {
             return new Matte(color, true);
+        }
+
+        /** The same surface with another roughness. */
+        public Matte withRoughness(double value) {
+            return new Matte(color, receivesShadows, value, radiance);
+        }
+
+        /** The same surface with another radiance. */
+        public Matte withRadiance(Rgb value) {
+            return new Matte(color, receivesShadows, roughness, value);
         }
 
         @Override
@@ -48,11 +78,18 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
      *
      * @param color what is multiplied onto the reflected colour
      * @param receivesShadows has no effect: a mirror shows no shadows of its own
+     * @param radiance see {@link Material#radiance}
      */
-    record Mirror(Texture color, boolean receivesShadows) implements Material {
+    record Mirror(Texture color, boolean receivesShadows, Rgb radiance) implements Material {
         /** Validates the components, as {@link Material} states. */
         public Mirror {
-            Objects.requireNonNull(color, "color");
+            Reflectance.check(color);
+            Objects.requireNonNull(radiance, "radiance");
+        }
+
+        /** A mirror that does not glow. */
+        public Mirror(Texture color, boolean receivesShadows) {
+            this(color, receivesShadows, Rgb.BLACK);
         }
 
         /** A mirror of this filter colour. */
@@ -67,27 +104,138 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
     }
 
     /**
-     * Glass: light is refracted by Snell's law, or totally reflected.
+     * A rough mirror, such as a metal: microscopic facets by the distribution GGX (Walter and others, 2007). Only physical shading
+     * has it.
      *
-     * @param color multiplied onto what is seen through the surface, each time a ray crosses it
+     * @param color its reflectance where it is looked at and lit straight on (Schlick's Fresnel term leads from there to white at
+     *     grazing angles); of a conductor, what is multiplied onto the exact Fresnel term
+     * @param roughness 0 (a mirror) to 1; the parameter alpha of the distribution is its square
+     * @param conductor the optical constants; empty for Schlick's term
+     * @param multipleScattering whether light that meets several facets is counted; without it, rough surfaces are too dark
+     * @param radiance see {@link Material#radiance}
+     */
+    record Glossy(
+            Texture color, double roughness, Optional<Conductor> conductor, boolean multipleScattering, Rgb radiance)
+            implements Material {
+        /** Validates the components, as {@link Material} states. */
+        public Glossy {
+            Reflectance.check(color);
+            Check.range("roughness", roughness, 0, 1);
+            Objects.requireNonNull(conductor, "conductor");
+            Objects.requireNonNull(radiance, "radiance");
+        }
+
+        /** A surface with Schlick's Fresnel term and multiple scattering that does not glow. */
+        public static Glossy of(Texture color, double roughness) {
+            return new Glossy(color, roughness, Optional.empty(), true, Rgb.BLACK);
+        }
+
+        /** A metal of these optical constants and this filter colour, with multiple scattering. */
+        public static Glossy metal(Texture color, Conductor conductor, double roughness) {
+            return new Glossy(color, roughness, Optional.of(conductor), true, Rgb.BLACK);
+        }
+
+        @Override
+        public boolean receivesShadows() {
+            return true;
+        }
+
+        @Override
+        public String type() {
+            return "glossy";
+        }
+    }
+
+    /**
+     * The complex index of refraction eta + i k of a metal, relative to what surrounds it, in each band.
+     *
+     * @param eta the real part, greater than 0
+     * @param k the imaginary part, which absorbs
+     */
+    record Conductor(Rgb eta, Rgb k) {
+        /** Validates the components, as {@link Material} states. */
+        public Conductor {
+            Check.positive("eta", eta.r());
+            Check.positive("eta", eta.g());
+            Check.positive("eta", eta.b());
+            Objects.requireNonNull(k, "k");
+        }
+    }
+
+    /**
+     * Glass: light is refracted by Snell's law, or totally reflected; in physical shading Fresnel's equations say how much is
+     * reflected.
+     *
+     * @param color multiplied onto what is seen through the surface, each time a ray crosses it; not onto what it reflects
      * @param indexOfRefraction relative to the surrounding medium (1), greater than 0
      * @param transparency the share of what is seen that comes through: 0 (a matte surface) to 1 (clear)
      * @param priority where solids overlap, the one of higher priority fills the overlap; at equal priorities, the smaller one
      *     (Schmidt and Budge, "Simple nested dielectrics in ray traced images", 2002)
      * @param receivesShadows whether shadows show on the opaque share
+     * @param roughness of the surface, 0 (smooth) to 1; the parameter alpha of the distribution GGX is its square
+     * @param absorption the share that is lost per scene unit inside the solid, for small shares: light decays by exp(−absorption ·
+     *     length) (Beer and Lambert)
+     * @param multipleScattering whether light that meets several facets of a rough surface is counted
      */
-    record Glass(Texture color, double indexOfRefraction, double transparency, int priority, boolean receivesShadows)
+    record Glass(
+            Texture color,
+            double indexOfRefraction,
+            double transparency,
+            int priority,
+            boolean receivesShadows,
+            double roughness,
+            Rgb absorption,
+            boolean multipleScattering)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Glass {
-            Objects.requireNonNull(color, "color");
+            Reflectance.check(color);
             Check.positive("indexOfRefraction", indexOfRefraction);
             Check.range("transparency", transparency, 0, 1);
+            Check.range("roughness", roughness, 0, 1);
+            Objects.requireNonNull(absorption, "absorption");
         }
 
-        /** Clear glass of this filter colour and index of refraction, priority 0. */
+        /** Smooth glass that absorbs nothing. */
+        public Glass(
+                Texture color, double indexOfRefraction, double transparency, int priority, boolean receivesShadows) {
+            this(color, indexOfRefraction, transparency, priority, receivesShadows, 0, Rgb.BLACK, true);
+        }
+
+        /** Clear, smooth glass of this filter colour and index of refraction, priority 0. */
         public static Glass of(Texture color, double indexOfRefraction) {
             return new Glass(color, indexOfRefraction, 1, 0, true);
+        }
+
+        /** The same glass with another roughness. */
+        public Glass withRoughness(double value) {
+            return new Glass(
+                    color,
+                    indexOfRefraction,
+                    transparency,
+                    priority,
+                    receivesShadows,
+                    value,
+                    absorption,
+                    multipleScattering);
+        }
+
+        /** The same glass that absorbs this per scene unit. */
+        public Glass withAbsorption(Rgb value) {
+            return new Glass(
+                    color,
+                    indexOfRefraction,
+                    transparency,
+                    priority,
+                    receivesShadows,
+                    roughness,
+                    value,
+                    multipleScattering);
+        }
+
+        @Override
+        public Rgb radiance() {
+            return Rgb.BLACK;
         }
 
         @Override

@@ -1,7 +1,7 @@
 package enlightenment.material;
 
 import enlightenment.check.Check;
-import enlightenment.color.DisplayRgb;
+import enlightenment.color.Color;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -15,7 +15,7 @@ import java.util.Objects;
 public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.File {
 
     /** The texture of one colour everywhere. */
-    static Texture of(DisplayRgb color) {
+    static Texture of(Color color) {
         return new Solid(color);
     }
 
@@ -24,7 +24,7 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
      *
      * @param color the colour
      */
-    record Solid(DisplayRgb color) implements Texture {
+    record Solid(Color color) implements Texture {
         /** Validates the components, as {@link Texture} states. */
         public Solid {
             Objects.requireNonNull(color, "color");
@@ -37,7 +37,7 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
      * @param colors two colours; the first one fills the square at the top left
      * @param scale the number of squares along each texture coordinate, greater than 0
      */
-    record Checker(List<DisplayRgb> colors, double scale) implements Texture {
+    record Checker(List<Color> colors, double scale) implements Texture {
         /** Validates the components, as {@link Texture} states. */
         public Checker {
             Check.that(colors.size() == 2, "colors", "must be two colours, not " + colors.size());

@@ -25,6 +25,7 @@ import java.util.Set;
  * @param height the picture's height in pixels, 1..{@link #MAX_SIDE}
  * @param camera where it is seen from
  * @param shading how surfaces are shaded
+ * @param display how light becomes a picture for a screen; for physical shading
  * @param textures named textures, in order; those that materials hold need no name
  * @param materials named materials, in order; those that objects hold need no name
  * @param lights the lights, in order; the picture does not depend on it
@@ -39,6 +40,7 @@ public record Scene(
         int height,
         Camera camera,
         Shading shading,
+        Display display,
         Map<String, Texture> textures,
         Map<String, Material> materials,
         List<Light> lights,
@@ -55,6 +57,7 @@ public record Scene(
         checkSize(width, height);
         Objects.requireNonNull(camera, "camera");
         Objects.requireNonNull(shading, "shading");
+        Objects.requireNonNull(display, "display");
         textures = Collections.unmodifiableMap(new LinkedHashMap<>(textures));
         materials = Collections.unmodifiableMap(new LinkedHashMap<>(materials));
         lights = List.copyOf(lights);
@@ -78,7 +81,18 @@ public record Scene(
     /** The scene as it stands, without what changes it over frames. */
     public Scene withoutAnimation() {
         return new Scene(
-                name, width, height, camera, shading, textures, materials, lights, objects, render, Optional.empty());
+                name,
+                width,
+                height,
+                camera,
+                shading,
+                display,
+                textures,
+                materials,
+                lights,
+                objects,
+                render,
+                Optional.empty());
     }
 
     /**

@@ -22,6 +22,7 @@ public final class SceneBuilder {
     private int height = 400;
     private Camera camera;
     private Shading shading = ClassicShading.DEFAULT;
+    private Display display = Display.DEFAULT;
     private final Map<String, Texture> textures = new LinkedHashMap<>();
     private final Map<String, Material> materials = new LinkedHashMap<>();
     private final List<Light> lights = new ArrayList<>();
@@ -53,6 +54,12 @@ public final class SceneBuilder {
     /** How surfaces are shaded; {@link ClassicShading#DEFAULT} unless set. */
     public SceneBuilder shading(Shading value) {
         shading = value;
+        return this;
+    }
+
+    /** How the light of physical shading becomes a picture for a screen; {@link Display#DEFAULT} unless set. */
+    public SceneBuilder display(Display value) {
+        display = value;
         return this;
     }
 
@@ -117,6 +124,7 @@ public final class SceneBuilder {
                 height,
                 camera,
                 shading,
+                display,
                 textures,
                 materials,
                 lights,

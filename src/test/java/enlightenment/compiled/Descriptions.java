@@ -77,8 +77,17 @@ public final class Descriptions {
                     new Camera.Isometric(ExactPoint.of(0, 0, 4), 3)));
 
     /** Materials of one colour. */
-    public static final List<Material> MATERIALS =
-            all(Material.class, List.of(Material.Matte.of(RED), Material.Mirror.of(RED), Material.Glass.of(RED, 1.5)));
+    public static final List<Material> MATERIALS = all(
+            Material.class,
+            List.of(
+                    Material.Matte.of(RED),
+                    Material.Mirror.of(RED),
+                    Material.Glossy.of(RED, 0.5),
+                    Material.Glass.of(RED, 1.5)));
+
+    /** Those that classic shading knows. */
+    public static final List<Material> CLASSIC_MATERIALS =
+            MATERIALS.stream().filter(m -> !(m instanceof Material.Glossy)).toList();
 
     /** Textures; no file is where the one names it. */
     public static final List<Texture> TEXTURES = all(

@@ -107,9 +107,9 @@ class EveryKindTest {
     @MethodSource("lights")
     void aLightIsCompiledWithABallAroundItsSurface(Light light) {
         CompiledLight compiled = new CompiledLight(light, SceneFrame.WORLD);
-        assertEquals(light.color().r(), compiled.r);
-        assertEquals(light.color().g(), compiled.g);
-        assertEquals(light.color().b(), compiled.b);
+        assertEquals(light.color().display().r(), compiled.r);
+        assertEquals(light.color().display().g(), compiled.g);
+        assertEquals(light.color().display().b(), compiled.b);
         Vec3 center = new Vec3(compiled.ballX, compiled.ballY, compiled.ballZ);
         for (ExactPoint anchor : light.anchors()) {
             assertTrue(anchor.toVec3().minus(center).length() <= compiled.ballRadius + 1e-15, light.type());
@@ -142,12 +142,12 @@ class EveryKindTest {
 
     @Test
     void everyMaterialIsOfAKindOfItsOwnAndKeepsItsColour() {
-        assertDistinct(Descriptions.MATERIALS.stream()
+        assertDistinct(Descriptions.CLASSIC_MATERIALS.stream()
                 .map(m -> new SurfaceMaterial(m, null).bsdf.getClass())
                 .toList());
-        assertEquals(Bsdf.class.getPermittedSubclasses().length, Descriptions.MATERIALS.size());
+        assertEquals(Bsdf.class.getPermittedSubclasses().length, Descriptions.CLASSIC_MATERIALS.size());
         double[] rgb = new double[3];
-        for (Material m : Descriptions.MATERIALS) {
+        for (Material m : Descriptions.CLASSIC_MATERIALS) {
             SurfaceMaterial compiled = new SurfaceMaterial(m, null);
             assertFalse(compiled.isTextured());
             compiled.color(rgb);
@@ -175,9 +175,9 @@ class EveryKindTest {
             assertNotNull(compiled.appearance());
             compiled.color(0.75, 0.25, false, rgb);
             DisplayRgb expected = texture instanceof Texture.Solid s
-                    ? s.color()
+                    ? s.color().display()
                     // Of 2 × 2 squares the one at the upper right has the second colour.
-                    : texture instanceof Texture.Checker c ? c.colors().get(1) : new DisplayRgb(0, 1, 0);
+                    : texture instanceof Texture.Checker c ? c.colors().get(1).display() : new DisplayRgb(0, 1, 0);
             assertArrayEquals(new double[] {expected.r(), expected.g(), expected.b()}, rgb, 1e-15, texture.toString());
         }
     }

@@ -301,6 +301,7 @@ class ImageInvarianceTest {
                 s.height(),
                 s.camera(),
                 s.shading(),
+                s.display(),
                 s.textures(),
                 s.materials(),
                 s.lights(),

@@ -77,6 +77,7 @@ final class MovedScene {
                 s.height(),
                 camera(s.camera()),
                 s.shading(),
+                s.display(),
                 s.textures(),
                 s.materials(),
                 s.lights().stream().map(this::light).toList(),
@@ -115,13 +116,13 @@ final class MovedScene {
 
     private Light light(Light light) {
         if (light instanceof Light.Sphere s) {
-            return new Light.Sphere(point(s.center()), length(s.radius()), s.color());
+            return new Light.Sphere(point(s.center()), length(s.radius()), s.color(), s.emission());
         }
         if (light instanceof Light.Rectangle r) {
             List<ExactPoint> c = r.anchors().stream().map(this::point).toList();
-            return new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), r.color());
+            return new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), r.color(), r.twoSided(), r.emission());
         }
-        return new Light.Point(point(((Light.Point) light).position()), light.color());
+        return new Light.Point(point(((Light.Point) light).position()), light.color(), light.emission());
     }
 
     private SceneObject object(SceneObject o) {

@@ -48,6 +48,7 @@ class NumericsScenesTest {
                 far.height(),
                 new Camera.Orthographic(ExactPoint.of(0, 0, -10), ExactPoint.ORIGIN, Vec3.Y, 3),
                 far.shading(),
+                far.display(),
                 far.textures(),
                 far.materials(),
                 far.lights(),

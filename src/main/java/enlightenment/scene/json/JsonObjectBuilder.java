@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
@@ -129,15 +130,15 @@ final class JsonObjectBuilder {
         return put(key, JsonValue.Arr.of(items));
     }
 
-    JsonObjectBuilder color(String key, DisplayRgb c) {
+    JsonObjectBuilder color(String key, Color c) {
         return put(key, color(c, animated(key)));
     }
 
-    JsonObjectBuilder colorUnless(DisplayRgb usual, String key, DisplayRgb c) {
+    JsonObjectBuilder colorUnless(Color usual, String key, Color c) {
         return c.equals(usual) && !animated(key) ? this : color(key, c);
     }
 
-    JsonObjectBuilder colors(String key, List<DisplayRgb> colors) {
+    JsonObjectBuilder colors(String key, List<Color> colors) {
         boolean asNumbers = animated(key);
         return put(
                 key,
@@ -146,10 +147,18 @@ final class JsonObjectBuilder {
 
     /** Linear light as three numbers. */
     JsonObjectBuilder linear(String key, Rgb c) {
-        return put(key, JsonValue.Arr.of(List.of(number(c.r()), number(c.g()), number(c.b()))));
+        return put(key, bands(c));
     }
 
-    private static JsonValue color(DisplayRgb c, boolean asNumbers) {
+    private static JsonValue bands(Rgb c) {
+        return JsonValue.Arr.of(List.of(number(c.r()), number(c.g()), number(c.b())));
+    }
+
+    private static JsonValue color(Color color, boolean asNumbers) {
+        if (color instanceof Rgb linear) {
+            return new JsonValue.Obj(0, 0, new String[] {"linear"}, new JsonValue[] {bands(linear)});
+        }
+        DisplayRgb c = color.display();
         int r = (int) Math.rint(c.r() * 255);
         int g = (int) Math.rint(c.g() * 255);
         int b = (int) Math.rint(c.b() * 255);

@@ -4,6 +4,7 @@ import enlightenment.camera.Camera;
 import enlightenment.light.Light;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Display;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -77,6 +78,7 @@ final class SceneBinder {
                 height,
                 camera,
                 shading,
+                Display.DEFAULT,
                 values.library().textures,
                 values.library().materials,
                 lights,

@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.image.ImageFormat;
 import enlightenment.material.Texture;
@@ -93,7 +94,7 @@ final class Textures {
     }
 
     private static Texture checker(Fields f) {
-        List<DisplayRgb> colors = new ArrayList<>();
+        List<Color> colors = new ArrayList<>();
         JsonValue v = f.get("colors");
         JsonValue.Arr a = v == null ? null : f.values().array(v, f.at("colors"), 2, "an array of two colours");
         for (int i = 0; a != null && i < 2; i++) {

@@ -22,6 +22,7 @@ import enlightenment.scene.Animation;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.ClusterSettings;
+import enlightenment.scene.Display;
 import enlightenment.scene.Method;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RayTraceSettings;
@@ -82,6 +83,7 @@ final class RandomScenes {
                 1 + random.nextInt(Scene.MAX_SIDE),
                 retry(this::camera),
                 shading,
+                Display.DEFAULT,
                 textures,
                 materials,
                 lights,

@@ -220,7 +220,7 @@ class SceneReaderTest {
                     new BigDecimal(y[frame]),
                     ((Sphere) s.objects().get(0).shape()).center().y());
             Texture.Solid color = (Texture.Solid) s.materials().get("chrome").color();
-            assertEquals(frame / 10.0, color.color().b());
+            assertEquals(frame / 10.0, color.color().display().b());
             assertEquals(10 + 2 * frame, s.width());
         }
         assertEquals(40, SceneReader.read(file).width());

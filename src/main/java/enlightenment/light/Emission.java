@@ -1,0 +1,52 @@
+package enlightenment.light;
+
+import enlightenment.color.Rgb;
+import java.util.Objects;
+
+/**
+ * How much light a light gives, for physical shading: what arrives is this times the light's linear colour. Units are relative
+ * (only ratios are visible); whoever takes the scene unit for a metre may take these for watts.
+ *
+ * @param quantity what the number measures
+ * @param value the number, for each band
+ */
+public record Emission(Quantity quantity, Rgb value) {
+    /** What the number measures. */
+    public enum Quantity {
+        /** Radiance, W/(m² sr): how bright the surface looks from everywhere it shines to. */
+        RADIANCE,
+
+        /** Power, W: all that leaves the light. */
+        POWER,
+
+        /** Intensity, W/sr: what a light without extent sends into each direction. */
+        INTENSITY
+    }
+
+    /** Radiance 1. */
+    public static final Emission RADIANCE_1 = radiance(Rgb.WHITE);
+
+    /** Intensity 1. */
+    public static final Emission INTENSITY_1 = intensity(Rgb.WHITE);
+
+    /** Checks that nothing is missing. */
+    public Emission {
+        Objects.requireNonNull(quantity, "quantity");
+        Objects.requireNonNull(value, "value");
+    }
+
+    /** This radiance. */
+    public static Emission radiance(Rgb value) {
+        return new Emission(Quantity.RADIANCE, value);
+    }
+
+    /** This power. */
+    public static Emission power(Rgb value) {
+        return new Emission(Quantity.POWER, value);
+    }
+
+    /** This intensity. */
+    public static Emission intensity(Rgb value) {
+        return new Emission(Quantity.INTENSITY, value);
+    }
+}

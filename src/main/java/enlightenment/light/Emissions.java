@@ -1,0 +1,43 @@
+package enlightenment.light;
+
+import enlightenment.check.Check;
+import enlightenment.color.Color;
+import enlightenment.color.Rgb;
+import java.util.Locale;
+import java.util.Objects;
+
+/** Which quantities which lights have. */
+final class Emissions {
+    private Emissions() {}
+
+    /** Of a light with a surface. */
+    static void checkSurface(String type, Color color, Emission emission) {
+        check(color, emission);
+        Check.that(
+                emission.quantity() != Emission.Quantity.INTENSITY,
+                "intensity",
+                "belongs to point lights; a " + type + " light has \"radiance\" or \"power\"");
+    }
+
+    /** Of a light without extent. */
+    static void checkPoint(Color color, Emission emission) {
+        check(color, emission);
+        Check.that(
+                emission.quantity() != Emission.Quantity.RADIANCE,
+                "radiance",
+                "belongs to lights with a surface; a point light has \"intensity\" or \"power\"");
+    }
+
+    private static void check(Color color, Emission emission) {
+        Objects.requireNonNull(color, "color");
+        Rgb light = color.linear();
+        Rgb value = emission.value();
+        boolean finite = Double.isFinite(light.r() * value.r())
+                && Double.isFinite(light.g() * value.g())
+                && Double.isFinite(light.b() * value.b());
+        Check.that(
+                finite,
+                emission.quantity().name().toLowerCase(Locale.ROOT),
+                "times the light's colour is beyond the range of doubles");
+    }
+}

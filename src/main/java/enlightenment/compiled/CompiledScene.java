@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import enlightenment.accel.Accelerator;
 import enlightenment.accel.ConeSearch;
 import enlightenment.accel.PrimitiveList;
+import enlightenment.color.DisplayCurve;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.numeric.Scale;
@@ -126,6 +127,11 @@ public final class CompiledScene {
         occluders = new OccluderSet(primitives, lights, few);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
+    }
+
+    /** What the pixels of its pictures are, and how they become what a screen takes. */
+    public DisplayCurve display() {
+        return DisplayCurve.NONE;
     }
 
     private static CompiledLight[] visible(CompiledLight[] lights) {

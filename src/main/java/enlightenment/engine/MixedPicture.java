@@ -10,6 +10,7 @@ import enlightenment.image.Image;
 final class MixedPicture extends PictureFilm {
     private final TilePicture tiles;
     private final SplatPicture splats;
+    private final RenderOutline outline;
 
     /** Whose share of the work the tiles are. */
     private final double shareOfTiles;
@@ -18,6 +19,7 @@ final class MixedPicture extends PictureFilm {
         super(units, outline.settings());
         this.tiles = tiles;
         this.splats = splats;
+        this.outline = outline;
         double samples = outline.plan().samples()
                 * outline.settings().width()
                 * outline.settings().height();
@@ -81,6 +83,16 @@ final class MixedPicture extends PictureFilm {
     }
 
     @Override
+    void samplesAreLost(long number) {
+        tiles.samplesAreLost(number);
+    }
+
+    @Override
+    public long lostSamples() {
+        return tiles.lostSamples();
+    }
+
+    @Override
     public ErrorEstimate error() {
         return sum().error();
     }
@@ -106,6 +118,6 @@ final class MixedPicture extends PictureFilm {
                 }
             }
         }
-        return new Image(image.width(), image.height(), rgb, image.encoding());
+        return new Image(image.width(), image.height(), rgb, outline.display());
     }
 }

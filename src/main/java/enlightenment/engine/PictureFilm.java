@@ -32,7 +32,7 @@ public abstract class PictureFilm {
         if (!units.haveTiles()) {
             return new SplatPicture(units, outline);
         }
-        TilePicture tiles = new TilePicture(units, outline.settings(), isKept);
+        TilePicture tiles = new TilePicture(units, outline, isKept);
         return units.batches() == 0 ? tiles : new MixedPicture(units, tiles, new SplatPicture(units, outline), outline);
     }
 
@@ -113,6 +113,14 @@ public abstract class PictureFilm {
 
     /** Says whether the samples of pixels are differences from something known, by what there is now. */
     void samplesAreDifferences(boolean are) {}
+
+    /** Says how many samples were no finite numbers, by what there is now. */
+    void samplesAreLost(long number) {}
+
+    /** How many samples were no finite numbers; more than none fails the render. */
+    public long lostSamples() {
+        return 0;
+    }
 
     /** The picture so far; what is missing is black. */
     public abstract Image image();

@@ -18,7 +18,9 @@ abstract class ResultForm {
     /** The form for the units of this render. */
     static ResultForm of(WorkUnits units, RenderOutline outline) {
         int kinds = outline.kinds().size();
-        ResultForm tiles = units.passes() > 1 ? new PassForm(units, kinds) : new TileForm(units, kinds);
+        ResultForm tiles = units.passes() > 1
+                ? new PassForm(units, kinds, outline.display())
+                : new TileForm(units, kinds, outline.display());
         if (units.batches() == 0) {
             return tiles;
         }

@@ -1,6 +1,5 @@
 package enlightenment.engine;
 
-import enlightenment.color.Encoding;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatFilm;
@@ -25,7 +24,7 @@ final class SplatPicture extends PictureFilm {
                 region.height(),
                 picturePixels,
                 outline.splatScale(),
-                Encoding.DISPLAY);
+                outline.display());
     }
 
     /** What the batches have brought so far. */

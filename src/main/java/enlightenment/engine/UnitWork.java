@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
@@ -17,6 +18,7 @@ import java.util.function.Consumer;
 /** Does units of work, for one thread. */
 public final class UnitWork {
     private final WorkUnits units;
+    private final DisplayCurve display;
 
     /** What makes tiles, or null. */
     private final TileIntegrator tiles;
@@ -43,6 +45,7 @@ public final class UnitWork {
             Consumer<List<ClusterStatistics>> clusters,
             BooleanSupplier cancelled) {
         this.units = units;
+        display = outline.display();
         RenderSettings settings = outline.settings();
         if (units.haveTiles()) {
             tiles = (TileIntegrator) Integrators.of(outline.plan(), scene, settings, counters, clusters);
@@ -64,7 +67,7 @@ public final class UnitWork {
     /** A tile, or a pass over it. */
     FilmTile tile(int unit) {
         RenderSettings.Crop place = units.place(unit);
-        FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height());
+        FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height(), display);
         part(unit, tile);
         return tile;
     }

@@ -73,6 +73,7 @@ public final class PartFile implements Closeable {
         out.write(head.job().toBytes());
         SettingsBytes.write(out, head.outline());
         out.writeInt(head.outline().splatScale().exponent());
+        SettingsBytes.write(out, head.outline().display());
         List<String> text = new ArrayList<>();
         head.text().forEach((key, value) -> text.addAll(List.of(key, value)));
         SettingsBytes.write(out, text);
@@ -91,7 +92,9 @@ public final class PartFile implements Closeable {
                 throw new IOException(file + ": was made by version " + build + ", this is " + Build.number());
             }
             ContentHash job = ContentHash.fromBytes(in.readNBytes(ContentHash.BYTES));
-            RenderOutline outline = SettingsBytes.readOutline(in, 1).withSplatScale(new SplatScale(in.readInt()));
+            RenderOutline outline = SettingsBytes.readOutline(in, 1)
+                    .withSplatScale(new SplatScale(in.readInt()))
+                    .withDisplay(SettingsBytes.readDisplay(in));
             List<String> list = SettingsBytes.readTexts(in);
             Map<String, String> text = new LinkedHashMap<>();
             for (int i = 0; i + 1 < list.size(); i += 2) {

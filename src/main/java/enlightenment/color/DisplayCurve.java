@@ -18,30 +18,11 @@ public final class DisplayCurve {
     /** For linear light as it is: exposure 0, clipped. */
     public static final DisplayCurve SRGB = new DisplayCurve(Encoding.LINEAR, 0, Tone.CLIP);
 
-    /** How light that is brighter than the screen is dealt with. */
-    public enum Tone {
-        /** What is above 1 is shown as 1; below, the screen shows the light as it is. */
-        CLIP,
+    /** {@link Tone#FILMIC}: the factors of x² and x above, and of x², x and 1 below the line. */
+    private static final double[] FILMIC = {2.51, 0.03, 2.43, 0.59, 0.14};
 
-        /**
-         * As film does, bright light is compressed: x (2.51 x + 0.03)/(x (2.43 x + 0.59) + 0.14), after K. Narkowicz's fit of 2015 ("ACES
-         * filmic tone mapping curve"). It darkens the shadows a little, too, and reaches 1 at about 7.2.
-         */
-        FILMIC;
-
-        /** The factors of x² and x above, and of x², x and 1 below the line. */
-        private static final double[] FIT = {2.51, 0.03, 2.43, 0.59, 0.14};
-
-        /** Above this the fraction is 1 or more; its own limit is about 1.03. */
-        private static final double WHITE = 8;
-
-        private double of(double x) {
-            if (this == CLIP || !(x < WHITE)) {
-                return x;
-            }
-            return x * (FIT[0] * x + FIT[1]) / (x * (FIT[2] * x + FIT[3]) + FIT[4]);
-        }
-    }
+    /** From here on that fraction is above 1, which it reaches at 7.24; its own limit is 1.033. */
+    private static final double WHITE = 8;
 
     private final Encoding encoding;
     private final double exposure;
@@ -61,7 +42,7 @@ public final class DisplayCurve {
      * The curve for linear light.
      *
      * @param exposure in stops: 1 makes everything twice as bright; −1000..1000
-     * @param tone how bright light is dealt with
+     * @param tone how light becomes 0..1
      * @throws enlightenment.math.InvalidValueException (key {@code exposure}) if that is out of range or NaN
      */
     public static DisplayCurve of(double exposure, Tone tone) {
@@ -79,7 +60,7 @@ public final class DisplayCurve {
         return exposure;
     }
 
-    /** How bright light is dealt with; {@link Tone#CLIP} for display-referred numbers. */
+    /** How light becomes 0..1; {@link Tone#CLIP} for display-referred numbers. */
     public Tone tone() {
         return tone;
     }
@@ -97,8 +78,15 @@ public final class DisplayCurve {
         if (encoding == Encoding.DISPLAY) {
             return value;
         }
-        double light = tone.of(value * factor);
+        double light = toned(value * factor);
         return light >= 1 ? 1 : light <= 0 ? 0 : TransferCurve.encode(light);
+    }
+
+    private double toned(double x) {
+        if (tone == Tone.CLIP || !(x < WHITE)) {
+            return x;
+        }
+        return x * (FILMIC[0] * x + FILMIC[1]) / (x * (FILMIC[2] * x + FILMIC[3]) + FILMIC[4]);
     }
 
     /**
@@ -110,7 +98,7 @@ public final class DisplayCurve {
         if (encoding == Encoding.DISPLAY) {
             return value;
         }
-        double light = tone.of(value * factor);
+        double light = toned(value * factor);
         return light >= 1 ? 1 : light > 0 ? EncodingTable.encode(light) : 0;
     }
 

@@ -80,6 +80,9 @@ public final class CompiledScene {
     private final List<String> features;
     private final List<String> absent;
 
+    /** What the pixels of its pictures are, and how they become what a screen takes. */
+    public final DisplayCurve display;
+
     CompiledScene(
             SceneFrame frame,
             CompiledCamera camera,
@@ -88,7 +91,9 @@ public final class CompiledScene {
             CompiledPrimitives compiled,
             Accelerator accelerator,
             List<String> features,
-            List<String> absent) {
+            List<String> absent,
+            DisplayCurve display) {
+        this.display = display;
         this.frame = frame;
         this.camera = camera;
         this.shading = shading;
@@ -127,11 +132,6 @@ public final class CompiledScene {
         occluders = new OccluderSet(primitives, lights, few);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
-    }
-
-    /** What the pixels of its pictures are, and how they become what a screen takes. */
-    public DisplayCurve display() {
-        return DisplayCurve.NONE;
     }
 
     private static CompiledLight[] visible(CompiledLight[] lights) {

@@ -4,6 +4,7 @@ import enlightenment.accel.Accelerator;
 import enlightenment.accel.Bvh;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.bsdf.SpecularReflection;
+import enlightenment.color.DisplayCurve;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -14,7 +15,9 @@ import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Display;
 import enlightenment.scene.Method;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -94,7 +97,22 @@ public final class SceneCompiler {
         Accelerator accelerator = many ? Bvh.build(primitives) : PrimitiveList.of(primitives);
         Features features = new Features(scene, shading, many, surfaces.values());
         return new CompiledScene(
-                frame, camera, shading, lights, compiled, accelerator, features.present(), features.absent());
+                frame,
+                camera,
+                shading,
+                lights,
+                compiled,
+                accelerator,
+                features.present(),
+                features.absent(),
+                display(scene));
+    }
+
+    private static DisplayCurve display(Scene scene) {
+        Display display = scene.display();
+        return scene.shading() instanceof PhysicalShading
+                ? DisplayCurve.of(display.exposure(), display.tone())
+                : DisplayCurve.NONE;
     }
 
     /** The shading that is compiled so far; any other is refused by name, even if a method from outside claims to render it. */

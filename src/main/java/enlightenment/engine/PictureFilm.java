@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.color.Encoding;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
@@ -11,15 +12,17 @@ import java.util.Objects;
 public abstract class PictureFilm {
     final WorkUnits units;
     final RenderSettings.Crop region;
+    private final Encoding encoding;
 
     /** The units that are there. */
     private final BitSet done = new BitSet();
 
     private int number;
 
-    PictureFilm(WorkUnits units, RenderSettings settings) {
+    PictureFilm(WorkUnits units, RenderOutline outline) {
         this.units = units;
-        region = settings.region();
+        region = outline.settings().region();
+        encoding = outline.display().encoding();
     }
 
     /** A picture of which nothing is there yet. */
@@ -72,6 +75,11 @@ public abstract class PictureFilm {
 
     /** A unit has come (1) or gone (-1); called under the lock. */
     abstract void count(int unit, int by);
+
+    /** What the pixels are. */
+    public final Encoding encoding() {
+        return encoding;
+    }
 
     /** Whether a unit is there. */
     public synchronized boolean has(int unit) {

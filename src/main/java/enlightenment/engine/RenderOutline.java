@@ -45,7 +45,7 @@ public record RenderOutline(
     /** The outline of a render of this scene. */
     public static RenderOutline of(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
         RenderOutline outline = new RenderOutline(sceneName, settings, plan, scene.features(), scene.kindNames)
-                .withDisplay(scene.display());
+                .withDisplay(scene.display);
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {

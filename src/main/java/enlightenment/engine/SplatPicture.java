@@ -14,7 +14,7 @@ final class SplatPicture extends PictureFilm {
     private int batches;
 
     SplatPicture(WorkUnits units, RenderOutline outline) {
-        super(units, outline.settings());
+        super(units, outline);
         RenderSettings settings = outline.settings();
         picturePixels = (long) settings.width() * settings.height();
         film = new SplatFilm(

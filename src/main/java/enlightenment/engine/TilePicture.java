@@ -27,7 +27,7 @@ public final class TilePicture extends PictureFilm {
 
     /** @param isKept whether passes can be taken out again: that takes six times the memory */
     TilePicture(WorkUnits units, RenderOutline outline, boolean isKept) {
-        super(units, outline.settings());
+        super(units, outline);
         this.isKept = isKept;
         film = new Film(region.x(), region.y(), region.width(), region.height(), outline.display());
     }

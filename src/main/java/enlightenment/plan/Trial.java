@@ -35,7 +35,7 @@ final class Trial {
 
     /** What pixels are, and how they become what a screen takes. */
     DisplayCurve display() {
-        return scene.display();
+        return scene.display;
     }
 
     /** What a trial for a time does: a part of the picture, and of a method whose paths may end anywhere some of the paths. */
@@ -58,7 +58,7 @@ final class Trial {
             double blocks = plans.tracedPixels() / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
             return new Paths(Math.max(share, Math.min(fewestBlocks / blocks, 1)) * plans.tracedPixels());
         }
-        TrialBlocks blocks = new TrialBlocks(settings, scene.display());
+        TrialBlocks blocks = new TrialBlocks(settings, scene.display);
         return new Blocks(blocks, Math.max(share, fewestBlocks / blocks.count()));
     }
 

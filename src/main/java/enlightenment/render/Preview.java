@@ -75,7 +75,7 @@ final class Preview {
             method.stopWhen(cancelled);
             return turn -> {
                 RenderSettings.Crop place = grid.place(turn);
-                FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height(), scene.display());
+                FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height(), scene.display);
                 if (side == 0) {
                     method.render(tile);
                     put(tile);
@@ -137,6 +137,6 @@ final class Preview {
 
     /** What there is. */
     synchronized Image image() {
-        return new Image(region.width(), region.height(), rgb.clone(), scene.display());
+        return new Image(region.width(), region.height(), rgb.clone(), scene.display);
     }
 }

@@ -2,6 +2,7 @@ package enlightenment.net.job;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
+import enlightenment.color.Tone;
 import enlightenment.engine.RenderOutline;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
@@ -155,7 +156,7 @@ final class SettingsBytes {
         boolean isLinear = in.readBoolean();
         double exposure = in.readDouble();
         int tone = in.readUnsignedByte();
-        DisplayCurve.Tone[] tones = DisplayCurve.Tone.values();
+        Tone[] tones = Tone.values();
         if (tone >= tones.length) {
             throw new IllegalArgumentException("tone curve " + tone);
         }

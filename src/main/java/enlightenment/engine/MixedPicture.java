@@ -16,7 +16,7 @@ final class MixedPicture extends PictureFilm {
     private final double shareOfTiles;
 
     MixedPicture(WorkUnits units, TilePicture tiles, SplatPicture splats, RenderOutline outline) {
-        super(units, outline.settings());
+        super(units, outline);
         this.tiles = tiles;
         this.splats = splats;
         this.outline = outline;

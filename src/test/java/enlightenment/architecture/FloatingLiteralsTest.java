@@ -140,6 +140,25 @@ class FloatingLiteralsTest {
             new Explained("sampling/NormalIntegral.java", "0.425", "Wichura: where the first approximation ends"),
             new Explained("sampling/NormalIntegral.java", "0.180625", "0.425², a probability squared"),
             new Explained("sampling/NormalIntegral.java", "1.6", "Wichura: centre of the second approximation"),
+            new Explained(
+                    "emitter/HorizonPolygon.java",
+                    "0x1p-9",
+                    "ratio of size to distance that chooses between equal forms"),
+            new Explained("emitter/HorizonPolygon.java", "9.0", "9/40: weight of a quadrature"),
+            new Explained(
+                    "emitter/LightWeights.java", "0.25", "Cauchy: the mean share of its area that a convex body shows"),
+            new Explained(
+                    "emitter/LightWeights.java", "0x1p-900", "range of doubles: an inverse that does not overflow"),
+            new Explained("emitter/NormalCone.java", "0x1p-24", "angle: more than what the arc cosine is off by"),
+            new Explained(
+                    "emitter/ParallelogramLight.java", "1e-3", "solid angle that chooses between two ways of sampling"),
+            new Explained(
+                    "emitter/ParallelogramLight.java", "1e-9", "solid angle that chooses between two ways of sampling"),
+            new Explained(
+                    "emitter/ParallelogramLight.java", "6", "solid angle that chooses between two ways of sampling"),
+            new Explained("emitter/SphereIrradiance.java", "0.25", "tangent that chooses between equal forms"),
+            new Explained("emitter/SphereIrradiance.java", "4.0", "coefficients of a series"),
+            new Explained("emitter/SphereIrradiance.java", "7.0", "coefficients of a series"),
             new Explained("film/ErrorEstimate.java", "1.96", "deviations that hold 95 % of a normal distribution"),
             new Explained(
                     "film/ErrorEstimate.java",

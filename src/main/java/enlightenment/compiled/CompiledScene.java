@@ -9,6 +9,8 @@ import enlightenment.frame.SceneFrame;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Shading;
 import java.util.Arrays;
 import java.util.List;
 
@@ -24,7 +26,16 @@ public final class CompiledScene {
 
     public final SceneFrame frame;
     public final CompiledCamera camera;
-    public final ClassicShading shading;
+
+    /** How surfaces are shaded. */
+    public final Shading shading;
+
+    /** The shading, if it is classic; else null. */
+    public final ClassicShading classic;
+
+    /** What physical shading needs, if that is the shading; else null. */
+    public final PhysicalScene physical;
+
     public final CompiledLight[] lights;
 
     /** Those lights that can be seen, and boxes around them. */
@@ -86,8 +97,9 @@ public final class CompiledScene {
     CompiledScene(
             SceneFrame frame,
             CompiledCamera camera,
-            ClassicShading shading,
+            Shading shading,
             CompiledLight[] lights,
+            List<PhysicalLight> points,
             CompiledPrimitives compiled,
             Accelerator accelerator,
             List<String> features,
@@ -97,6 +109,8 @@ public final class CompiledScene {
         this.frame = frame;
         this.camera = camera;
         this.shading = shading;
+        classic = shading instanceof ClassicShading c ? c : null;
+        physical = shading instanceof PhysicalShading p ? new PhysicalScene(p, compiled, points) : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
         this.materials = compiled.materials();
@@ -119,8 +133,11 @@ public final class CompiledScene {
         }
         coincident = CoincidentSurfaces.of(compiled, accelerator);
         boolean anyLies = false;
-        for (CompiledLight light : lights) {
+        LightBody[] bodies = physical == null ? lights : physical.lights;
+        for (LightBody light : bodies) {
             light.lieOn(primitives);
+        }
+        for (CompiledLight light : lights) {
             anyLies |= light.surface != null && !light.lyingOn().isEmpty();
         }
         lightsLieOnSurfaces = anyLies;
@@ -129,7 +146,7 @@ public final class CompiledScene {
             glassBounds[id] = widened(primitives[id].bounds());
         }
         cameraSolids = solidsThatOverlap(camera.startBounds());
-        occluders = new OccluderSet(primitives, lights, few);
+        occluders = new OccluderSet(primitives, bodies, few);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }

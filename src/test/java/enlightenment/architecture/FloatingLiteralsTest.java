@@ -56,6 +56,8 @@ class FloatingLiteralsTest {
                     "numeric/Angles.java", "0.198912367379658", "tan(π/16): where a reduction of the angle changes"),
             new Explained("numeric/Angles.java", "0.41421356237309503", "tan(π/8): what the reduction subtracts"),
             new Explained("numeric/Angles.java", "0.6681786379192989", "tan(3π/16): where the reduction changes"),
+            new Explained("shading/PathTracer.java", "0.05", "roulette: a share of a path's throughput, a ratio"),
+            new Explained("shading/PathTracer.java", "0.99", "roulette: the largest probability to survive"),
             new Explained("numeric/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),
             new Explained(
                     "primitive/SpherePrimitive.java", "0.75", "ratio of two roots that chooses between equal forms"),

@@ -1,0 +1,77 @@
+package enlightenment.compiled;
+
+import enlightenment.color.Rgb;
+import enlightenment.scene.PhysicalShading;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** What physical shading adds to a compiled scene: lights, surroundings, and what of it the scene requires. Immutable. */
+public final class PhysicalScene {
+    private static final int NO_LIGHT = -1;
+
+    /** The lights: faces of primitives that glow, in the order of ids and faces, then points. */
+    public final PhysicalLight[] lights;
+
+    /** The radiance that comes from everywhere that nothing hides: linear, by band. */
+    public final double backgroundR;
+
+    public final double backgroundG;
+    public final double backgroundB;
+
+    /** The most scattering events of a path. */
+    public final int maxBounces;
+
+    /** Whether a medium absorbs. */
+    public final boolean hasAbsorption;
+
+    /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
+    private final int[] firstFace;
+
+    private final int[] lightOfFace;
+
+    PhysicalScene(PhysicalShading shading, CompiledPrimitives compiled, List<PhysicalLight> points) {
+        Rgb background = shading.background();
+        backgroundR = background.r();
+        backgroundG = background.g();
+        backgroundB = background.b();
+        maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
+        int n = compiled.primitives().length;
+        firstFace = new int[n];
+        List<Integer> ofFaces = new ArrayList<>();
+        List<PhysicalLight> all = new ArrayList<>();
+        for (int id = 0; id < n; id++) {
+            firstFace[id] = NO_LIGHT;
+            int faces = compiled.primitives()[id].faceCount();
+            int first = ofFaces.size();
+            for (int face = 0; face < faces; face++) {
+                SurfaceMaterial material = compiled.materials().of(id, face);
+                ofFaces.add(material.glows ? all.size() : NO_LIGHT);
+                if (material.glows) {
+                    firstFace[id] = first;
+                    all.add(PhysicalLight.glowing(
+                            compiled.primitives()[id], id, face, material.glow(), material.glowsInside));
+                }
+            }
+            if (firstFace[id] == NO_LIGHT) {
+                ofFaces.subList(first, ofFaces.size()).clear();
+            }
+        }
+        all.addAll(points);
+        hasAbsorption = Arrays.stream(compiled.glassSolids())
+                .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
+        lights = all.toArray(new PhysicalLight[0]);
+        lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
+    }
+
+    /** The index of the light that a face of a primitive is, or -1. */
+    public int lightOf(int id, int face) {
+        int first = firstFace[id];
+        return first < 0 ? NO_LIGHT : lightOfFace[first + face];
+    }
+
+    /** Whether caustics are the business of a pass of their own, so that paths from the eye leave them out. */
+    public boolean hasCausticPass() {
+        return false;
+    }
+}

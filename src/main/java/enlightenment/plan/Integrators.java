@@ -3,6 +3,7 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.math.InvalidValueException;
+import enlightenment.method.CausticPaths;
 import enlightenment.method.Integrator;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
@@ -33,6 +34,9 @@ public final class Integrators {
 
     /** What a search for an error begins with, and what follows a picture without a survey. */
     private static final double FIRST_OF_CLUSTER = 4;
+
+    /** Paths of a pass of caustics per camera sample: more gain nothing, less cost nothing less. Measured on fire and ice. */
+    private static final double CAUSTIC_PATHS = 1.0 / 16;
 
     private Integrators() {}
 
@@ -70,6 +74,9 @@ public final class Integrators {
      * as of a method that has no tiles.
      */
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
+        if (method instanceof BuiltInMethod) {
+            return scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+        }
         return method instanceof IntegratorFactory factory && method.kind() == Method.Kind.TILES
                 ? factory.lightPathsPerSample(scene, settings)
                 : 0;
@@ -80,7 +87,6 @@ public final class Integrators {
      * plan's light paths.
      *
      * @param counters are added to by it
-     * @throws InvalidValueException for a method that nothing here can do the work of
      */
     public static SplatIntegrator splats(
             RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
@@ -90,7 +96,7 @@ public final class Integrators {
         if (plan.method() instanceof IntegratorFactory factory) {
             return factory.makeLightPaths(plan, scene, settings, counters);
         }
-        throw new InvalidValueException("method", "has no light paths: " + plan.method());
+        return new CausticPaths(scene, settings, counters);
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */

@@ -102,7 +102,7 @@ public final class ErrorEstimate {
             if (counts[i] == 0) {
                 continue;
             }
-            Level level = levels[level(counts[i])];
+            Level level = levels[level(counts[i], kind)];
             double v = level.share * first[i];
             variances[i] = (float) v;
             // Once for the picture itself, and once for the estimate, or twice where pixels share what they tell.
@@ -212,7 +212,11 @@ public final class ErrorEstimate {
         }
     }
 
-    private static int level(int count) {
+    private static int level(int count, Samples kind) {
+        if (count == 3 && kind == Samples.LIGHT) {
+            // They tell no more than two.
+            return 1;
+        }
         return Integer.bitCount(count) == 1 ? Integer.numberOfTrailingZeros(count) : OTHERS;
     }
 
@@ -223,7 +227,7 @@ public final class ErrorEstimate {
         int least = VarianceDecay.leastPooled(kind);
         for (int i = 0; i < first.length; i++) {
             if (counts[i] > 0) {
-                int k = level(counts[i]);
+                int k = level(counts[i], kind);
                 levels[k].add(first[i], second[i]);
                 if (k >= least && k != OTHERS) {
                     pooled.add(first[i], second[i]);

@@ -170,20 +170,22 @@ public final class Film {
         float[] second = new float[counts.length];
         double[] means = new double[QuarterMeans.PER_PIXEL];
         ErrorEstimate.Contrast contrast = new ErrorEstimate.Contrast();
+        double[] local = new double[3];
         LinearFigures figures = new LinearFigures(curve, x, y, width, height, bandMeans());
         for (int i = 0; i < counts.length; i++) {
             if (counts[i] > 0) {
                 for (int k = 0; k < means.length; k++) {
                     means[k] = quarterMeans[means.length * i + k];
                 }
-                double shown = figures.add(x + i % width, y + i / width, rgb, 3 * i, means, counts[i]);
+                light(i, local);
+                figures.add(x + i % width, y + i / width, local, means, counts[i]);
                 // A single sample's quarters are all the same, but for what was splatted.
-                first[i] = (float) (counts[i] == 1 ? halves[i] + shown : shown);
-                second[i] = counts[i] == 1
-                        ? first[i]
-                        : counts[i] == 2
-                                ? quarters[i] + first[i] - halves[i]
-                                : (float) QuarterMeans.quarters(curve, means, counts[i]);
+                first[i] = (float) (figures.first() + (counts[i] == 1 ? halves[i] : 0));
+                second[i] = switch (counts[i]) {
+                    case 1 -> first[i];
+                    case 2 -> quarters[i] + first[i] - halves[i];
+                    default -> (float) figures.second();
+                };
                 for (int c = 0; c < 3; c++) {
                     contrast.add(curve.nearly(rgb[3 * i + c]));
                 }
@@ -265,6 +267,25 @@ public final class Film {
             after += b * b;
         }
         return before > 0 ? Math.min(after / before, 1) : 1;
+    }
+
+    /** The light of a pixel by its index: the least of its own and of the mean of its 3 × 3 pixels, of each band. */
+    private void light(int pixel, double[] out) {
+        int column = pixel % width;
+        int row = pixel / width;
+        for (int c = 0; c < 3; c++) {
+            double sum = 0;
+            int n = 0;
+            for (int r = Math.max(row - 1, 0); r <= Math.min(row + 1, height - 1); r++) {
+                for (int q = Math.max(column - 1, 0); q <= Math.min(column + 1, width - 1); q++) {
+                    if (counts[r * width + q] > 0) {
+                        sum += rgb[3 * (r * width + q) + c];
+                        n++;
+                    }
+                }
+            }
+            out[c] = Math.min(rgb[3 * pixel + c], sum / n);
+        }
     }
 
     /** The mean of each band over the finished pixels. */

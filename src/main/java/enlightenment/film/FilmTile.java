@@ -57,14 +57,7 @@ public final class FilmTile {
     /** Samples that were no finite numbers. */
     private long lost;
 
-    /**
-     * A tile of display-referred pixels without samples.
-     *
-     * @param x first column in the whole picture
-     * @param y first row in the whole picture
-     * @param width number of columns
-     * @param height number of rows
-     */
+    /** A tile of display-referred pixels without samples; given as below. */
     public FilmTile(int x, int y, int width, int height) {
         this(x, y, width, height, DisplayCurve.NONE);
     }
@@ -312,11 +305,8 @@ public final class FilmTile {
 
     /** What a difference from the known part, or all of a pixel that has none, changes in what a screen shows. */
     private double shown(int pixel, int component, double value) {
-        if (!isLinear) {
-            return value;
-        }
         double part = knownPart(pixel, component);
-        return curve.nearly(part + value) - (known == null ? 0 : curve.nearly(part));
+        return !isLinear ? value : curve.nearly(part + value) - (known == null ? 0 : curve.nearly(part));
     }
 
     /** The mean of component 0, 1 or 2 of a pixel as a screen takes it; 0 where there are no samples. */

@@ -128,8 +128,8 @@ public record RenderReport(
      *
      * @param relativeError root of the mean, over pixels and bands, of the estimated variance over m² + (0.05 M)², where m is the
      *     pixel's value and M the mean of the band over the picture; NaN where it is not known, as of a single sample per pixel
-     * @param kurtosis how unevenly what tells the error is spread over blocks of 8 × 8 pixels: the mean square of their sums over
-     *     the square of the mean, from 1; NaN where it is not known
+     * @param kurtosis how unevenly what tells the error is spread over the pixels: 1 where all tell the same, n where one of n tells
+     *     all, within blocks of 32 × 32 pixels; NaN where it is not known
      * @param heavyTail whether few bright samples carry the error, so that it may be underestimated
      * @param lostSamples how many samples were infinite or no numbers, and taken for black; more than none is a fault of the program
      */

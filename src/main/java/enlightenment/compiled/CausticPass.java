@@ -1,9 +1,6 @@
 package enlightenment.compiled;
 
-import enlightenment.emitter.AreaLight;
-import enlightenment.emitter.AreaLights;
 import enlightenment.math.Vec3;
-import enlightenment.primitive.SpherePrimitive;
 import java.util.Arrays;
 
 /**
@@ -47,7 +44,6 @@ public final class CausticPass {
     private final double[] cumulative;
 
     private double brightest;
-    private final AreaLight[] areas;
     private final boolean[] isBeam;
     private final boolean[] shinesBothWays;
     private final int[][] media;
@@ -63,7 +59,6 @@ public final class CausticPass {
         for (PhysicalLight light : lights) {
             brightest = Math.max(brightest, brightness(light));
         }
-        areas = new AreaLight[n];
         isBeam = new boolean[n];
         shinesBothWays = new boolean[n];
         media = new int[n][];
@@ -103,16 +98,15 @@ public final class CausticPass {
     private void prepare(int l, CompiledPrimitives compiled) {
         PhysicalLight light = lights[l];
         media[l] = mediaAround(light, compiled);
-        if (!light.isPoint) {
-            areas[l] = AreaLights.of(light.surface, light.face, light.isTwoSided);
-        }
         boolean isApart = true;
         for (int s = 0; s < things; s++) {
             isApart &= distance(light, s) > ballRadius[s] + light.ballRadius;
         }
-        isBeam[l] = isApart && light.surface instanceof SpherePrimitive;
+        isBeam[l] = isApart && light.isBall;
         // What is outside of a solid is never met from its inside.
-        shinesBothWays[l] = light.isTwoSided && !light.isPoint && !(isApart && light.surface.isSolid());
+        shinesBothWays[l] = !light.isPoint
+                && compiled.materials().of(light.id, light.face).glowsInside
+                && !(isApart && light.surface.isSolid());
         for (int s = 0; s < things; s++) {
             probability[l * things + s] = brightest > 0 ? brightness(light) / brightest * reach(l, s) : 0;
         }
@@ -140,16 +134,17 @@ public final class CausticPass {
         if (isBeam[l]) {
             return Math.PI * light.radius * light.radius * angle;
         }
-        return areas[l] == null ? 0 : areas[l].area() * cosine(areas[l], light, s, d) * Math.min(angle, Math.PI);
+        return light.form.area() * cosine(l, s, d) * Math.min(angle, Math.PI);
     }
 
     /** An upper bound of the cosine at a flat light, or what is taken for it; 0 where the thing is behind it. */
-    private double cosine(AreaLight area, PhysicalLight light, int s, double d) {
-        Vec3 n = area.flatNormal();
+    private double cosine(int l, int s, double d) {
+        PhysicalLight light = lights[l];
+        Vec3 n = light.form.flatNormal();
         double height =
                 n.x() * (ballX[s] - light.ballX) + n.y() * (ballY[s] - light.ballY) + n.z() * (ballZ[s] - light.ballZ);
         boolean isFlat = n.maxAbs() > 0;
-        double front = light.isTwoSided || !isFlat ? Math.abs(height) : height;
+        double front = shinesBothWays[l] || !isFlat ? Math.abs(height) : height;
         if (isFlat && front < -ballRadius[s]) {
             return 0;
         }
@@ -181,11 +176,6 @@ public final class CausticPass {
             pair--;
         }
         return pair;
-    }
-
-    /** The form of a light with extent; null for a point, and for one that cannot be sampled. */
-    public AreaLight area(int light) {
-        return areas[light];
     }
 
     /** Whether a light is a ball apart from all things: then its rays are chosen by direction first. */

@@ -134,10 +134,11 @@ public final class CompiledScene {
         coincident = CoincidentSurfaces.of(compiled, accelerator);
         boolean anyLies = false;
         LightBody[] bodies = physical == null ? lights : physical.lights;
-        for (LightBody light : bodies) {
-            light.lieOn(primitives);
+        if (physical != null) {
+            physical.lieOn(primitives, few);
         }
         for (CompiledLight light : lights) {
+            light.lieOn(primitives);
             anyLies |= light.surface != null && !light.lyingOn().isEmpty();
         }
         lightsLieOnSurfaces = anyLies;

@@ -43,7 +43,10 @@ final class GlowingObjects {
                 double sides = q.twoSided() ? 2 : 1;
                 all.add(object(light, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
             } else if (light instanceof Light.Point p) {
-                points.add(point(p, frame));
+                PhysicalLight point = point(p, frame);
+                if (point.luminance() > 0) {
+                    points.add(point);
+                }
             } else {
                 throw new AssertionError("no physical form of the light " + light.type());
             }

@@ -78,10 +78,23 @@ public class LightBody {
     }
 
     /** Finds the faces of these primitives that the light lies on: that coincide with it or, for a point, pass through it. */
-    void lieOn(Primitive[] primitives) {
+    final void lieOn(Primitive[] primitives) {
+        lieOn(primitives, 0, -1);
+    }
+
+    /**
+     * The same for one face of a primitive.
+     *
+     * @param ownFace the light's face
+     * @param left the id of a primitive that is left out; -1 for none
+     */
+    final void lieOn(Primitive[] primitives, int ownFace, int left) {
         Bounds own = bounds();
-        SupportSurface shape = surface == null ? null : surface.support(0);
+        SupportSurface shape = surface == null ? null : surface.support(ownFace);
         for (int id = 0; id < primitives.length; id++) {
+            if (id == left) {
+                continue;
+            }
             Primitive p = primitives[id];
             Bounds box = p.bounds();
             double tolerance = CoincidentSurfaces.tolerance(own, box);

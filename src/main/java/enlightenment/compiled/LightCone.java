@@ -15,6 +15,11 @@ public final class LightCone extends BallCone {
         set(light.ballX, light.ballY, light.ballZ, light.ballRadius, px, py, pz);
     }
 
+    /** Tells which light the cone, which somebody else set, is around. */
+    public void around(LightBody body) {
+        light = body;
+    }
+
     /** The light that the cone is around. */
     public LightBody light() {
         return light;

@@ -1,14 +1,13 @@
 package enlightenment.compiled;
 
 import enlightenment.color.Rgb;
-import enlightenment.emitter.Emitter;
-import enlightenment.emitter.PointEmitter;
-import enlightenment.emitter.RectangleEmitter;
-import enlightenment.emitter.SphereEmitter;
+import enlightenment.emitter.AreaLight;
+import enlightenment.emitter.AreaLights;
+import enlightenment.emitter.SphereLight;
+import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.RectanglePrimitive;
-import enlightenment.primitive.SpherePrimitive;
 import enlightenment.primitive.SupportSurface;
 
 /**
@@ -18,8 +17,8 @@ import enlightenment.primitive.SupportSurface;
 public final class PhysicalLight extends LightBody {
     private static final int NO_PRIMITIVE = -1;
 
-    /** The light's form: points on it, as they are seen from somewhere. */
-    public final Emitter form;
+    /** The light's form: points on it, as they are seen from somewhere; null for a point. */
+    public final AreaLight form;
 
     /** The id of the primitive that glows; -1 for a point. */
     public final int id;
@@ -30,8 +29,8 @@ public final class PhysicalLight extends LightBody {
     /** Whether it has no extent: then the three numbers are its intensity, per squared unit of length of the frame. */
     public final boolean isPoint;
 
-    /** Whether it shines from both sides, or only from the one that its normal points to. */
-    public final boolean isTwoSided;
+    /** Whether it is a ball: then direct light of matte surfaces always has a closed form. */
+    public final boolean isBall;
 
     /** Radiance, or the intensity of a point: linear, by band. */
     public final double r;
@@ -39,64 +38,62 @@ public final class PhysicalLight extends LightBody {
     public final double g;
     public final double b;
 
-    /** Whether no segment from outside to a point of it that is seen from there crosses it before. */
+    /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
     public final boolean hidesNothingOfItself;
 
-    /** The unit normal of a flat light, or zero. */
-    private final Vec3 normal;
-
-    private PhysicalLight(
-            Emitter form,
-            Vec3 at,
-            Vec3 right,
-            Vec3 up,
-            double radius,
-            Primitive surface,
-            int id,
-            int face,
-            Rgb glow,
-            boolean isTwoSided) {
-        super(at, radius, right, up, form.ballCenter(), form.ballRadius(), surface);
+    private PhysicalLight(Place place, AreaLight form, Primitive surface, int id, int face, Rgb glow) {
+        super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
         this.form = form;
         this.id = id;
         this.face = face;
-        this.isTwoSided = isTwoSided;
         isPoint = surface == null;
+        isBall = form instanceof SphereLight;
         r = glow.r();
         g = glow.g();
         b = glow.b();
-        hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex());
-        Vec3 n = surface != null && surface.support(face) instanceof SupportSurface.Plane plane
-                ? plane.unitNormal()
-                : Vec3.ZERO;
-        normal = n;
+        hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex() && surface.isSolid());
     }
 
-    /** Positive if a point is on the side that the normal of a flat light points to, negative if it is on the other. */
-    public double facing(double px, double py, double pz) {
-        return normal.x() * (px - x) + normal.y() * (py - y) + normal.z() * (pz - z);
+    /** Where a light is, as {@link LightBody} wants it. */
+    private record Place(Vec3 at, double radius, Vec3 right, Vec3 up, Vec3 ball, double ballRadius) {
+        static Place ball(Vec3 center, double radius) {
+            return new Place(center, radius, Vec3.ZERO, Vec3.ZERO, center, radius);
+        }
+
+        static Place of(Primitive p, AreaLight form) {
+            Vec3 ball = form.ballCenter();
+            if (p instanceof RectanglePrimitive && p.support(0) instanceof SupportSurface.Plane plane) {
+                Vec3[] c = plane.corners();
+                return new Place(c[0], 0, c[3].minus(c[0]), c[1].minus(c[0]), ball, form.ballRadius());
+            }
+            return ball(ball, form.ballRadius());
+        }
     }
 
     /** A point light of an intensity per squared unit of length of the frame. */
     static PhysicalLight point(Vec3 position, Rgb intensity) {
-        return new PhysicalLight(
-                new PointEmitter(position), position, Vec3.ZERO, Vec3.ZERO, 0, null, NO_PRIMITIVE, 0, intensity, true);
+        return new PhysicalLight(Place.ball(position, 0), null, null, NO_PRIMITIVE, 0, intensity);
     }
 
-    /** A face of a primitive that glows. */
+    /** A face of a primitive that glows; null if it has no area in the frame. */
     static PhysicalLight glowing(Primitive p, int id, int face, Rgb radiance, boolean isTwoSided) {
-        if (p instanceof SpherePrimitive s) {
-            Emitter form = new SphereEmitter(s.center(), s.radius());
-            return new PhysicalLight(
-                    form, s.center(), Vec3.ZERO, Vec3.ZERO, s.radius(), p, id, face, radiance, isTwoSided);
-        }
-        if (p instanceof RectanglePrimitive && p.support(0) instanceof SupportSurface.Plane plane) {
-            Vec3[] corners = plane.corners();
-            Vec3 up = corners[1].minus(corners[0]);
-            Vec3 right = corners[3].minus(corners[0]);
-            Emitter form = new RectangleEmitter(corners[0], right, up);
-            return new PhysicalLight(form, corners[0], right, up, 0, p, id, face, radiance, isTwoSided);
-        }
-        throw new AssertionError("no light of the form " + p.getClass());
+        AreaLight form = AreaLights.of(p, face, isTwoSided);
+        return form == null ? null : new PhysicalLight(Place.of(p, form), form, p, id, face, radiance);
+    }
+
+    /** Luminance of radiance or intensity. */
+    double luminance() {
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    }
+
+    /** Finds the faces that the light lies on, and that therefore do not occlude it. */
+    void lieOn(Primitive[] primitives, boolean few) {
+        // Among few primitives, candidates for occlusion are listed for each light, and its own need not be among them.
+        lieOn(primitives, face, few && hidesNothingOfItself ? id : NO_PRIMITIVE);
+    }
+
+    /** A box around the primitive, or the point. */
+    public Bounds box() {
+        return bounds();
     }
 }

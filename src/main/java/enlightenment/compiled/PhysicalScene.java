@@ -1,6 +1,9 @@
 package enlightenment.compiled;
 
 import enlightenment.color.Rgb;
+import enlightenment.emitter.LightPicker;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
 import enlightenment.scene.PhysicalShading;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -12,6 +15,9 @@ public final class PhysicalScene {
 
     /** The lights: faces of primitives that glow, in the order of ids and faces, then points. */
     public final PhysicalLight[] lights;
+
+    /** Chooses among them, by their indices. */
+    public final LightPicker picker;
 
     /** The radiance that comes from everywhere that nothing hides: linear, by band. */
     public final double backgroundR;
@@ -48,12 +54,11 @@ public final class PhysicalScene {
             int faces = compiled.primitives()[id].faceCount();
             int first = ofFaces.size();
             for (int face = 0; face < faces; face++) {
-                SurfaceMaterial material = compiled.materials().of(id, face);
-                ofFaces.add(material.glows ? all.size() : NO_LIGHT);
-                if (material.glows) {
+                PhysicalLight light = lightOf(compiled, id, face);
+                ofFaces.add(light == null ? NO_LIGHT : all.size());
+                if (light != null) {
                     firstFace[id] = first;
-                    all.add(PhysicalLight.glowing(
-                            compiled.primitives()[id], id, face, material.glow(), material.glowsInside));
+                    all.add(light);
                 }
             }
             if (firstFace[id] == NO_LIGHT) {
@@ -66,6 +71,29 @@ public final class PhysicalScene {
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
         caustics = CausticPass.of(lights, compiled, maxBounces);
+        LightPicker.Builder builder = new LightPicker.Builder();
+        for (PhysicalLight light : lights) {
+            if (light.isPoint) {
+                builder.addPoint(new Vec3(light.x, light.y, light.z), light.luminance());
+            } else {
+                builder.add(light.form, light.luminance());
+            }
+        }
+        picker = builder.build();
+    }
+
+    private static PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face) {
+        SurfaceMaterial material = compiled.materials().of(id, face);
+        return material.glows
+                ? PhysicalLight.glowing(compiled.primitives()[id], id, face, material.glow(), material.glowsInside)
+                : null;
+    }
+
+    /** Finds for each light the faces that it lies on. */
+    void lieOn(Primitive[] primitives, boolean few) {
+        for (PhysicalLight light : lights) {
+            light.lieOn(primitives, few);
+        }
     }
 
     /** The index of the light that a face of a primitive is, or -1. */

@@ -212,7 +212,7 @@ public final class Tracer {
      */
     public boolean occluded(Ray ray, double tMax) {
         counters.shadowRays++;
-        return scene.accelerator.occludedWithin(ray, tMax, query);
+        return scene.accelerator.occluded(ray, tMax, query);
     }
 
     /**

@@ -110,7 +110,7 @@ final class CausticSource {
     }
 
     private double fromSurface(PhysicalLight l, int thing, double[] numbers, Ray ray) {
-        AreaLight area = pass.area(light);
+        AreaLight area = l.form;
         area.samplePoint(numbers[1], numbers[2], point);
         boolean both = pass.shinesBothWays(light);
         aim(thing, 0, point.x, point.y, point.z);

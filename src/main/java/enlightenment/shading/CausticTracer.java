@@ -94,10 +94,10 @@ public final class CausticTracer {
         follow(number);
     }
 
-    private void follow(long number) {
+    private boolean follow(long number) {
         draw(number);
         if (!source.emit(numbers, ray)) {
-            return;
+            return false;
         }
         red = source.red;
         green = source.green;
@@ -108,6 +108,7 @@ public final class CausticTracer {
         while (step()) {
             events++;
         }
+        return true;
     }
 
     /**
@@ -119,8 +120,7 @@ public final class CausticTracer {
         brought = 0;
         double power = 0;
         for (int i = 1; i <= paths; i++) {
-            follow(-i);
-            power += source.red + source.green + source.blue;
+            power += follow(-i) ? source.red + source.green + source.blue : 0;
         }
         // In the frame lengths are about 1, and so is the importance of what the eye sees.
         double least = power / (paths * (double) paths);

@@ -165,7 +165,7 @@ public final class PathTracer implements Shader {
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
-        light.gatherMatte(sampler, address);
+        light.gatherMatte(sampler, address, !scattered);
         add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
@@ -183,7 +183,7 @@ public final class PathTracer implements Shader {
     /** Any other lobes. */
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
         Scattering s = path.arrive(ray, surface);
-        light.gather(material.bsdf, s, sampler, address);
+        light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {

@@ -25,14 +25,6 @@ public final class CausticTracer {
 
     private static final int NUMBERS = 6;
 
-    /** From this scattering event on roulette may end a path. */
-    private static final int ROULETTE_FROM = 5;
-
-    /** Sooner, if less than this is left of what the path began with. */
-    private static final double FAINT = 0.05;
-
-    private static final double LARGEST_SURVIVAL = 0.99;
-
     private final long seed;
     private final int width;
     private final int height;
@@ -102,7 +94,7 @@ public final class CausticTracer {
         red = source.red;
         green = source.green;
         blue = source.blue;
-        faint = FAINT * Math.max(red, Math.max(green, blue));
+        faint = PathTracer.FAINT * Math.max(red, Math.max(green, blue));
         events = 0;
         path.beginAtLight(ray, physical.caustics.mediaAround(source.light));
         while (step()) {
@@ -238,10 +230,10 @@ public final class CausticTracer {
         red *= r;
         green *= g;
         blue *= b;
-        if (events + 1 < ROULETTE_FROM && Math.max(red, Math.max(green, blue)) >= faint) {
+        if (events + 1 < PathTracer.ROULETTE_FROM && Math.max(red, Math.max(green, blue)) >= faint) {
             return true;
         }
-        double survival = Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
+        double survival = Math.min(Math.max(r, Math.max(g, b)), PathTracer.LARGEST_SURVIVAL);
         if (!(unit(4) < survival)) {
             return false;
         }

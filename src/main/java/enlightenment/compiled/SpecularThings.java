@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
-/** The mirrors and smooth glass of a scene as a few balls around them: what a path from a light that may make a caustic is aimed at. */
+/** The mirrors and the glass of a scene as a few balls around them: what a path from a light that may make a caustic is aimed at. */
 final class SpecularThings {
     /** The balls, by their centres and radii. */
     final double[] x;
@@ -50,11 +50,11 @@ final class SpecularThings {
         return new SpecularThings(groups);
     }
 
-    /** Whether any of its faces scatters light into single directions only. */
+    /** Whether any of its faces is of glass, or scatters light into single directions only. */
     private static boolean isSpecular(CompiledPrimitives compiled, int id) {
         for (int face = 0; face < compiled.primitives()[id].faceCount(); face++) {
             SurfaceMaterial material = compiled.materials().of(id, face);
-            if (material.isDelta && !material.isBlack) {
+            if (material.isGlass || material.isDelta && !material.isBlack) {
                 return true;
             }
         }

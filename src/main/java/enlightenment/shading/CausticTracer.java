@@ -1,5 +1,7 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.EyeProjection;
@@ -36,6 +38,7 @@ public final class CausticTracer {
     private final Ray shadowRay = new Ray();
     private final double[] numbers = new double[NUMBERS];
     private final double[] surface = new double[3];
+    private final double[] pair = new double[2];
 
     /** Where light is put; null if only its sum is wanted. */
     private SplatBatch out;
@@ -55,6 +58,12 @@ public final class CausticTracer {
     private long hash;
 
     private int events;
+
+    /** How many surfaces it passed straight. */
+    private int pieces;
+
+    /** Whether the path has met a mirror or glass. */
+    private boolean isAimed;
 
     /**
      * For one thread.
@@ -96,6 +105,8 @@ public final class CausticTracer {
         blue = source.blue;
         faint = PathTracer.FAINT * Math.max(red, Math.max(green, blue));
         events = 0;
+        pieces = 0;
+        isAimed = false;
         path.beginAtLight(ray, physical.caustics.mediaAround(source.light));
         while (step()) {
             events++;
@@ -132,7 +143,7 @@ public final class CausticTracer {
     }
 
     private double unit(long purpose) {
-        return Hash.unit(Hash.of(hash, events, purpose));
+        return Hash.unit(Hash.of(hash, ((long) pieces << Integer.SIZE) + events, purpose));
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
@@ -151,15 +162,20 @@ public final class CausticTracer {
     /** At an opaque surface. */
     private boolean surface() {
         SurfaceMaterial material = path.material();
-        if (material.isBlack || events == 0 && !material.isDelta) {
+        if (material.isBlack || !isAimed && !material.isDelta) {
             return false;
         }
+        isAimed = true;
         path.color(material, surface);
+        return scatter(material.bsdf);
+    }
+
+    private boolean scatter(Bsdf bsdf) {
         Scattering s = path.arrive(ray, surface);
-        if (!material.isDelta) {
-            connect(material, s);
+        if (!bsdf.isDelta()) {
+            connect(bsdf, s);
         }
-        if (!material.bsdf.sample(s, unit(1), unit(2), unit(3))) {
+        if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
             return false;
         }
         path.leave(ray, s);
@@ -167,7 +183,7 @@ public final class CausticTracer {
     }
 
     /** Adds what the eye sees of the path's light at the surface that it is at. */
-    private void connect(SurfaceMaterial material, Scattering s) {
+    private void connect(Bsdf bsdf, Scattering s) {
         if (!eye.project(path.hit.px, path.hit.py, path.hit.pz)
                 || out != null && !out.covers(eye.x * width, eye.y * height)) {
             return;
@@ -175,7 +191,7 @@ public final class CausticTracer {
         s.ix = eye.dx;
         s.iy = eye.dy;
         s.iz = eye.dz;
-        material.bsdf.evaluate(s);
+        bsdf.evaluate(s);
         if (!(s.valueR > 0 || s.valueG > 0 || s.valueB > 0) || isHidden()) {
             return;
         }
@@ -208,11 +224,25 @@ public final class CausticTracer {
 
     /** At a border of glass, or at a pane. */
     private boolean glass() {
-        path.glass.choose(unit(3));
+        if (physical.hasPartialGlass) {
+            int opaque = path.glass.opaque(unit(5));
+            if (opaque >= 0) {
+                path.turnTo(opaque);
+                path.color(path.material(), surface);
+                return isAimed && scatter(Lambert.INSTANCE);
+            }
+        }
+        isAimed = true;
+        if (physical.hasRoughGlass) {
+            pair[0] = unit(1);
+            pair[1] = unit(2);
+        }
+        path.glass.choose(unit(3), pair);
         boolean through = path.cross(ray);
-        double r = 1;
-        double g = 1;
-        double b = 1;
+        double weight = path.glass.weight();
+        double r = weight;
+        double g = weight;
+        double b = weight;
         for (int k = 0; through && k < path.glass.surfaces(); k++) {
             if (path.glass.filters(k, true)) {
                 path.turnTo(k);
@@ -222,16 +252,31 @@ public final class CausticTracer {
                 b *= surface[2];
             }
         }
+        if (path.glass.passedStraight()) {
+            // No event: a path may be cut into any number of pieces.
+            events--;
+            pieces++;
+            filter(r, g, b);
+            return path.goesOn();
+        }
         return filterAndSurvive(r, g, b) && path.goesOn();
+    }
+
+    private void filter(double r, double g, double b) {
+        red *= r;
+        green *= g;
+        blue *= b;
     }
 
     /** Multiplies by the weight of an event, and plays roulette by it as {@link PathTracer} does. */
     private boolean filterAndSurvive(double r, double g, double b) {
-        red *= r;
-        green *= g;
-        blue *= b;
-        if (events + 1 < PathTracer.ROULETTE_FROM && Math.max(red, Math.max(green, blue)) >= faint) {
+        filter(r, g, b);
+        double most = Math.max(red, Math.max(green, blue));
+        if (events + 1 < PathTracer.ROULETTE_FROM && most >= faint) {
             return true;
+        }
+        if (!(most > 0)) {
+            return false;
         }
         double survival = Math.min(Math.max(r, Math.max(g, b)), PathTracer.LARGEST_SURVIVAL);
         if (!(unit(4) < survival)) {

@@ -167,6 +167,25 @@ class CausticTest {
         assertSame(scene(fov(50), PANEL.replace("SIDES", "false"), FLOOR, GLASS), 256, 8_192);
     }
 
+    /** To paths from the eye a border of rough glass is no place for light samples, so that its light is a matter of the pass, too. */
+    @Test
+    void roughGlassAndGlassThatIsOpaqueInPart() {
+        String rough = GLASS.replace("1.5, ", "1.5, \"roughness\": 0.4, ");
+        assertSame(scene(fov(50), LAMP, FLOOR, rough), 256, 8_192);
+        String partial = GLASS.replace("1.5, ", "1.5, \"transparency\": 0.5, ");
+        assertSame(scene(fov(50), LAMP, FLOOR, partial), 256, 8_192);
+    }
+
+    @Test
+    void aPaneBelowALamp() {
+        String pane =
+                """
+                { "type": "rectangle", "corners": [[-2, 0.9, -1], [-2, 1, 1], [1, 1, 1], [1, 0.9, -1]],
+                  "material": { "type": "glass", "color": { "linear": [0.9, 0.8, 1] }, "indexOfRefraction": 1.5 } }
+                """;
+        assertSame(scene(fov(50), LAMP, FLOOR, pane), 256, 8_192);
+    }
+
     @Test
     void severalLightsAndThingsWhoseConesOverlap() {
         String lights = LAMP + ", " + PANEL.replace("SIDES", "true");

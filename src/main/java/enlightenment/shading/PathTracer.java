@@ -40,6 +40,11 @@ public final class PathTracer implements Shader {
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
 
+    private final PathParts parts = new PathParts();
+
+    /** The number of vertices so far that were not those of delta lobes. */
+    private int vertices;
+
     private double throughputR;
     private double throughputG;
     private double throughputB;
@@ -107,6 +112,11 @@ public final class PathTracer implements Shader {
         path.poll.stopWhen(condition);
     }
 
+    /** Of what the last path consists; the same object for all of them. */
+    public PathParts parts() {
+        return parts;
+    }
+
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
         red = 0;
@@ -115,6 +125,8 @@ public final class PathTracer implements Shader {
         throughputR = 1;
         throughputG = 1;
         throughputB = 1;
+        parts.clear();
+        vertices = 0;
         address = 0;
         events = 0;
         scattered = false;
@@ -173,6 +185,9 @@ public final class PathTracer implements Shader {
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
+            if (vertices == 0 || vertices == 1 && !delta) {
+                parts.direct(red, green, blue);
+            }
         }
     }
 
@@ -197,12 +212,16 @@ public final class PathTracer implements Shader {
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
+        light.gatherMatte(sampler, address, !scattered);
+        add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        if (vertices++ == 0) {
+            parts.albedo(surface);
+            parts.direct(red, green, blue);
+        }
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
         }
-        light.gatherMatte(sampler, address, !scattered);
-        add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
@@ -227,6 +246,10 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
+        if (vertices++ == 0) {
+            parts.albedo(surface);
+            parts.direct(red, green, blue);
+        }
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(material.bsdf, s, sampler);

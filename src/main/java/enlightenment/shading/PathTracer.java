@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
@@ -19,19 +20,23 @@ import java.util.function.BooleanSupplier;
  */
 public final class PathTracer implements Shader {
     /** From this scattering event on roulette may end a path. */
-    private static final int ROULETTE_FROM = 5;
+    static final int ROULETTE_FROM = 5;
 
     /** Sooner, if less than this is left of a path's throughput. */
-    private static final double FAINT = 0.05;
+    static final double FAINT = 0.05;
 
     /** Paths of a closed white room must end, too. */
-    private static final double LARGEST_SURVIVAL = 0.99;
+    static final double LARGEST_SURVIVAL = 0.99;
 
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
     private final boolean absorbs;
     private final boolean hasCausticPass;
+
+    /** What finds caustics that are seen in mirrors; null if nothing does. */
+    private final MirrorCaustics mirrors;
+
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
 
@@ -78,12 +83,18 @@ public final class PathTracer implements Shader {
      * @param counters what this thread counts
      */
     public PathTracer(CompiledScene scene, RayCounters counters) {
+        this(scene, counters, scene.physical.hasCausticPass());
+    }
+
+    /** @param leavesOut whether what a pass of caustics makes is left out, and what it cannot make is sought in its own way */
+    PathTracer(CompiledScene scene, RayCounters counters, boolean leavesOut) {
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
         absorbs = physical.hasAbsorption;
-        hasCausticPass = physical.hasCausticPass();
+        hasCausticPass = leavesOut;
+        mirrors = leavesOut ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
     @Override
@@ -123,6 +134,9 @@ public final class PathTracer implements Shader {
         deltaFirst = false;
         delta = false;
         compression = 1;
+        if (mirrors != null) {
+            mirrors.begin();
+        }
         path.begin(ray);
         firstIndex = path.glass.indexOfRefraction();
         while (step(ray, sampler)) {
@@ -179,7 +193,21 @@ public final class PathTracer implements Shader {
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        return hasCausticPass && scatteredFirst ? 0 : 1;
+        if (hasCausticPass && scatteredFirst) {
+            return 0;
+        }
+        return mirrors != null && mirrors.covers(physical.lightOf(path.id, path.hit.face)) ? 0 : 1;
+    }
+
+    /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
+    private boolean isSeenByMirrors() {
+        return mirrors != null && events > 0 && !scatteredFirst;
+    }
+
+    /** Adds light that balls reflect to the surface. */
+    private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
+        mirrors.gather(bsdf, s, sampler, address);
+        add(mirrors.red, mirrors.green, mirrors.blue);
     }
 
     /** Lambert's law: direct light has closed forms. */
@@ -190,14 +218,24 @@ public final class PathTracer implements Shader {
             parts.albedo(surface);
             parts.direct(red, green, blue);
         }
+        boolean seen = isSeenByMirrors();
+        if (seen) {
+            gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
+        }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
+        if (seen) {
+            mirrors.left(s.ix, s.iy, s.iz);
+        }
         leave(false);
         return s.pdf > 0 && filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        if (mirrors != null) {
+            mirrors.reflected(path.id);
+        }
         path.scatter(ray, material, surface, 0, 0, 0);
         leave(true);
         return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
@@ -212,11 +250,20 @@ public final class PathTracer implements Shader {
             parts.albedo(surface);
             parts.direct(red, green, blue);
         }
+        boolean seen = isSeenByMirrors();
+        if (seen) {
+            gatherMirrored(material.bsdf, s, sampler);
+        }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
         }
         light.left(s.pdf);
+        if (seen && s.delta) {
+            mirrors.begin();
+        } else if (seen) {
+            mirrors.left(s.ix, s.iy, s.iz);
+        }
         path.leave(ray, s);
         leave(s.delta);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
@@ -255,6 +302,9 @@ public final class PathTracer implements Shader {
                 g *= surface[1];
                 b *= surface[2];
             }
+        }
+        if (mirrors != null) {
+            mirrors.begin();
         }
         double n = path.glass.indexOfRefraction();
         compression = firstIndex * firstIndex / (n * n);

@@ -42,7 +42,7 @@ class NaivePartnerTest {
         compare(SCENES.get(name), 12, 32, 1_000_000);
     }
 
-    private static void compare(Scene scene, int antialias, int seeds, int pathsOfQuarter) {
+    static void compare(Scene scene, int antialias, int seeds, int pathsOfQuarter) {
         List<Image> pictures = Rendered.seeds(scene, antialias, 1, seeds);
         List<double[]> ours = new ArrayList<>();
         List<double[]> naive = new ArrayList<>();

@@ -8,7 +8,16 @@ package enlightenment.bsdf;
  * directions: no direction that somebody else chose is ever one of them, so their value and density are 0, and only {@link #sample}
  * finds them, with a probability in place of the density. Which of the two an event is says its flag, never the size of a number.
  */
-public sealed interface Bsdf permits Lambert, SpecularReflection, ClassicDielectric {
+public sealed interface Bsdf
+        permits Lambert,
+                RoughDiffuse,
+                SpecularReflection,
+                SmoothConductor,
+                GlossyReflection,
+                ClassicDielectric,
+                SmoothDielectric,
+                ThinDielectric,
+                RoughDielectric {
     /** Whether all lobes are delta lobes: then {@link #evaluate} and {@link #pdf} are 0 for all directions. */
     boolean isDelta();
 
@@ -16,8 +25,8 @@ public sealed interface Bsdf permits Lambert, SpecularReflection, ClassicDielect
     boolean transmits();
 
     /**
-     * Sets the value of the directions o and i: f·|cosθ| with the angle between i and the normal, for each colour component; 0 for delta
-     * lobes.
+     * Sets the value of the directions o and i, f·|cosθ| with the angle between i and the normal, for each colour component, and their
+     * {@link #pdf}; both are 0 for delta lobes. Which side i is on, its cosine says.
      */
     void evaluate(Scattering s);
 

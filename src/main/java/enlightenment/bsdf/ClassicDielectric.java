@@ -21,7 +21,7 @@ public final class ClassicDielectric implements Bsdf {
 
     @Override
     public void evaluate(Scattering s) {
-        s.value(0, 0, 0);
+        s.nothing();
     }
 
     @Override

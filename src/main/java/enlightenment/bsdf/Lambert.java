@@ -1,7 +1,5 @@
 package enlightenment.bsdf;
 
-import enlightenment.sampling.Warp;
-
 /** Matte: f = colour/π on the side that is seen, alike on both sides of the surface. Sampled proportionally to the cosine. */
 public final class Lambert implements Bsdf {
     public static final Lambert INSTANCE = new Lambert();
@@ -21,6 +19,7 @@ public final class Lambert implements Bsdf {
     @Override
     public void evaluate(Scattering s) {
         double p = pdf(s);
+        s.pdf = p;
         s.value(s.red * p, s.green * p, s.blue * p);
     }
 
@@ -32,15 +31,7 @@ public final class Lambert implements Bsdf {
     /** Malley's method: uniform in the disk below the hemisphere. */
     @Override
     public boolean sample(Scattering s, double u, double v, double choice) {
-        Warp.toDisk(u, v, s.disk);
-        double x = s.disk[0];
-        double y = s.disk[1];
-        double z = Math.sqrt(Math.max(1 - s.disk[2], 0));
-        s.basis.around(s.nx, s.ny, s.nz);
-        s.direct(
-                Math.fma(x, s.basis.ax, Math.fma(y, s.basis.bx, z * s.nx)),
-                Math.fma(x, s.basis.ay, Math.fma(y, s.basis.by, z * s.ny)),
-                Math.fma(x, s.basis.az, Math.fma(y, s.basis.bz, z * s.nz)));
+        s.sampleCosine(u, v);
         s.pdf = pdf(s);
         s.delta = false;
         s.transmitted = false;

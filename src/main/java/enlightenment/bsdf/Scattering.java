@@ -1,6 +1,7 @@
 package enlightenment.bsdf;
 
 import enlightenment.frame.Basis;
+import enlightenment.sampling.Warp;
 
 /**
  * A point of a surface at which light is scattered, and what its {@link Bsdf} says. All directions are unit vectors that point away
@@ -55,8 +56,21 @@ public final class Scattering {
     /** Whether it leads to the other side of the surface. */
     public boolean transmitted;
 
-    final Basis basis = new Basis();
-    final double[] disk = new double[3];
+    private final Basis basis = new Basis();
+    private final double[] disk = new double[3];
+
+    /** The point of the unit disk of the last direction that was sampled. */
+    double diskX;
+
+    double diskY;
+
+    /** Its squared distance from the centre. */
+    double disk2;
+
+    /** The cosine between o and the last microfacet's normal, and that normal's density D. */
+    double cosineFacet;
+
+    double facets;
 
     /** A point without a direction yet. */
     public Scattering() {}
@@ -64,6 +78,11 @@ public final class Scattering {
     /** The cosine between normal and o. */
     double cosineOut() {
         return ox * nx + oy * ny + oz * nz;
+    }
+
+    /** The same, 0..1: rounding may take it beyond. */
+    double cosineOutClamped() {
+        return Math.min(Math.max(cosineOut(), 0), 1);
     }
 
     /** The cosine between normal and i. */
@@ -79,6 +98,69 @@ public final class Scattering {
         iz = z * scale;
     }
 
+    /** Sets the completion of the normal to a basis, for {@link #localOx} and {@link #directLocal}. */
+    void turn() {
+        basis.around(nx, ny, nz);
+    }
+
+    /** The x of o in the basis, in which the normal is z. */
+    double localOx() {
+        return ox * basis.ax + oy * basis.ay + oz * basis.az;
+    }
+
+    /** The y of o in the basis. */
+    double localOy() {
+        return ox * basis.bx + oy * basis.by + oz * basis.bz;
+    }
+
+    /** Sets the direction i to that of a vector of the basis. */
+    void directLocal(double x, double y, double z) {
+        direct(
+                Math.fma(x, basis.ax, Math.fma(y, basis.bx, z * nx)),
+                Math.fma(x, basis.ay, Math.fma(y, basis.by, z * ny)),
+                Math.fma(x, basis.az, Math.fma(y, basis.bz, z * nz)));
+    }
+
+    /** Takes the unit square to the unit disk. */
+    void toDisk(double u, double v) {
+        Warp.toDisk(u, v, disk);
+        diskX = disk[0];
+        diskY = disk[1];
+        disk2 = disk[2];
+    }
+
+    /** Samples i by its cosine with Malley's method: uniform in the disk below the hemisphere. */
+    void sampleCosine(double u, double v) {
+        toDisk(u, v);
+        turn();
+        directLocal(diskX, diskY, Math.sqrt(Math.max(1 - disk2, 0)));
+    }
+
+    /** Samples i uniformly on the hemisphere: height is as evenly spread there as area is in a disk. */
+    void sampleHemisphere(double u, double v) {
+        toDisk(u, v);
+        turn();
+        double s = Math.sqrt(2 - disk2);
+        directLocal(diskX * s, diskY * s, 1 - disk2);
+    }
+
+    /** Sets what {@link Bsdf#sample} found, from value and density of the direction i, if there is a density. */
+    boolean weigh() {
+        delta = false;
+        double p = pdf;
+        if (!(p > 0)) {
+            return false;
+        }
+        value(valueR / p, valueG / p, valueB / p);
+        return true;
+    }
+
+    /** Tells that no sample comes this way. */
+    void nothing() {
+        value(0, 0, 0);
+        pdf = 0;
+    }
+
     void value(double r, double g, double b) {
         valueR = r;
         valueG = g;
@@ -87,15 +169,25 @@ public final class Scattering {
 
     /** Tells that the direction is the only one of a delta lobe, which was certain to be chosen. */
     void certain(boolean through) {
-        pdf = 1;
+        only(1, through);
+    }
+
+    /** Tells that the direction is the only one of a delta lobe, which was chosen with a probability. */
+    void only(double probability, boolean through) {
+        pdf = probability;
         delta = true;
         transmitted = through;
     }
 
     /** Sets i to the mirror image of o. */
     void reflect() {
-        double twice = 2 * cosineOut();
-        direct(twice * nx - ox, twice * ny - oy, twice * nz - oz);
+        reflectFrom(nx, ny, nz);
+    }
+
+    /** Sets i to the mirror image of o at a surface of normal m. */
+    void reflectFrom(double mx, double my, double mz) {
+        double twice = 2 * (ox * mx + oy * my + oz * mz);
+        direct(twice * mx - ox, twice * my - oy, twice * mz - oz);
     }
 
     /**
@@ -104,15 +196,19 @@ public final class Scattering {
      * @return false for total internal reflection, which sets nothing
      */
     boolean refract() {
-        double cosIn = Math.min(Math.max(cosineOut(), 0), 1);
+        return refractFrom(nx, ny, nz, cosineOutClamped());
+    }
+
+    /** The same at a surface of normal m, whose cosine with o is c, 0..1. */
+    boolean refractFrom(double mx, double my, double mz, double c) {
         // 1 − η²(1 − c²), written so that it is c² exactly where η is 1.
-        double etaCos = eta * cosIn;
+        double etaCos = eta * c;
         double cos2Out = Math.fma(etaCos, etaCos, (1 - eta) * (1 + eta));
         if (!(cos2Out >= 0)) {
             return false;
         }
         double along = etaCos - Math.sqrt(cos2Out);
-        direct(Math.fma(along, nx, -eta * ox), Math.fma(along, ny, -eta * oy), Math.fma(along, nz, -eta * oz));
+        direct(Math.fma(along, mx, -eta * ox), Math.fma(along, my, -eta * oy), Math.fma(along, mz, -eta * oz));
         return true;
     }
 }

@@ -18,7 +18,7 @@ public final class SpecularReflection implements Bsdf {
 
     @Override
     public void evaluate(Scattering s) {
-        s.value(0, 0, 0);
+        s.nothing();
     }
 
     @Override

@@ -1,15 +1,20 @@
 package enlightenment.cli;
 
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Encoding;
+import enlightenment.color.Tone;
 import enlightenment.image.Flip;
 import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
+import enlightenment.image.LightError;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.picture.HeatMap;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -29,6 +34,28 @@ final class CompareCommand extends Subcommand {
 
     @Option(names = "--json", description = "print the figures as JSON")
     private boolean json;
+
+    @Option(
+            names = "--linear",
+            description =
+                    "both files are float maps of linear light, as physical shading makes them: compare what a screen"
+                            + " shows, and light")
+    private boolean linear;
+
+    @Option(
+            names = "--exposure",
+            paramLabel = "N",
+            converter = ViewOption.Stops.class,
+            description = "with --linear: compare them 2^N times as bright as they are (default: 0)")
+    private Double exposure;
+
+    @Option(
+            names = "--tone",
+            paramLabel = "TONE",
+            converter = Tones.class,
+            completionCandidates = Tones.class,
+            description = "with --linear: the tone curve, ${COMPLETION-CANDIDATES} (default: clip)")
+    private Tone tone;
 
     @Option(
             names = "--max-rmse",
@@ -51,6 +78,9 @@ final class CompareCommand extends Subcommand {
     @Override
     int execute() throws IOException {
         checkHeatMap();
+        if (!linear && (exposure != null || tone != null)) {
+            throw CliException.wrongUsage("--exposure and --tone must only be given with --linear");
+        }
         Image a = read(test);
         Image b = read(reference);
         if (a.width() != b.width() || a.height() != b.height()) {
@@ -59,8 +89,10 @@ final class CompareCommand extends Subcommand {
         }
         ImageError error;
         Flip flip;
+        LightError light;
         try {
-            error = ImageError.between(a, b);
+            light = linear ? LightError.between(a, b) : null;
+            error = ImageError.between(a.toDisplay(), b.toDisplay());
             flip = Flip.between(a, b, pixelsPerDegree);
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage((e.key().equals("test") ? test : reference) + ": " + e.problem());
@@ -68,7 +100,7 @@ final class CompareCommand extends Subcommand {
         if (heatMap != null) {
             ImageFiles.writePng(HeatMap.withScale(flip), heatMap, comments(flip, pixelsPerDegree));
         }
-        Comparison comparison = new Comparison(test, reference, error, flip, pixelsPerDegree, maxRmse);
+        Comparison comparison = new Comparison(test, reference, error, light, flip, pixelsPerDegree, maxRmse);
         terminal.out().print(json ? ComparisonJson.of(comparison) : comparison.toTable());
         if (!comparison.passed()) {
             throw CliException.failed(
@@ -92,9 +124,13 @@ final class CompareCommand extends Subcommand {
     }
 
     /** Whatever keeps a picture from being read, the exit code must not be the one of pictures that differ. */
-    private static Image read(Path file) {
+    private Image read(Path file) {
         try {
-            return ImageFiles.read(file);
+            if (!linear) {
+                return ImageFiles.read(file);
+            }
+            DisplayCurve curve = DisplayCurve.of(exposure == null ? 0 : exposure, tone == null ? Tone.CLIP : tone);
+            return ImageFiles.read(file, Encoding.LINEAR).withCurve(curve);
         } catch (IOException e) {
             throw CliException.wrongUsage(FileFailures.describe(e));
         }
@@ -117,6 +153,17 @@ final class CompareCommand extends Subcommand {
 
     private static String size(Image image) {
         return image.width() + "x" + image.height();
+    }
+
+    static final class Tones extends WordOption<Tone> {
+        Tones() {
+            super(List.of(Tone.values()));
+        }
+
+        @Override
+        String word(Tone value) {
+            return value.name().toLowerCase(Locale.ROOT);
+        }
     }
 
     static final class MaxRmse extends DecimalNumber {

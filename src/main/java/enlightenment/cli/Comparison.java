@@ -2,15 +2,24 @@ package enlightenment.cli;
 
 import enlightenment.image.Flip;
 import enlightenment.image.ImageError;
+import enlightenment.image.LightError;
 import java.nio.file.Path;
 import java.util.Locale;
 
 /**
  * What {@code enlightenment compare} found.
  *
+ * @param light the difference of linear light, or null for display-referred pictures
  * @param maxRmse the largest RMSE that passes, or null if any does
  */
-record Comparison(Path test, Path reference, ImageError error, Flip flip, double pixelsPerDegree, Double maxRmse) {
+record Comparison(
+        Path test,
+        Path reference,
+        ImageError error,
+        LightError light,
+        Flip flip,
+        double pixelsPerDegree,
+        Double maxRmse) {
 
     /** Whether the RMSE is small enough; NaN is not. */
     boolean passed() {
@@ -29,6 +38,11 @@ record Comparison(Path test, Path reference, ImageError error, Flip flip, double
             line(text, "PSNR", "%s", "infinite");
         } else {
             line(text, "PSNR", "%.2f dB", error.psnr());
+        }
+        if (light != null) {
+            line(text, "relative, of light", "%s", figure(light.relative()));
+            line(text, "RMSE of light", "%s", figure(light.rmse()));
+            line(text, "ratio of means", "%.5f red, %.5f green, %.5f blue", light.red(), light.green(), light.blue());
         }
         line(
                 text,

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.image.ImageError;
+import enlightenment.image.LightError;
 import enlightenment.json.JsonText;
 import tools.jackson.core.JsonGenerator;
 
@@ -24,6 +25,9 @@ final class ComparisonJson {
         json.writeNumberProperty("relativeMse", error.relativeMeanSquaredError());
         json.writeNumberProperty("meanAbsoluteError", error.meanAbsoluteError());
         json.writeNumberProperty("psnr", error.psnr());
+        if (c.light() != null) {
+            light(json, c.light());
+        }
         json.writeObjectPropertyStart("flip");
         json.writeNumberProperty("mean", c.flip().mean());
         json.writeNumberProperty("largest", (double) c.flip().largest());
@@ -40,5 +44,22 @@ final class ComparisonJson {
             json.writeBooleanProperty("passed", c.passed());
         }
         json.writeEndObject();
+    }
+
+    private static void light(JsonGenerator json, LightError light) {
+        json.writeObjectPropertyStart("light");
+        json.writeNumberProperty("relative", light.relative());
+        json.writeNumberProperty("rmse", light.rmse());
+        ratio(json, "red", light.red());
+        ratio(json, "green", light.green());
+        ratio(json, "blue", light.blue());
+        json.writeEndObject();
+    }
+
+    /** Left out where the reference is black. */
+    private static void ratio(JsonGenerator json, String key, double value) {
+        if (Double.isFinite(value)) {
+            json.writeNumberProperty(key, value);
+        }
     }
 }

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.image.Image;
 import enlightenment.image.PngOptions;
 import enlightenment.net.RenderParts;
 import enlightenment.picture.Rounding;
@@ -24,6 +25,9 @@ final class MergeCommand extends Subcommand {
     private PictureOutput output = new PictureOutput();
 
     @Mixin
+    private ViewOption view = new ViewOption();
+
+    @Mixin
     private ReportOutput report = new ReportOutput();
 
     @Option(names = "--partial", description = "write the picture even if parts are missing; they are black")
@@ -36,6 +40,7 @@ final class MergeCommand extends Subcommand {
     @Override
     int execute() throws IOException {
         output.check();
+        view.check(output);
         CommandFiles files = new CommandFiles();
         parts.forEach(part -> files.reads("a part", part));
         files.writes("-o", output.file());
@@ -49,11 +54,14 @@ final class MergeCommand extends Subcommand {
         }
         RenderResult result = merged.result();
         result = result.withRounding(Rounding.of(result.image(), output.writtenDepth()));
-        output.write(result.image(), new PngOptions(output.depth(), merged.text()), terminal);
+        Image shown = view.view(result.image(), terminal);
+        output.write(shown, new PngOptions(output.depth(), merged.text()), terminal);
         report.write(result, output, terminal);
         if (!isWhole) {
             throw CliException.failed(inWords(merged.missing()));
         }
+        LightNotes.tell(result, shown, terminal);
+        LightNotes.require(result);
         RequestedError.require(result);
         return ExitCode.DONE;
     }

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
@@ -28,6 +29,9 @@ final class RenderCommand extends Subcommand {
 
     @Mixin
     private PictureOutput output = new PictureOutput();
+
+    @Mixin
+    private ViewOption view = new ViewOption();
 
     @Mixin
     private RenderOptions options = new RenderOptions();
@@ -93,6 +97,7 @@ final class RenderCommand extends Subcommand {
         Scene scene = options.read(input);
         RenderSettings settings = PictureOutput.withRounding(
                 options.settings(scene, input.name()), part == null ? output.writtenDepth() : output.depth());
+        view.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         if (clusters != null) {
             ClusterFile.check(clusters, settings);
@@ -113,6 +118,7 @@ final class RenderCommand extends Subcommand {
     private void checkOptions() {
         if (part == null) {
             output.check();
+            view.check(output);
         } else {
             checkPart();
         }
@@ -134,10 +140,10 @@ final class RenderCommand extends Subcommand {
         }
         // The depth is that of the picture that is to meet an error.
         boolean isDeep = output.hasDepth() && !options.hasError();
-        boolean hasFurther = !aov.kinds().isEmpty() || preview != null || clusters != null;
+        boolean hasFurther = !aov.kinds().isEmpty() || preview != null || clusters != null || view.isGiven();
         if (isDeep || output.hasFormat() || report.isAsked() || hasFurther) {
             throw CliException.wrongUsage("with --part there is no picture yet: --depth (but for --error), --format,"
-                    + " --report, --stats, --aov, --preview and --dump-clusters must not be given");
+                    + " --exposure, --report, --stats, --aov, --preview and --dump-clusters must not be given");
         }
         if (options.hasTime()) {
             throw CliException.wrongUsage(
@@ -178,7 +184,8 @@ final class RenderCommand extends Subcommand {
         String line =
                 options.replayableLine(settings, result.report().sampling().plannedSamples());
         PngOptions png = new PngOptions(output.depth(), PictureText.of(scene, line));
-        output.write(result.image(), png, terminal);
+        Image shown = view.view(result.image(), terminal);
+        output.write(shown, png, terminal);
         aovFiles.write(result.auxiliary(), png);
         report.write(result, output, terminal);
         if (clusters != null) {
@@ -189,6 +196,8 @@ final class RenderCommand extends Subcommand {
             throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
+        LightNotes.tell(result, shown, terminal);
+        LightNotes.require(result);
         RequestedError.require(result);
     }
 
@@ -220,7 +229,7 @@ final class RenderCommand extends Subcommand {
         PngOptions png = new PngOptions(output.depth(), PictureText.of(scene, options.line(settings)))
                 .withText("Comment", "preview");
         return new PreviewWriter(
-                display, preview, image -> ImageFiles.write(image, output.file(), png), terminal, clock);
+                display, preview, image -> ImageFiles.write(view.view(image), output.file(), png), terminal, clock);
     }
 
     static final class PreviewPeriod extends DecimalNumber {

@@ -92,6 +92,7 @@ final class ReportJson {
         json.writeNumber(s.errorLow());
         json.writeNumber(s.errorHigh());
         json.writeEndArray();
+        s.light().ifPresent(light -> light(json, light));
         if (report.settings().budget().error().isPresent()) {
             json.writeNumberProperty("rounding", s.rounding());
             json.writeNumberProperty("rounds", s.rounds());
@@ -101,6 +102,18 @@ final class ReportJson {
         json.writeNumberProperty("proposals", s.proposals());
         json.writeNumberProperty("accepted", s.accepted());
         json.writeEndObject();
+    }
+
+    private static void light(JsonGenerator json, RenderReport.Light light) {
+        // JSON has no NaN: what is not known is left out.
+        if (Double.isFinite(light.relativeError())) {
+            json.writeNumberProperty("relativeError", light.relativeError());
+        }
+        if (Double.isFinite(light.kurtosis())) {
+            json.writeNumberProperty("kurtosis", light.kurtosis());
+        }
+        json.writeBooleanProperty("heavyTail", light.heavyTail());
+        json.writeNumberProperty("lostSamples", light.lostSamples());
     }
 
     private static void phases(JsonGenerator json, RenderReport report) {

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.image.Image;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.RenderServer;
@@ -22,6 +23,9 @@ final class ServerCommand extends Subcommand {
 
     @Mixin
     private PictureOutput output = new PictureOutput();
+
+    @Mixin
+    private ViewOption view = new ViewOption();
 
     @Mixin
     private ServingOptions serving = new ServingOptions();
@@ -49,6 +53,7 @@ final class ServerCommand extends Subcommand {
     @Override
     int execute() throws IOException {
         output.check();
+        view.check(output);
         if (serving.hasCheckpoint() && options.hasTime()) {
             throw CliException.wrongUsage(
                     "--checkpoint must not be given with --time, which is planned anew each time: give --samples");
@@ -58,6 +63,7 @@ final class ServerCommand extends Subcommand {
         Scene scene = options.read(input);
         RenderSettings settings =
                 PictureOutput.withRounding(options.settings(scene, input.name()), output.writtenDepth());
+        view.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene);
         serving.register(files);
@@ -93,12 +99,15 @@ final class ServerCommand extends Subcommand {
         }
         String line =
                 options.replayableLine(settings, result.report().sampling().plannedSamples());
-        output.write(result.image(), new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
+        Image shown = view.view(result.image(), terminal);
+        output.write(shown, new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
         report.write(result, output, terminal);
         if (!result.complete()) {
             throw StoppedRender.after(result, output, "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
+        LightNotes.tell(result, shown, terminal);
+        LightNotes.require(result);
         RequestedError.require(result);
     }
 }

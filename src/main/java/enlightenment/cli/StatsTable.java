@@ -47,6 +47,7 @@ final class StatsTable {
                 s.estimatedError(),
                 s.errorLow(),
                 s.errorHigh());
+        s.light().ifPresent(this::light);
         OptionalDouble asked = report.settings().budget().error();
         if (asked.isPresent()) {
             String met = report.isErrorMet() ? "met" : "not met";
@@ -63,6 +64,15 @@ final class StatsTable {
         if (s.clusters() > 0) {
             double percent = s.proposals() == 0 ? 0 : 100.0 * s.accepted() / s.proposals();
             line("ray clusters", "%,18d   %,d proposals, %.1f %% accepted", s.clusters(), s.proposals(), percent);
+        }
+    }
+
+    /** Beside the error of what a screen shows. */
+    private void light(RenderReport.Light light) {
+        line("  of linear light", "%18.5f   relative", light.relativeError());
+        line("  kurtosis", "%,18.1f%s", light.kurtosis(), light.heavyTail() ? "   " + LightNotes.HEAVY_TAIL : "");
+        if (light.lostSamples() > 0) {
+            row("lost samples", light.lostSamples());
         }
     }
 

@@ -250,6 +250,7 @@ public final class CoincidentSurfaces {
         static final int ROUNDINGS = 16;
 
         static final Comparator<Face> SEEN_FIRST = Comparator.<Face, Boolean>comparing(f -> f.isGlass)
+                .thenComparing(f -> !f.glows)
                 .thenComparingInt(f -> f.size)
                 .thenComparing(f -> f.appearance)
                 .thenComparingInt(f -> f.id)
@@ -259,6 +260,7 @@ public final class CoincidentSurfaces {
         final int face;
         final double extent;
         final boolean isGlass;
+        final boolean glows;
         final String appearance;
         int size;
 
@@ -267,6 +269,7 @@ public final class CoincidentSurfaces {
             this.face = face;
             this.extent = extent;
             isGlass = material.isGlass;
+            glows = material.glows;
             appearance = material.appearance();
         }
     }

@@ -3,11 +3,14 @@ package enlightenment.compiled;
 import enlightenment.accel.Accelerator;
 import enlightenment.accel.ConeSearch;
 import enlightenment.accel.PrimitiveList;
+import enlightenment.color.DisplayCurve;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Shading;
 import java.util.Arrays;
 import java.util.List;
 
@@ -23,7 +26,16 @@ public final class CompiledScene {
 
     public final SceneFrame frame;
     public final CompiledCamera camera;
-    public final ClassicShading shading;
+
+    /** How surfaces are shaded. */
+    public final Shading shading;
+
+    /** The shading, if it is classic; else null. */
+    public final ClassicShading classic;
+
+    /** What physical shading needs, if that is the shading; else null. */
+    public final PhysicalScene physical;
+
     public final CompiledLight[] lights;
 
     /** Those lights that can be seen, and boxes around them. */
@@ -79,18 +91,26 @@ public final class CompiledScene {
     private final List<String> features;
     private final List<String> absent;
 
+    /** What the pixels of its pictures are, and how they become what a screen takes. */
+    public final DisplayCurve display;
+
     CompiledScene(
             SceneFrame frame,
             CompiledCamera camera,
-            ClassicShading shading,
+            Shading shading,
             CompiledLight[] lights,
+            List<PhysicalLight> points,
             CompiledPrimitives compiled,
             Accelerator accelerator,
             List<String> features,
-            List<String> absent) {
+            List<String> absent,
+            DisplayCurve display) {
+        this.display = display;
         this.frame = frame;
         this.camera = camera;
         this.shading = shading;
+        classic = shading instanceof ClassicShading c ? c : null;
+        physical = shading instanceof PhysicalShading p ? new PhysicalScene(p, compiled, points) : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
         this.materials = compiled.materials();
@@ -113,6 +133,10 @@ public final class CompiledScene {
         }
         coincident = CoincidentSurfaces.of(compiled, accelerator);
         boolean anyLies = false;
+        LightBody[] bodies = physical == null ? lights : physical.lights;
+        if (physical != null) {
+            physical.lieOn(primitives, few);
+        }
         for (CompiledLight light : lights) {
             light.lieOn(primitives);
             anyLies |= light.surface != null && !light.lyingOn().isEmpty();
@@ -123,7 +147,7 @@ public final class CompiledScene {
             glassBounds[id] = widened(primitives[id].bounds());
         }
         cameraSolids = solidsThatOverlap(camera.startBounds());
-        occluders = new OccluderSet(primitives, lights, few);
+        occluders = new OccluderSet(primitives, bodies, few);
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }

@@ -38,7 +38,7 @@ final class OccluderSet {
     /** Unit normals and offsets of planes. */
     private final double[] planes;
 
-    OccluderSet(Primitive[] primitives, CompiledLight[] lights, boolean few) {
+    OccluderSet(Primitive[] primitives, LightBody[] lights, boolean few) {
         count = primitives.length;
         balls = new double[4 * count];
         isBall = new boolean[count];
@@ -54,7 +54,7 @@ final class OccluderSet {
                 setPlane(p.unitNormal(), p.corners()[0], planeAt[id]);
             }
         }
-        for (CompiledLight light : lights) {
+        for (LightBody light : lights) {
             light.sides = few ? sides(light) : null;
         }
     }
@@ -66,7 +66,7 @@ final class OccluderSet {
         planes[at + 3] = n.dot(point);
     }
 
-    private byte[] sides(CompiledLight light) {
+    private byte[] sides(LightBody light) {
         byte[] sides = new byte[count];
         for (int id = 0; id < count; id++) {
             sides[id] = planeAt[id] == NO_PLANE ? 0 : sidesOf(light, planeAt[id]);
@@ -74,7 +74,7 @@ final class OccluderSet {
         return sides;
     }
 
-    private byte sidesOf(CompiledLight light, int k) {
+    private byte sidesOf(LightBody light, int k) {
         return light.sidesOf(planes[k], planes[k + 1], planes[k + 2], planes[k + 3], PLANE_ERROR);
     }
 
@@ -177,9 +177,9 @@ final class OccluderSet {
             double height = p[plane] * x + p[plane + 1] * y + p[plane + 2] * z - offset;
             double error = PLANE_ERROR * (size + Math.abs(offset));
             if (height > error) {
-                return (sides(id, plane) & CompiledLight.ABOVE) != 0;
+                return (sides(id, plane) & LightBody.ABOVE) != 0;
             }
-            return height >= -error || (sides(id, plane) & CompiledLight.BELOW) != 0;
+            return height >= -error || (sides(id, plane) & LightBody.BELOW) != 0;
         }
 
         private boolean isLaterStart(int id) {
@@ -192,7 +192,7 @@ final class OccluderSet {
         }
 
         private int sides(int id, int plane) {
-            CompiledLight light = cone.light();
+            LightBody light = cone.light();
             return light.sides == null ? sidesOf(light, plane) : light.sides[id];
         }
     }

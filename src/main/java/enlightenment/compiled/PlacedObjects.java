@@ -163,13 +163,18 @@ final class PlacedObjects {
     }
 
     private record Entry(int index, Class<?> form, double[] parameters, List<SurfaceMaterial> surfaces) {
-        /** Of two surfaces in the same place, an opaque one hides one of glass. */
+        /** Of two surfaces in the same place, an opaque one hides one of glass, and one that glows hides others. */
         static final Comparator<Entry> CANONICAL = Comparator.comparing(Entry::parameters, Arrays::compare)
                 .thenComparing(Entry::isGlass)
+                .thenComparing(e -> !e.glows())
                 .thenComparing(Entry::appearance);
 
         boolean isSameSurface(Entry o) {
             return form == o.form && Arrays.equals(parameters, o.parameters);
+        }
+
+        private boolean glows() {
+            return surfaces.stream().anyMatch(s -> s.glows);
         }
 
         private boolean isGlass() {

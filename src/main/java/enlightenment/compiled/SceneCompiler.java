@@ -4,6 +4,7 @@ import enlightenment.accel.Accelerator;
 import enlightenment.accel.Bvh;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.bsdf.SpecularReflection;
+import enlightenment.color.DisplayCurve;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -14,11 +15,14 @@ import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Display;
 import enlightenment.scene.Method;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import enlightenment.texture.ImageTexture;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -80,33 +84,43 @@ public final class SceneCompiler {
             int loopLimit,
             Function<Path, byte[]> files,
             CompiledPrimitives.Placement placement) {
-        ClassicShading shading = shading(scene, settings);
+        Method.requireSupport(settings.method(), scene);
         SceneFrame frame = frameOf(scene);
         CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
-        CompiledLight[] lights = new CompiledLight[scene.lights().size()];
+        boolean physical = scene.shading().model() == Shading.Model.PHYSICAL;
+        CompiledLight[] lights = new CompiledLight[physical ? 0 : scene.lights().size()];
         for (int i = 0; i < lights.length; i++) {
             lights[i] = new CompiledLight(scene.lights().get(i), frame);
         }
-        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, files);
-        CompiledPrimitives compiled = CompiledPrimitives.of(scene.objects(), frame, surfaces, placement);
+        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, physical ? frame : null, files);
+        GlowingObjects glowing = physical ? new GlowingObjects(scene, frame) : null;
+        if (physical) {
+            surfaces.putAll(glowing.surfaces);
+        }
+        List<SceneObject> objects = physical ? glowing.objects : scene.objects();
+        CompiledPrimitives compiled = CompiledPrimitives.of(objects, frame, surfaces, placement);
         Primitive[] primitives = compiled.primitives();
-        boolean many = Math.max(primitives.length, scene.objects().size()) > loopLimit;
+        boolean many = Math.max(primitives.length, objects.size()) > loopLimit;
         Accelerator accelerator = many ? Bvh.build(primitives) : PrimitiveList.of(primitives);
-        Features features = new Features(scene, shading, many, surfaces.values());
+        Features features = new Features(scene, many, surfaces.values());
         return new CompiledScene(
-                frame, camera, shading, lights, compiled, accelerator, features.present(), features.absent());
+                frame,
+                camera,
+                scene.shading(),
+                lights,
+                physical ? glowing.points : List.of(),
+                compiled,
+                accelerator,
+                features.present(),
+                features.absent(),
+                display(scene));
     }
 
-    /** The shading that is compiled so far; any other is refused by name, even if a method from outside claims to render it. */
-    private static ClassicShading shading(Scene scene, RenderSettings settings) {
-        Method.requireSupport(settings.method(), scene);
-        if (scene.shading() instanceof ClassicShading classic) {
-            return classic;
-        }
-        throw SceneException.of(
-                "/shading/model",
-                scene.shading().model().word() + " shading cannot be compiled yet, although the method "
-                        + settings.method().word() + " can render it");
+    private static DisplayCurve display(Scene scene) {
+        Display display = scene.display();
+        return scene.shading() instanceof PhysicalShading
+                ? DisplayCurve.of(display.exposure(), display.tone())
+                : DisplayCurve.NONE;
     }
 
     /**
@@ -151,22 +165,25 @@ public final class SceneCompiler {
     }
 
     /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
-    private static Map<Material, SurfaceMaterial> surfaces(Scene scene, Function<Path, byte[]> files) {
+    private static Map<Material, SurfaceMaterial> surfaces(
+            Scene scene, SceneFrame physical, Function<Path, byte[]> files) {
         Map<Texture, ImageTexture> images = new IdentityHashMap<>();
         Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
-                addSurface(o.material(), surfaces, images, files);
+                addSurface(o.material(), physical, surfaces, images, files);
             }
             for (Material m : o.faces()) {
-                addSurface(m, surfaces, images, files);
+                addSurface(m, physical, surfaces, images, files);
             }
         }
         return surfaces;
     }
 
+    /** @param physical the frame if the shading is physical, else null */
     private static void addSurface(
             Material m,
+            SceneFrame physical,
             Map<Material, SurfaceMaterial> surfaces,
             Map<Texture, ImageTexture> images,
             Function<Path, byte[]> files) {
@@ -178,10 +195,11 @@ public final class SceneCompiler {
             image = images.get(file);
             if (image == null) {
                 image = load(file, files.apply(file.file()));
+                image = physical == null ? image : image.decoded();
                 images.put(file, image);
             }
         }
-        surfaces.put(m, new SurfaceMaterial(m, image));
+        surfaces.put(m, new SurfaceMaterial(m, image, physical == null ? null : PhysicalSurface.of(m, physical)));
     }
 
     private static ImageTexture load(Texture.File texture, byte[] content) {
@@ -203,7 +221,7 @@ public final class SceneCompiler {
         private final List<String> present = new ArrayList<>();
         private final List<String> absent = new ArrayList<>();
 
-        Features(Scene scene, ClassicShading shading, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
+        Features(Scene scene, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
             boolean mirrors = false;
             boolean glass = false;
             boolean textures = false;
@@ -214,7 +232,7 @@ public final class SceneCompiler {
             }
             int lights = scene.lights().size();
             add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
-            add(lights > 0 && shading.shadow() < 1, "shadows", "shadows");
+            add(lights > 0 && !(scene.shading() instanceof ClassicShading c && c.shadow() == 1), "shadows", "shadows");
             add(mirrors, "mirrors", "mirrors");
             add(glass, "refraction", "refraction");
             add(textures, "image textures", "image textures");

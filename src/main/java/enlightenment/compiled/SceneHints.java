@@ -34,6 +34,10 @@ public final class SceneHints {
             SceneHints::narrowView,
             (hints, found) -> found.addAll(DistanceHint.of(hints.scene, hints.compiled)));
 
+    /** Those of them that make sense where lights are surfaces and indirect light is solved. */
+    private static final List<BiConsumer<SceneHints, List<String>>> OF_PHYSICAL =
+            List.of(SceneHints::nothingToSee, SceneHints::narrowView);
+
     private final Scene scene;
     private final CompiledScene compiled;
 
@@ -53,7 +57,7 @@ public final class SceneHints {
     public static List<String> of(Scene scene, CompiledScene compiled) {
         SceneHints hints = new SceneHints(scene, compiled);
         List<String> found = new ArrayList<>();
-        ALL.forEach(hint -> hint.accept(hints, found));
+        (compiled.classic == null ? OF_PHYSICAL : ALL).forEach(hint -> hint.accept(hints, found));
         // Several primitives of one object may give the same hint.
         return found.stream().distinct().toList();
     }
@@ -65,7 +69,7 @@ public final class SceneHints {
     }
 
     private void noLight(List<String> found) {
-        double ambient = compiled.shading.ambient();
+        double ambient = compiled.classic.ambient();
         if (ambient == 1 || scene.objects().stream().noneMatch(SceneHints::isShaded)) {
             return;
         }
@@ -94,7 +98,7 @@ public final class SceneHints {
 
     /** A viewer in an opaque solid sees its inner wall; without a light inside, it is dark. */
     private void cameraInSolid(List<String> found) {
-        if (compiled.shading.ambient() == 1) {
+        if (compiled.classic.ambient() == 1) {
             return;
         }
         for (int id = 0; id < compiled.primitives.length; id++) {

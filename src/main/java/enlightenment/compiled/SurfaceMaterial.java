@@ -4,9 +4,12 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.ClassicDielectric;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.SpecularReflection;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.primitive.Ray;
 import enlightenment.texture.ImageTexture;
 
 /** A material as shading reads it: plain fields, textures loaded. */
@@ -32,26 +35,63 @@ public final class SurfaceMaterial {
     /** Whether shadows show on the surface. */
     public final boolean receivesShadows;
 
+    /** Whether it reflects nothing, so that paths end there. */
+    public final boolean isBlack;
+
+    /** Whether it emits light. */
+    public final boolean glows;
+
+    /** Whether it emits from the side that its normal points away from as well. */
+    public final boolean glowsInside;
+
+    /** The radiance that it emits: linear, by band. */
+    public final double glowR;
+
+    public final double glowG;
+    public final double glowB;
+
+    /** Whether a solid of it absorbs light. */
+    public final boolean absorbs;
+
+    /** How much it absorbs per unit of length of the frame, by band. */
+    public final double absorptionR;
+
+    public final double absorptionG;
+    public final double absorptionB;
+
+    /** What a pane of it, which encloses no volume, does with light; null unless it is glass of physical shading. */
+    public final Bsdf pane;
+
     private final Material description;
+
+    /** What physical shading adds to the look of the material, as text. */
+    private final String look;
+
     private final double r;
     private final double g;
     private final double b;
-    private final DisplayRgb other;
+    private final double[] other;
     private final double checks;
     private final ImageTexture image;
     private final boolean bilinear;
 
+    /** A material of classic shading, whose colours are display-referred. */
     SurfaceMaterial(Material material, ImageTexture image) {
+        this(material, image, null);
+    }
+
+    /** A material of physical shading, whose colours are linear, as those of the image must be. */
+    SurfaceMaterial(Material material, ImageTexture image, PhysicalSurface physical) {
         this.image = image;
         description = material;
         receivesShadows = material.receivesShadows();
         if (material instanceof Material.Glass glass) {
-            bsdf = ClassicDielectric.INSTANCE;
+            bsdf = physical == null ? ClassicDielectric.INSTANCE : physical.bsdf();
             indexOfRefraction = glass.indexOfRefraction();
             transparency = glass.transparency();
             priority = glass.priority();
         } else {
-            bsdf = opaque(material);
+            bsdf = physical == null ? opaque(material) : physical.bsdf();
             indexOfRefraction = 1;
             transparency = 0;
             priority = 0;
@@ -59,27 +99,59 @@ public final class SurfaceMaterial {
         isDelta = bsdf.isDelta();
         isGlass = bsdf.transmits();
         Texture texture = material.color();
-        DisplayRgb first = DisplayRgb.BLACK;
-        DisplayRgb second = null;
+        double[] first = {0, 0, 0};
+        double[] second = null;
         double scale = 0;
         boolean smooth = false;
         if (texture instanceof Texture.Solid solid) {
-            first = solid.color().display();
+            first = numbers(solid.color(), physical);
         } else if (texture instanceof Texture.Checker checker) {
-            first = checker.colors().get(0).display();
-            second = checker.colors().get(1).display();
+            first = numbers(checker.colors().get(0), physical);
+            second = numbers(checker.colors().get(1), physical);
             scale = checker.scale();
         } else if (texture instanceof Texture.File file) {
             smooth = file.filter() == Texture.Filter.BILINEAR;
         } else {
             throw new AssertionError("no compiled form of the texture " + texture);
         }
-        r = first.r();
-        g = first.g();
-        b = first.b();
+        r = first[0];
+        g = first[1];
+        b = first[2];
         other = second;
         checks = scale;
         bilinear = smooth;
+        isBlack = texture instanceof Texture.Solid && r == 0 && g == 0 && b == 0;
+        PhysicalSurface p = physical == null ? PhysicalSurface.NONE : physical;
+        look = physical == null ? "" : p.look() + " ";
+        pane = p.pane();
+        glowR = p.glow().r();
+        glowG = p.glow().g();
+        glowB = p.glow().b();
+        glows = glowR > 0 || glowG > 0 || glowB > 0;
+        glowsInside = p.glowsInside();
+        absorptionR = p.absorption().r();
+        absorptionG = p.absorption().g();
+        absorptionB = p.absorption().b();
+        absorbs = absorptionR > 0 || absorptionG > 0 || absorptionB > 0;
+    }
+
+    private static double[] numbers(Color color, PhysicalSurface physical) {
+        if (physical == null) {
+            DisplayRgb c = color.display();
+            return new double[] {c.r(), c.g(), c.b()};
+        }
+        Rgb c = color.linear();
+        return new double[] {c.r(), c.g(), c.b()};
+    }
+
+    /** The radiance that it emits. */
+    Rgb glow() {
+        return new Rgb(glowR, glowG, glowB);
+    }
+
+    /** Whether it emits to a side ({@link enlightenment.primitive.Hit#side}). */
+    public boolean glowsTo(int side) {
+        return glowsInside || side == Ray.OUTSIDE;
     }
 
     private static Bsdf opaque(Material material) {
@@ -122,9 +194,9 @@ public final class SurfaceMaterial {
                 image.nearest(u, v, rgb);
             }
         } else if (other != null && odd(u) != odd(v)) {
-            rgb[0] = other.r();
-            rgb[1] = other.g();
-            rgb[2] = other.b();
+            rgb[0] = other[0];
+            rgb[1] = other[1];
+            rgb[2] = other[2];
         } else {
             color(rgb);
         }
@@ -142,7 +214,7 @@ public final class SurfaceMaterial {
         String color = texture instanceof Texture.File file
                 ? "image " + image.fingerprint() + " " + file.filter() + " " + file.encoding()
                 : texture.toString();
-        return description.type() + " " + color + " " + receivesShadows + " " + indexOfRefraction + " " + transparency
-                + " " + priority;
+        return look + description.type() + " " + color + " " + receivesShadows + " " + indexOfRefraction + " "
+                + transparency + " " + priority;
     }
 }

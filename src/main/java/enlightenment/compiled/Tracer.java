@@ -211,7 +211,7 @@ public final class Tracer {
      * @param tMax the t at which the ray ends on the light
      * @param target the light
      */
-    public boolean occluded(Ray ray, double tMax, CompiledLight target) {
+    public boolean occluded(Ray ray, double tMax, LightBody target) {
         counters.shadowRays++;
         ray.endsOn(target.lyingOn(), tMax);
         return scene.accelerator.occludedWithin(ray, tMax, query);

@@ -4,7 +4,7 @@ import enlightenment.frame.BallCone;
 import enlightenment.frame.Basis;
 
 /** An emitter as it is seen from a point, and one point of it that was sampled. A mutable work object, one per thread. */
-public final class EmitterView {
+public sealed class EmitterView permits LightSample {
     /** The viewer and the cone of directions that the emitter lies in: that of the ball around it. */
     public final BallCone cone;
 
@@ -18,6 +18,9 @@ public final class EmitterView {
     public double length;
 
     final double[] disk = new double[3];
+
+    /** Half of the chord that the last direction cuts off a ball that is seen from outside. */
+    double half;
 
     /** The normal in the cone's basis: its component along the axis, the length of the rest, and the direction of the rest. */
     double normalAlong;
@@ -35,12 +38,12 @@ public final class EmitterView {
     }
 
     /** Tells that the cone has been set anew. */
-    public void aim() {
+    public final void aim() {
         hasBasis = false;
     }
 
     /** Two unit vectors that complete the cone's axis. */
-    Basis basis() {
+    final Basis basis() {
         if (!hasBasis) {
             basis.around(cone.wx, cone.wy, cone.wz);
             hasBasis = true;
@@ -48,7 +51,7 @@ public final class EmitterView {
         return basis;
     }
 
-    void set(double x, double y, double z, double len) {
+    final void set(double x, double y, double z, double len) {
         dx = x;
         dy = y;
         dz = z;

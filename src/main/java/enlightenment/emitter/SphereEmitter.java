@@ -158,6 +158,7 @@ public final class SphereEmitter implements Emitter {
         double distance = cone.distance;
         double half2 = radius * radius - distance * distance * sin2;
         double half = half2 > 0 ? Math.sqrt(half2) : 0;
+        view.half = half;
         view.set(
                 Math.fma(cos, cone.wx, Math.fma(s, basis.ax, t * basis.bx)),
                 Math.fma(cos, cone.wy, Math.fma(s, basis.ay, t * basis.by)),

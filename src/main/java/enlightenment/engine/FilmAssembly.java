@@ -30,6 +30,9 @@ public final class FilmAssembly {
 
     private final long[] surveyRays;
 
+    /** Per unit: samples that were no finite numbers. */
+    private final long[] lost;
+
     /** Units whose samples are differences: asked of those that are there, as one that is gone must leave nothing. */
     private final BitSet differences = new BitSet();
 
@@ -51,6 +54,7 @@ public final class FilmAssembly {
         film = PictureFilm.of(units, outline, true);
         counters = new RayCounters[units.count()];
         surveyRays = new long[units.count()];
+        lost = new long[units.count()];
     }
 
     /** Whether {@link #remove}, and {@link #put} in place of something else, needs a {@linkplain #keepIn store}. */
@@ -97,6 +101,7 @@ public final class FilmAssembly {
             }
             counters[unit] = mine;
             surveyRays[unit] = ResultHeader.surveyRays(bytes);
+            lost[unit] = ResultHeader.lostSamples(bytes, kinds);
             differences.set(unit, ResultHeader.samplesAreDifferences(bytes, kinds));
             Runtime runtime = Runtime.getRuntime();
             peakMemory = Math.max(peakMemory, runtime.totalMemory() - runtime.freeMemory());
@@ -109,6 +114,7 @@ public final class FilmAssembly {
             form.remove(film, unit, store);
             counters[unit] = null;
             surveyRays[unit] = 0;
+            lost[unit] = 0;
             differences.clear(unit);
         }
     }
@@ -149,6 +155,7 @@ public final class FilmAssembly {
             }
         }
         film.samplesAreDifferences(!differences.isEmpty());
+        film.samplesAreLost(Arrays.stream(lost).sum());
         double rounding = Rounding.of(image, outline.settings().budget().depth());
         RenderReport report =
                 Reports.of(outline, film, all, Arrays.stream(surveyRays).sum(), phases, rounding, round, peakMemory);

@@ -1,5 +1,7 @@
 package enlightenment.engine;
 
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Encoding;
 import enlightenment.film.FilmTile;
 import enlightenment.scene.RenderSettings;
 import java.nio.ByteBuffer;
@@ -13,8 +15,15 @@ final class PassForm extends ResultForm {
     private static final int NUMBERS = 6;
     private static final int PER_PIXEL = NUMBERS * Double.BYTES + Integer.BYTES;
 
-    PassForm(WorkUnits units, int kinds) {
+    private final DisplayCurve display;
+
+    /** The greatest mean of samples that is taken for light. */
+    private final double brightest;
+
+    PassForm(WorkUnits units, int kinds, DisplayCurve display) {
         super(units, kinds);
+        this.display = display;
+        brightest = display.encoding() == Encoding.LINEAR ? Double.MAX_VALUE : TileForm.BRIGHTEST;
     }
 
     @Override
@@ -26,7 +35,7 @@ final class PassForm extends ResultForm {
     @Override
     ByteBuffer make(int unit, UnitWork work, ResultHeader header) {
         FilmTile tile = work.tile(unit);
-        header.add(tile.surveyRays(), tile.hasKnown());
+        header.add(tile.surveyRays(), tile.hasKnown(), tile.lostSamples());
         ByteBuffer out = ByteBuffer.allocate(longest(unit)).position(start());
         for (int y = tile.y; y < tile.y + tile.height; y++) {
             for (int x = tile.x; x < tile.x + tile.width; x++) {
@@ -55,7 +64,7 @@ final class PassForm extends ResultForm {
             for (double sum : sums) {
                 if (samples < 1
                         || samples > Integer.MAX_VALUE / units.passes()
-                        || !(Math.abs(sum) <= TileForm.BRIGHTEST * samples)) {
+                        || !(Math.abs(sum) <= Math.min(brightest * samples, Double.MAX_VALUE))) {
                     return Optional.of("at pixel " + (place.x() + pixel % place.width()) + ","
                             + (place.y() + pixel / place.width()) + " a sum of " + samples + " samples is " + sum);
                 }
@@ -67,7 +76,7 @@ final class PassForm extends ResultForm {
     @Override
     void put(PictureFilm picture, int unit, byte[] bytes) {
         RenderSettings.Crop place = units.place(unit);
-        FilmTile pass = new FilmTile(place.x(), place.y(), place.width(), place.height());
+        FilmTile pass = new FilmTile(place.x(), place.y(), place.width(), place.height(), display);
         ByteBuffer in = ByteBuffer.wrap(bytes).position(start());
         double[] sums = new double[NUMBERS];
         for (int y = place.y(); y < place.y() + place.height(); y++) {

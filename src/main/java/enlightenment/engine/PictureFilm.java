@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.color.Encoding;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
@@ -11,15 +12,17 @@ import java.util.Objects;
 public abstract class PictureFilm {
     final WorkUnits units;
     final RenderSettings.Crop region;
+    private final Encoding encoding;
 
     /** The units that are there. */
     private final BitSet done = new BitSet();
 
     private int number;
 
-    PictureFilm(WorkUnits units, RenderSettings settings) {
+    PictureFilm(WorkUnits units, RenderOutline outline) {
         this.units = units;
-        region = settings.region();
+        region = outline.settings().region();
+        encoding = outline.display().encoding();
     }
 
     /** A picture of which nothing is there yet. */
@@ -29,9 +32,7 @@ public abstract class PictureFilm {
 
     /** @param isKept whether units can be taken out again */
     static PictureFilm of(WorkUnits units, RenderOutline outline, boolean isKept) {
-        return units.areBatches()
-                ? new SplatPicture(units, outline)
-                : new TilePicture(units, outline.settings(), isKept);
+        return units.areBatches() ? new SplatPicture(units, outline) : new TilePicture(units, outline, isKept);
     }
 
     /**
@@ -65,6 +66,11 @@ public abstract class PictureFilm {
 
     /** A unit has come (1) or gone (-1); called under the lock. */
     abstract void count(int unit, int by);
+
+    /** What the pixels are. */
+    public final Encoding encoding() {
+        return encoding;
+    }
 
     /** Whether a unit is there. */
     public final synchronized boolean has(int unit) {
@@ -106,6 +112,14 @@ public abstract class PictureFilm {
 
     /** Says whether the samples of pixels are differences from something known, by what there is now. */
     void samplesAreDifferences(boolean are) {}
+
+    /** Says how many samples were no finite numbers, by what there is now. */
+    void samplesAreLost(long number) {}
+
+    /** How many samples were no finite numbers; more than none fails the render. */
+    public long lostSamples() {
+        return 0;
+    }
 
     /** The picture so far; what is missing is black. */
     public abstract Image image();

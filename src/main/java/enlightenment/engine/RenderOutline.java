@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatScale;
@@ -17,6 +18,7 @@ import java.util.List;
  * @param plan what was decided before the first unit
  * @param features what is modelled, in plain words
  * @param kinds the kinds of primitives in the scene, in the order of their counters
+ * @param display what pixels are, and how they become what a screen takes
  * @param splatScale the unit in which contributions of paths are summed; of no meaning where units are tiles
  */
 public record RenderOutline(
@@ -25,6 +27,7 @@ public record RenderOutline(
         RenderPlan plan,
         List<String> features,
         List<String> kinds,
+        DisplayCurve display,
         SplatScale splatScale) {
     private static final SplatScale NO_SCALE = new SplatScale(0);
 
@@ -33,15 +36,16 @@ public record RenderOutline(
         kinds = List.copyOf(kinds);
     }
 
-    /** An outline for units that are tiles. */
+    /** An outline for units that are tiles of display-referred pixels. */
     public RenderOutline(
             String sceneName, RenderSettings settings, RenderPlan plan, List<String> features, List<String> kinds) {
-        this(sceneName, settings, plan, features, kinds, NO_SCALE);
+        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE);
     }
 
     /** The outline of a render of this scene. */
     public static RenderOutline of(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
-        RenderOutline outline = new RenderOutline(sceneName, settings, plan, scene.features(), scene.kindNames);
+        RenderOutline outline = new RenderOutline(sceneName, settings, plan, scene.features(), scene.kindNames)
+                .withDisplay(scene.display);
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         if (!outline.areBatches()
                 || !(Integrators.of(plan, scene, settings, nobodys) instanceof SplatIntegrator integrator)) {
@@ -59,7 +63,12 @@ public record RenderOutline(
 
     /** The same outline with another scale. */
     public RenderOutline withSplatScale(SplatScale scale) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, scale);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale);
+    }
+
+    /** The same outline for other pixels. */
+    public RenderOutline withDisplay(DisplayCurve curve) {
+        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale);
     }
 
     /** Number of units of work, as they are handed out to many machines. */

@@ -1,11 +1,13 @@
 package enlightenment.engine;
 
+import enlightenment.color.Encoding;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.plan.RenderPlan;
 import enlightenment.report.RenderReport;
 import enlightenment.work.Phases;
 import enlightenment.work.RayCounts;
+import java.util.Optional;
 
 /** Makes the report of what was rendered, wherever that was. */
 public final class Reports {
@@ -61,6 +63,16 @@ public final class Reports {
                 counted.proposals,
                 counted.accepted,
                 rounding,
-                round);
+                round,
+                light(film, error));
+    }
+
+    private static Optional<RenderReport.Light> light(PictureFilm film, ErrorEstimate error) {
+        if (film.encoding() == Encoding.DISPLAY) {
+            return Optional.empty();
+        }
+        return Optional.of(error.linear()
+                .map(e -> new RenderReport.Light(e.relative(), e.kurtosis(), e.hasHeavyTail(), film.lostSamples()))
+                .orElse(new RenderReport.Light(Double.NaN, Double.NaN, false, film.lostSamples())));
     }
 }

@@ -22,7 +22,9 @@ abstract class ResultForm {
             RenderSettings.Crop region = outline.settings().region();
             return new BatchForm(units, kinds, Math.multiplyExact(region.width(), region.height()));
         }
-        return units.passes() > 1 ? new PassForm(units, kinds) : new TileForm(units, kinds);
+        return units.passes() > 1
+                ? new PassForm(units, kinds, outline.display())
+                : new TileForm(units, kinds, outline.display());
     }
 
     /** The greatest number of bytes that the result of a unit can have. */

@@ -5,21 +5,23 @@ import java.nio.ByteBuffer;
 import java.util.Optional;
 
 /**
- * What every result begins with: the number of survey rays, the counters, and 1 if samples are differences from something known,
- * else 0 (8 bytes each).
+ * What every result begins with: the number of survey rays, the counters, and twice the number of samples that were no
+ * finite numbers, one more if samples are differences from something known (8 bytes each).
  */
 final class ResultHeader {
     private static final int SCALARS = 12;
 
     private long surveyRays;
     private boolean differences;
+    private long lost;
 
     static int length(int kinds) {
         return (SCALARS + 2 * kinds) * Long.BYTES;
     }
 
     /** Adds what is told of some of the pixels. */
-    void add(long moreSurveyRays, boolean areDifferences) {
+    void add(long moreSurveyRays, boolean areDifferences, long lostSamples) {
+        lost += lostSamples;
         surveyRays += moreSurveyRays;
         differences |= areDifferences;
     }
@@ -35,7 +37,7 @@ final class ResultHeader {
         for (int i = 0; i < c.tests.length; i++) {
             out.putLong(c.tests[i]).putLong(c.hits[i]);
         }
-        out.putLong(differences ? 1 : 0);
+        out.putLong(2 * lost + (differences ? 1 : 0));
     }
 
     static Optional<String> problem(byte[] result, int kinds) {
@@ -77,6 +79,11 @@ final class ResultHeader {
 
     /** Whether the samples of a result are differences from something known. */
     static boolean samplesAreDifferences(byte[] result, int kinds) {
-        return ByteBuffer.wrap(result).getLong(length(kinds) - Long.BYTES) != 0;
+        return (ByteBuffer.wrap(result).getLong(length(kinds) - Long.BYTES) & 1) != 0;
+    }
+
+    /** How many samples of a result were no finite numbers. */
+    static long lostSamples(byte[] result, int kinds) {
+        return ByteBuffer.wrap(result).getLong(length(kinds) - Long.BYTES) / 2;
     }
 }

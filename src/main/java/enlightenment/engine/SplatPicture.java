@@ -1,6 +1,5 @@
 package enlightenment.engine;
 
-import enlightenment.color.Encoding;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatFilm;
@@ -15,7 +14,7 @@ final class SplatPicture extends PictureFilm {
     private int batches;
 
     SplatPicture(WorkUnits units, RenderOutline outline) {
-        super(units, outline.settings());
+        super(units, outline);
         RenderSettings settings = outline.settings();
         picturePixels = (long) settings.width() * settings.height();
         film = new SplatFilm(
@@ -25,7 +24,7 @@ final class SplatPicture extends PictureFilm {
                 region.height(),
                 picturePixels,
                 outline.splatScale(),
-                Encoding.DISPLAY);
+                outline.display());
     }
 
     @Override

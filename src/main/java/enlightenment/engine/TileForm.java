@@ -1,5 +1,7 @@
 package enlightenment.engine;
 
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Encoding;
 import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.scene.RenderSettings;
@@ -8,22 +10,31 @@ import java.util.Optional;
 
 /**
  * A whole tile: for each pixel, row by row, the means of red, green and blue (8 bytes each), the two figures that tell of its error
- * (4 each) and the number of its samples (4).
+ * (4 each) and the number of its samples (4); of linear light also the means of the four quarters of its samples (12 × 4), since light
+ * from elsewhere may be added before errors are told.
  */
 final class TileForm extends ResultForm {
     private static final int PER_PIXEL = 3 * Double.BYTES + 2 * Float.BYTES + Integer.BYTES;
+    private static final int MEANS_OF_QUARTERS = 12;
 
     /** Display-referred means lie near 0..1; brighter light than this is a fault, not light. */
     static final double BRIGHTEST = 1 << 20;
 
-    TileForm(WorkUnits units, int kinds) {
+    private final DisplayCurve display;
+    private final boolean isLinear;
+    private final int perPixel;
+
+    TileForm(WorkUnits units, int kinds, DisplayCurve display) {
         super(units, kinds);
+        this.display = display;
+        isLinear = display.encoding() == Encoding.LINEAR;
+        perPixel = isLinear ? PER_PIXEL + MEANS_OF_QUARTERS * Float.BYTES : PER_PIXEL;
     }
 
     @Override
     int longest(int unit) {
         RenderSettings.Crop place = units.place(unit);
-        return Math.addExact(Math.multiplyExact(place.width() * place.height(), PER_PIXEL), start());
+        return Math.addExact(Math.multiplyExact(place.width() * place.height(), perPixel), start());
     }
 
     @Override
@@ -34,9 +45,9 @@ final class TileForm extends ResultForm {
         int bottom = place.y() + place.height();
         for (int y = place.y(); y < bottom; y = Math.min((y / side + 1) * side, bottom)) {
             int height = Math.min((y / side + 1) * side, bottom) - y;
-            FilmTile block = new FilmTile(place.x(), y, place.width(), height);
+            FilmTile block = new FilmTile(place.x(), y, place.width(), height, display);
             work.part(unit, block);
-            header.add(block.surveyRays(), block.hasKnown());
+            header.add(block.surveyRays(), block.hasKnown(), block.lostSamples());
             putBlock(out, place, block);
         }
         return out;
@@ -44,12 +55,19 @@ final class TileForm extends ResultForm {
 
     /** Puts the pixels of a block, in whatever order the blocks come. */
     private void putBlock(ByteBuffer out, RenderSettings.Crop place, FilmTile block) {
+        double[] quarters = new double[MEANS_OF_QUARTERS];
         for (int y = block.y; y < block.y + block.height; y++) {
-            out.position(start() + PER_PIXEL * ((y - place.y()) * place.width() + block.x - place.x()));
+            out.position(start() + perPixel * ((y - place.y()) * place.width() + block.x - place.x()));
             for (int x = block.x; x < block.x + block.width; x++) {
                 out.putDouble(block.mean(x, y, 0)).putDouble(block.mean(x, y, 1));
                 out.putDouble(block.mean(x, y, 2));
                 out.putFloat(block.halves(x, y)).putFloat(block.quarters(x, y)).putInt(block.count(x, y));
+                if (isLinear) {
+                    block.quarterMeans(x, y, quarters);
+                    for (double mean : quarters) {
+                        out.putFloat((float) mean);
+                    }
+                }
             }
         }
     }
@@ -71,10 +89,11 @@ final class TileForm extends ResultForm {
         return Optional.empty();
     }
 
-    private static String pixelProblem(ByteBuffer in) {
+    private String pixelProblem(ByteBuffer in) {
+        double brightest = isLinear ? Double.MAX_VALUE : BRIGHTEST;
         for (int c = 0; c < 3; c++) {
             double mean = in.getDouble();
-            if (!(Math.abs(mean) <= BRIGHTEST)) {
+            if (!(Math.abs(mean) <= brightest)) {
                 return "a colour is " + mean;
             }
         }
@@ -88,6 +107,12 @@ final class TileForm extends ResultForm {
         if (!(Math.abs(quarters) < Float.POSITIVE_INFINITY) || quarters < 0 && samples > 2) {
             return "a spread is " + quarters;
         }
+        for (int i = 0; isLinear && i < MEANS_OF_QUARTERS; i++) {
+            float mean = in.getFloat();
+            if (!(Math.abs(mean) < Float.POSITIVE_INFINITY)) {
+                return "the mean of a quarter is " + mean;
+            }
+        }
         return samples < 1 ? "the number of samples is " + samples : null;
     }
 
@@ -97,12 +122,23 @@ final class TileForm extends ResultForm {
         RenderSettings.Crop place = units.place(unit);
         ByteBuffer in = ByteBuffer.wrap(bytes).position(start());
         double[] means = new double[3];
+        double[] quarters = new double[MEANS_OF_QUARTERS];
         for (int y = place.y(); y < place.y() + place.height(); y++) {
             for (int x = place.x(); x < place.x() + place.width(); x++) {
                 for (int c = 0; c < 3; c++) {
                     means[c] = in.getDouble();
                 }
-                film.put(x, y, means, 0, in.getFloat(), in.getFloat(), in.getInt());
+                float halves = in.getFloat();
+                float second = in.getFloat();
+                int samples = in.getInt();
+                if (isLinear) {
+                    for (int i = 0; i < MEANS_OF_QUARTERS; i++) {
+                        quarters[i] = in.getFloat();
+                    }
+                    film.put(x, y, means, halves, second, quarters, samples);
+                } else {
+                    film.put(x, y, means, 0, halves, second, samples);
+                }
             }
         }
         picture.mark(unit);

@@ -26,10 +26,10 @@ public final class TilePicture extends PictureFilm {
     private long finished;
 
     /** @param isKept whether passes can be taken out again: that takes six times the memory */
-    TilePicture(WorkUnits units, RenderSettings settings, boolean isKept) {
-        super(units, settings);
+    TilePicture(WorkUnits units, RenderOutline outline, boolean isKept) {
+        super(units, outline);
         this.isKept = isKept;
-        film = new Film(region.x(), region.y(), region.width(), region.height());
+        film = new Film(region.x(), region.y(), region.width(), region.height(), outline.display());
     }
 
     /** The finished pixels. */
@@ -56,7 +56,7 @@ public final class TilePicture extends PictureFilm {
             TilePasses all = passes.computeIfAbsent(tile, t -> passesOf(pass));
             all.add(units.pass(unit), pass);
             if (all.missing() == 0) {
-                whole = new FilmTile(pass.x, pass.y, pass.width, pass.height);
+                whole = pass.like(pass.x, pass.y, pass.width, pass.height);
                 all.into(whole);
                 film.put(whole);
                 if (!isKept) {
@@ -144,6 +144,16 @@ public final class TilePicture extends PictureFilm {
     @Override
     void samplesAreDifferences(boolean are) {
         film.samplesAreDifferences(are);
+    }
+
+    @Override
+    void samplesAreLost(long number) {
+        film.samplesAreLost(number);
+    }
+
+    @Override
+    public long lostSamples() {
+        return film.lostSamples();
     }
 
     @Override

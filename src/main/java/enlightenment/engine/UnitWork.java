@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
@@ -19,6 +20,7 @@ import java.util.function.Consumer;
 public final class UnitWork {
     private final WorkUnits units;
     private final Integrator integrator;
+    private final DisplayCurve display;
 
     /** Where paths put their light, or null. */
     private final SplatBatch batch;
@@ -40,6 +42,7 @@ public final class UnitWork {
             Consumer<List<ClusterStatistics>> clusters,
             BooleanSupplier cancelled) {
         this.units = units;
+        display = outline.display();
         RenderSettings settings = outline.settings();
         integrator = Integrators.of(outline.plan(), scene, settings, counters, clusters);
         integrator.stopWhen(cancelled);
@@ -52,7 +55,7 @@ public final class UnitWork {
     /** A tile, or a pass over it. */
     FilmTile tile(int unit) {
         RenderSettings.Crop place = units.place(unit);
-        FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height());
+        FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height(), display);
         part(unit, tile);
         return tile;
     }

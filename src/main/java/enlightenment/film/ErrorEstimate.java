@@ -1,8 +1,10 @@
 package enlightenment.film;
 
 import enlightenment.film.VarianceDecay.Curve;
+import enlightenment.film.VarianceDecay.Samples;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * How far a picture is from the truth, told by its own samples, in display units (0..1).
@@ -49,24 +51,49 @@ public final class ErrorEstimate {
 
     private final long pixels;
 
+    /** Of a film of linear light, or null. */
+    private final LinearError linear;
+
     private ErrorEstimate(float[] variances, double meanSquare, double least, double most, double unseen, long pixels) {
+        this(variances, meanSquare, least, most, unseen, pixels, null);
+    }
+
+    private ErrorEstimate(
+            float[] variances,
+            double meanSquare,
+            double least,
+            double most,
+            double unseen,
+            long pixels,
+            LinearError linear) {
         this.variances = variances;
         this.meanSquare = meanSquare;
         this.least = least;
         this.most = most;
         this.unseen = unseen;
         this.pixels = pixels;
+        this.linear = linear;
+    }
+
+    /** The same with what is told of linear light. */
+    ErrorEstimate with(LinearError light) {
+        return new ErrorEstimate(variances, meanSquare, least, most, unseen, pixels, light);
+    }
+
+    /** What is told of linear light; empty for display-referred pictures, and where it is not known. */
+    public Optional<LinearError> linear() {
+        return Optional.ofNullable(linear);
     }
 
     /**
      * @param first per pixel {@link FilmTile#halves}
      * @param second per pixel {@link FilmTile#quarters}
      * @param counts per pixel the number of samples, 0 for an unfinished pixel
-     * @param differences whether the samples are differences from a known part
-     * @param contrast the difference between the largest and the smallest component of all pixels
+     * @param kind what the samples are
+     * @param contrast the difference between the largest and the smallest component of all pixels, as shown
      */
-    static ErrorEstimate of(float[] first, float[] second, int[] counts, boolean differences, double contrast) {
-        Level[] levels = levels(first, second, counts, differences);
+    static ErrorEstimate of(float[] first, float[] second, int[] counts, Samples kind, double contrast) {
+        Level[] levels = levels(first, second, counts, kind);
         float[] variances = new float[first.length];
         double squares = 0;
         long pixels = 0;
@@ -75,7 +102,7 @@ public final class ErrorEstimate {
             if (counts[i] == 0) {
                 continue;
             }
-            Level level = levels[level(counts[i])];
+            Level level = levels[level(counts[i], kind)];
             double v = level.share * first[i];
             variances[i] = (float) v;
             // Once for the picture itself, and once for the estimate, or twice where pixels share what they tell.
@@ -92,7 +119,8 @@ public final class ErrorEstimate {
             high += level.most * level.first;
         }
         double n = Math.max(pixels, 1);
-        double hidden = differences ? 0 : contrast * Math.min(HIDDEN * pixels / Math.max(samples, 1), 1);
+        double hidden =
+                kind == Samples.DIFFERENCES ? 0 : contrast * Math.min(HIDDEN * pixels / Math.max(samples, 1), 1);
         double unseen = HIDING * hidden * hidden / n;
         if (!(sum > 0)) {
             return new ErrorEstimate(variances, 0, 1, 1, unseen, pixels);
@@ -137,9 +165,11 @@ public final class ErrorEstimate {
     public static ErrorEstimate of(List<FilmTile> tiles) {
         int n = 0;
         boolean differences = false;
+        boolean light = false;
         for (FilmTile tile : tiles) {
             n += tile.width * tile.height;
             differences |= tile.hasKnown();
+            light |= tile.isLinear();
         }
         float[] first = new float[n];
         float[] second = new float[n];
@@ -153,14 +183,18 @@ public final class ErrorEstimate {
                     second[k] = tile.quarters(x, y);
                     counts[k] = tile.count(x, y);
                     if (counts[k++] > 0) {
-                        contrast.add(tile.mean(x, y, 0));
-                        contrast.add(tile.mean(x, y, 1));
-                        contrast.add(tile.mean(x, y, 2));
+                        contrast.add(tile.displayed(x, y, 0));
+                        contrast.add(tile.displayed(x, y, 1));
+                        contrast.add(tile.displayed(x, y, 2));
                     }
                 }
             }
         }
-        return of(first, second, counts, differences, contrast.get());
+        return of(first, second, counts, kind(light, differences), contrast.get());
+    }
+
+    static Samples kind(boolean light, boolean differences) {
+        return light ? Samples.LIGHT : differences ? Samples.DIFFERENCES : Samples.WHOLE;
     }
 
     /** The difference between the largest and the smallest of some numbers. */
@@ -178,18 +212,22 @@ public final class ErrorEstimate {
         }
     }
 
-    private static int level(int count) {
+    private static int level(int count, Samples kind) {
+        if (count == 3 && kind == Samples.LIGHT) {
+            // They tell no more than two.
+            return 1;
+        }
         return Integer.bitCount(count) == 1 ? Integer.numberOfTrailingZeros(count) : OTHERS;
     }
 
-    private static Level[] levels(float[] first, float[] second, int[] counts, boolean differences) {
+    private static Level[] levels(float[] first, float[] second, int[] counts, Samples kind) {
         Level[] levels = new Level[LEVELS];
         Arrays.setAll(levels, k -> new Level());
         Level pooled = new Level();
-        int least = VarianceDecay.leastPooled(differences);
+        int least = VarianceDecay.leastPooled(kind);
         for (int i = 0; i < first.length; i++) {
             if (counts[i] > 0) {
-                int k = level(counts[i]);
+                int k = level(counts[i], kind);
                 levels[k].add(first[i], second[i]);
                 if (k >= least && k != OTHERS) {
                     pooled.add(first[i], second[i]);
@@ -198,7 +236,7 @@ public final class ErrorEstimate {
         }
         for (int k = 0; k < LEVELS; k++) {
             boolean own = k < 2 || k == OTHERS || levels[k].pixels >= ENOUGH && levels[k].first > 0;
-            levels[k].judge(k == OTHERS ? -1 : k, own ? levels[k] : pooled, differences);
+            levels[k].judge(k == OTHERS ? -1 : k, own ? levels[k] : pooled, kind);
         }
         return levels;
     }
@@ -242,14 +280,14 @@ public final class ErrorEstimate {
         }
 
         /** @param of the level whose ratio is taken */
-        void judge(int level, Level of, boolean differences) {
+        void judge(int level, Level of, Samples kind) {
             double ratio = of.ratio();
             double off = of.uncertainty();
-            share = VarianceDecay.share(Curve.MIDDLE, level, ratio, differences);
+            share = VarianceDecay.share(Curve.MIDDLE, level, ratio, kind);
             // Of two samples the share grows with the ratio, of more it falls.
             double up = level == 1 ? off : -off;
-            least = Math.min(VarianceDecay.share(Curve.LEAST, level, ratio - up, differences), share);
-            most = Math.max(VarianceDecay.share(Curve.MOST, level, ratio + up, differences), share);
+            least = Math.min(VarianceDecay.share(Curve.LEAST, level, ratio - up, kind), share);
+            most = Math.max(VarianceDecay.share(Curve.MOST, level, ratio + up, kind), share);
         }
     }
 

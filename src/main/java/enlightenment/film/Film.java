@@ -1,5 +1,6 @@
 package enlightenment.film;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 
@@ -8,11 +9,14 @@ import enlightenment.image.Image;
  * cover disjoint pixels, so the order in which threads put them does not matter.
  */
 public final class Film {
+    /** Of a pixel's light, to tell the slope of the curve there. */
+    private static final double STEP = 1.0 / 64;
+
     public final int x;
     public final int y;
     public final int width;
     public final int height;
-    private final Encoding encoding;
+    private final DisplayCurve curve;
     private final double[] rgb;
 
     /** Per pixel; see {@link FilmTile#halves} and {@link FilmTile#quarters}. */
@@ -20,17 +24,26 @@ public final class Film {
 
     private final float[] quarters;
     private final int[] counts;
+
+    /** Per pixel of linear light: means of the quarters of its samples; null for display-referred pixels. */
+    private final float[] quarterMeans;
+
     private long surveyRays;
+    private long lost;
     private boolean differences;
 
     /** A film for a rectangle of the whole picture, display-referred. */
     public Film(int x, int y, int width, int height) {
-        this(x, y, width, height, Encoding.DISPLAY);
+        this(x, y, width, height, DisplayCurve.NONE);
     }
 
-    /** A film for a rectangle of the whole picture. */
-    public Film(int x, int y, int width, int height, Encoding encoding) {
-        this.encoding = encoding;
+    /**
+     * A film for a rectangle of the whole picture.
+     *
+     * @param curve what pixels are, and how they become what a screen takes
+     */
+    public Film(int x, int y, int width, int height, DisplayCurve curve) {
+        this.curve = curve;
         this.x = x;
         this.y = y;
         this.width = width;
@@ -40,15 +53,21 @@ public final class Film {
         halves = new float[pixels];
         quarters = new float[pixels];
         counts = new int[pixels];
+        quarterMeans = isLinear() ? new float[Math.multiplyExact(QuarterMeans.PER_PIXEL, pixels)] : null;
     }
 
     /** What the pixels mean. */
     public Encoding encoding() {
-        return encoding;
+        return curve.encoding();
+    }
+
+    private boolean isLinear() {
+        return curve.encoding() == Encoding.LINEAR;
     }
 
     /** Puts a finished tile. */
     public void put(FilmTile tile) {
+        double[] means = new double[QuarterMeans.PER_PIXEL];
         for (int row = tile.y; row < tile.y + tile.height; row++) {
             int pixel = pixel(tile.x, row);
             for (int column = tile.x; column < tile.x + tile.width; column++, pixel++) {
@@ -58,9 +77,19 @@ public final class Film {
                 halves[pixel] = tile.halves(column, row);
                 quarters[pixel] = tile.quarters(column, row);
                 counts[pixel] = tile.count(column, row);
+                if (isLinear()) {
+                    tile.quarterMeans(column, row, means);
+                    keep(pixel, means);
+                }
             }
         }
-        add(tile.surveyRays(), tile.hasKnown());
+        add(tile.surveyRays(), tile.hasKnown(), tile.lostSamples());
+    }
+
+    private void keep(int pixel, double[] means) {
+        for (int i = 0; i < QuarterMeans.PER_PIXEL; i++) {
+            quarterMeans[QuarterMeans.PER_PIXEL * pixel + i] = (float) means[i];
+        }
     }
 
     /**
@@ -77,9 +106,30 @@ public final class Film {
         counts[pixel] = samples;
     }
 
-    private synchronized void add(long rays, boolean known) {
+    /**
+     * Puts a finished pixel of linear light, as {@link #put(int, int, double[], int, float, float, int)}.
+     *
+     * @param ofQuarters as {@link FilmTile#quarterMeans} writes them
+     */
+    public void put(int column, int row, double[] means, float half, float quarter, double[] ofQuarters, int samples) {
+        put(column, row, means, 0, half, quarter, samples);
+        keep(pixel(column, row), ofQuarters);
+    }
+
+    private synchronized void add(long rays, boolean known, long lostSamples) {
         surveyRays += rays;
         differences |= known;
+        lost += lostSamples;
+    }
+
+    /** Says how many samples were no finite numbers, by what there is now. */
+    public synchronized void samplesAreLost(long number) {
+        lost = number;
+    }
+
+    /** How many samples were no finite numbers ({@link FilmTile#lostSamples}). */
+    public synchronized long lostSamples() {
+        return lost;
     }
 
     /** Says whether the samples of pixels are differences from something known ({@link FilmTile#known}), by what there is now. */
@@ -101,15 +151,127 @@ public final class Film {
         return counts[pixel(column, row)];
     }
 
-    /** How far the samples say that the pixels are from the truth. */
+    /** How far the samples say that the pixels are from the truth, in what a screen shows. */
     public ErrorEstimate error() {
+        if (isLinear()) {
+            return lightError();
+        }
         ErrorEstimate.Contrast contrast = new ErrorEstimate.Contrast();
         for (int k = 0; k < rgb.length; k++) {
             if (counts[k / 3] > 0) {
                 contrast.add(rgb[k]);
             }
         }
-        return ErrorEstimate.of(halves, quarters, counts, differences, contrast.get());
+        return ErrorEstimate.of(halves, quarters, counts, ErrorEstimate.kind(false, differences), contrast.get());
+    }
+
+    private ErrorEstimate lightError() {
+        float[] first = new float[counts.length];
+        float[] second = new float[counts.length];
+        double[] means = new double[QuarterMeans.PER_PIXEL];
+        ErrorEstimate.Contrast contrast = new ErrorEstimate.Contrast();
+        double[] local = new double[3];
+        LinearFigures figures = new LinearFigures(curve, x, y, width, height, bandMeans());
+        for (int i = 0; i < counts.length; i++) {
+            if (counts[i] > 0) {
+                for (int k = 0; k < means.length; k++) {
+                    means[k] = quarterMeans[means.length * i + k];
+                }
+                light(i, local);
+                figures.add(x + i % width, y + i / width, local, means, counts[i]);
+                // A single sample's quarters are all the same, but for what was splatted.
+                first[i] = (float) (figures.first() + (counts[i] == 1 ? halves[i] : 0));
+                second[i] = switch (counts[i]) {
+                    case 1 -> first[i];
+                    case 2 -> quarters[i] + first[i] - halves[i];
+                    default -> (float) figures.second();
+                };
+                for (int c = 0; c < 3; c++) {
+                    contrast.add(curve.nearly(rgb[3 * i + c]));
+                }
+            }
+        }
+        return ErrorEstimate.of(first, second, counts, ErrorEstimate.kind(true, differences), contrast.get())
+                .with(figures.error());
+    }
+
+    /**
+     * This film with light that was splatted: exact means, and quarters each with a group of the paths' units, so that errors are those
+     * of the sum. Pixels that are not finished stay so.
+     *
+     * @param splats of the same rectangle; may go on growing
+     * @throws IllegalArgumentException if it is of another rectangle, or either film's pixels are no linear light
+     */
+    public Film plus(SplatFilm splats) {
+        boolean same = splats.x == x && splats.y == y && splats.width == width && splats.height == height;
+        if (!same || !isLinear() || splats.encoding() != Encoding.LINEAR) {
+            throw new IllegalArgumentException("films of different pixels");
+        }
+        Film sum = new Film(x, y, width, height, curve);
+        System.arraycopy(rgb, 0, sum.rgb, 0, rgb.length);
+        System.arraycopy(quarterMeans, 0, sum.quarterMeans, 0, quarterMeans.length);
+        System.arraycopy(counts, 0, sum.counts, 0, counts.length);
+        splats.addTo(sum.rgb, sum.quarterMeans, sum.counts);
+        for (int i = 0; i < counts.length; i++) {
+            double scale = counts[i] == 1 || counts[i] == 2 ? steepness(rgb, sum.rgb, 3 * i) : 1;
+            sum.halves[i] = (float) (scale * halves[i]);
+            sum.quarters[i] = (float) (scale * quarters[i]);
+        }
+        synchronized (this) {
+            sum.add(surveyRays, differences, lost);
+        }
+        return sum;
+    }
+
+    /** By how much squared differences of what is shown shrink where there is more light; what neighbours told knew only the less. */
+    private double steepness(double[] less, double[] more, int k) {
+        double before = 0;
+        double after = 0;
+        for (int c = 0; c < 3; c++) {
+            double step = STEP * (less[k + c] + more[k + c]);
+            double a = curve.nearly(less[k + c] + step) - curve.nearly(less[k + c]);
+            double b = curve.nearly(more[k + c] + step) - curve.nearly(more[k + c]);
+            before += a * a;
+            after += b * b;
+        }
+        return before > 0 ? Math.min(after / before, 1) : 1;
+    }
+
+    /** The light of a pixel by its index: the least of its own and of the mean of its 3 × 3 pixels, of each band. */
+    private void light(int pixel, double[] out) {
+        int column = pixel % width;
+        int row = pixel / width;
+        for (int c = 0; c < 3; c++) {
+            double sum = 0;
+            int n = 0;
+            for (int r = Math.max(row - 1, 0); r <= Math.min(row + 1, height - 1); r++) {
+                for (int q = Math.max(column - 1, 0); q <= Math.min(column + 1, width - 1); q++) {
+                    if (counts[r * width + q] > 0) {
+                        sum += rgb[3 * (r * width + q) + c];
+                        n++;
+                    }
+                }
+            }
+            out[c] = Math.min(rgb[3 * pixel + c], sum / n);
+        }
+    }
+
+    /** The mean of each band over the finished pixels. */
+    private double[] bandMeans() {
+        double[] sums = new double[3];
+        long pixels = 0;
+        for (int i = 0; i < counts.length; i++) {
+            if (counts[i] > 0) {
+                pixels++;
+                for (int c = 0; c < 3; c++) {
+                    sums[c] += rgb[3 * i + c];
+                }
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            sums[c] /= Math.max(pixels, 1);
+        }
+        return sums;
     }
 
     /** Camera rays of all finished pixels: their samples, and those that only showed where samples are needed. */
@@ -127,6 +289,6 @@ public final class Film {
         for (int i = 0; i < rgb.length; i++) {
             pixels[i] = (float) rgb[i];
         }
-        return new Image(width, height, pixels, encoding);
+        return new Image(width, height, pixels, curve);
     }
 }

@@ -1,5 +1,7 @@
 package enlightenment.film;
 
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Encoding;
 import java.util.Arrays;
 
 /**
@@ -44,15 +46,35 @@ public final class FilmTile {
     /** What those tell together; null until it is asked for. */
     private Neighbours neighbours;
 
+    private final DisplayCurve curve;
+    private final boolean isLinear;
+
+    /** Per pixel of linear light: {@link QuarterMeans}, without the known part; null for display-referred pixels. */
+    private final float[] quarterMeans;
+
     private long surveyRays;
 
+    /** Samples that were no finite numbers. */
+    private long lost;
+
+    /** A tile of display-referred pixels without samples; given as below. */
+    public FilmTile(int x, int y, int width, int height) {
+        this(x, y, width, height, DisplayCurve.NONE);
+    }
+
     /**
+     * A tile without samples.
+     *
      * @param x first column in the whole picture
      * @param y first row in the whole picture
      * @param width number of columns
      * @param height number of rows
+     * @param curve what samples are, and how they become what a screen takes, which is what errors are told of
      */
-    public FilmTile(int x, int y, int width, int height) {
+    public FilmTile(int x, int y, int width, int height, DisplayCurve curve) {
+        this.curve = curve;
+        isLinear = curve.encoding() == Encoding.LINEAR;
+        quarterMeans = isLinear ? new float[QuarterMeans.PER_PIXEL * width * height] : null;
         this.x = x;
         this.y = y;
         this.width = width;
@@ -60,6 +82,24 @@ public final class FilmTile {
         sums = new double[PER_PIXEL * width * height];
         counts = new int[width * height];
         spreads = new float[2 * width * height];
+    }
+
+    /** Another tile for samples of the same kind, without any. */
+    public FilmTile like(int column, int row, int columns, int rows) {
+        return new FilmTile(column, row, columns, rows, curve);
+    }
+
+    /** Whether samples are linear light. */
+    public boolean isLinear() {
+        return isLinear;
+    }
+
+    /**
+     * How many samples of linear light were no finite numbers. They are left out as if they were black: so there must be none, and a
+     * report that has some fails the render.
+     */
+    public long lostSamples() {
+        return lost;
     }
 
     /** Whether a pixel, given by its place in the whole picture, belongs to the tile. */
@@ -71,6 +111,11 @@ public final class FilmTile {
     public void add(int column, int row, double r, double g, double b) {
         int pixel = pixel(column, row);
         int k = PER_PIXEL * pixel;
+        if (isLinear && !(Math.abs(r) + Math.abs(g) + Math.abs(b) < Double.POSITIVE_INFINITY)) {
+            lost++;
+            counts[pixel]++;
+            return;
+        }
         accumulate(k, r);
         accumulate(k + 2, g);
         accumulate(k + 4, b);
@@ -114,6 +159,7 @@ public final class FilmTile {
         if (known != null || later.known != null) {
             throw new IllegalArgumentException("passes of differences");
         }
+        lost += later.lost;
         for (int k = 0; k < sums.length; k += 2) {
             double a = sums[k];
             double b = later.sums[k];
@@ -143,8 +189,13 @@ public final class FilmTile {
                     means[3 * q + c] = quarters[q].sums[k] + quarters[q].sums[k + 1];
                 }
             }
-            spreads[2 * i] = (float) SampleSpread.halves(means, sizes);
-            spreads[2 * i + 1] = (float) SampleSpread.quarters(means, sizes);
+            if (isLinear) {
+                QuarterMeans.of(
+                        means, sizes[0] + sizes[1] + sizes[2] + sizes[3], quarterMeans, QuarterMeans.PER_PIXEL * i);
+            } else {
+                spreads[2 * i] = (float) SampleSpread.halves(means, sizes);
+                spreads[2 * i + 1] = (float) SampleSpread.quarters(means, sizes);
+            }
         }
         FilmTile first = copyOf(quarters[0]);
         first.merge(quarters[1]);
@@ -155,7 +206,7 @@ public final class FilmTile {
     }
 
     private static FilmTile copyOf(FilmTile tile) {
-        FilmTile copy = new FilmTile(tile.x, tile.y, tile.width, tile.height);
+        FilmTile copy = tile.like(tile.x, tile.y, tile.width, tile.height);
         copy.merge(tile);
         return copy;
     }
@@ -199,8 +250,12 @@ public final class FilmTile {
     /** Keeps what the finished samples of a pixel tell about their error. */
     public void spread(int column, int row, SampleSpread spread) {
         int k = 2 * pixel(column, row);
-        spreads[k] = (float) spread.halves();
-        spreads[k + 1] = (float) spread.quarters();
+        if (isLinear) {
+            spread.quarterMeans(quarterMeans, QuarterMeans.PER_PIXEL / 2 * k);
+        } else {
+            spreads[k] = (float) spread.halves();
+            spreads[k + 1] = (float) spread.quarters();
+        }
         if (spread.samples() <= FEW) {
             if (few == null) {
                 few = new float[FEW * PER_SAMPLE * width * height];
@@ -243,13 +298,52 @@ public final class FilmTile {
         } else {
             System.arraycopy(few, PER_SAMPLE * (FEW * pixel + sample), out, from, PER_SAMPLE);
         }
+        for (int c = 0; isLinear && c < 3; c++) {
+            out[from + 2 + c] = (float) shown(pixel, c, Float.isFinite(out[from + 2 + c]) ? out[from + 2 + c] : 0);
+        }
+    }
+
+    /** What a difference from the known part, or all of a pixel that has none, changes in what a screen shows. */
+    private double shown(int pixel, int component, double value) {
+        double part = knownPart(pixel, component);
+        return !isLinear ? value : curve.nearly(part + value) - (known == null ? 0 : curve.nearly(part));
+    }
+
+    /** The mean of component 0, 1 or 2 of a pixel as a screen takes it; 0 where there are no samples. */
+    public double displayed(int column, int row, int component) {
+        return curve.of(mean(column, row, component));
+    }
+
+    /**
+     * Writes the means of a pixel's quarters, with the known part; only of linear light.
+     *
+     * @param out gets red, green and blue of each of the four quarters of its samples
+     */
+    public void quarterMeans(int column, int row, double[] out) {
+        int pixel = pixel(column, row);
+        for (int i = 0; i < QuarterMeans.PER_PIXEL; i++) {
+            out[i] = quarterMeans[QuarterMeans.PER_PIXEL * pixel + i] + knownPart(pixel, i % 3);
+        }
+    }
+
+    private float spread(int pixel, int column, int row, int figure) {
+        if (!isLinear) {
+            return spreads[2 * pixel + figure];
+        }
+        double[] means = new double[QuarterMeans.PER_PIXEL];
+        quarterMeans(column, row, means);
+        int samples = counts[pixel];
+        return (float)
+                (figure == 0
+                        ? QuarterMeans.halves(curve, means, samples)
+                        : QuarterMeans.quarters(curve, means, samples));
     }
 
     /** The square of the mean without the known part, mean of the components, of a pixel by its index. */
     double squaredMean(int pixel) {
         double sum = 0;
         for (int c = 0; c < 3; c++) {
-            double mean = meanDifference(pixel, c);
+            double mean = shown(pixel, c, meanDifference(pixel, c));
             sum += mean * mean;
         }
         return sum / 3;
@@ -261,8 +355,11 @@ public final class FilmTile {
      */
     public float halves(int column, int row) {
         int pixel = pixel(column, row);
-        double first = counts[pixel] == 1 ? neighbours().single(column, row) : spreads[2 * pixel];
-        return (float) (known == null ? first : first * VarianceDecay.ofDifferences(counts[pixel], ofLight(pixel)));
+        double first = counts[pixel] == 1 ? neighbours().single(column, row) : spread(pixel, column, row, 0);
+        return (float)
+                (known == null || isLinear
+                        ? first
+                        : first * VarianceDecay.ofDifferences(counts[pixel], ofLight(pixel)));
     }
 
     /**
@@ -272,9 +369,11 @@ public final class FilmTile {
     public float quarters(int column, int row) {
         int pixel = pixel(column, row);
         if (counts[pixel] > FEW || counts[pixel] == 0) {
-            return spreads[2 * pixel + 1];
+            return spread(pixel, column, row, 1);
         }
-        return counts[pixel] == 1 ? halves(column, row) : neighbours().single(column, row) - spreads[2 * pixel];
+        return counts[pixel] == 1
+                ? halves(column, row)
+                : neighbours().single(column, row) - spread(pixel, column, row, 0);
     }
 
     private Neighbours neighbours() {

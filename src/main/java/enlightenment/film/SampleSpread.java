@@ -83,6 +83,11 @@ public final class SampleSpread {
         return (difference(sums, sizes, 0) + difference(sums, sizes, 2)) / 24;
     }
 
+    /** Writes the means of the four quarters, as {@link QuarterMeans#of}. */
+    void quarterMeans(float[] out, int from) {
+        QuarterMeans.of(sums, count, out, from);
+    }
+
     /** How many samples the pixel has. */
     int samples() {
         return count;

@@ -1,5 +1,6 @@
 package enlightenment.film;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import java.util.BitSet;
@@ -20,7 +21,7 @@ public final class SplatFilm {
     public final int height;
     private final long picturePixels;
     private final SplatScale scale;
-    private final Encoding encoding;
+    private final DisplayCurve curve;
 
     /** Of each group, for each pixel: units of red, green and blue. */
     private final long[][] sums;
@@ -34,21 +35,22 @@ public final class SplatFilm {
      * A black film for a rectangle of the whole picture.
      *
      * @param picturePixels number of pixels of the whole picture
+     * @param curve what pixels are, and how they become what a screen takes
      */
-    public SplatFilm(int x, int y, int width, int height, long picturePixels, SplatScale scale, Encoding encoding) {
+    public SplatFilm(int x, int y, int width, int height, long picturePixels, SplatScale scale, DisplayCurve curve) {
         this.x = x;
         this.y = y;
         this.width = width;
         this.height = height;
         this.picturePixels = picturePixels;
         this.scale = scale;
-        this.encoding = encoding;
+        this.curve = curve;
         sums = new long[GROUPS][Math.multiplyExact(3, Math.multiplyExact(width, height))];
     }
 
     /** What the pixels mean. */
     public Encoding encoding() {
-        return encoding;
+        return curve.encoding();
     }
 
     /**
@@ -126,6 +128,25 @@ public final class SplatFilm {
         return value(3 * ((row - y) * width + column - x) + c, paths());
     }
 
+    /**
+     * Adds this to means of pixels, and of each group to those of a quarter; a group without paths adds what all do.
+     *
+     * @param counts 0 for pixels that are left as they are
+     */
+    synchronized void addTo(double[] rgb, float[] quarterMeans, int[] counts) {
+        long n = paths();
+        for (int k = 0; k < rgb.length; k++) {
+            if (counts[k / 3] > 0 && n > 0) {
+                double all = value(k, n);
+                rgb[k] += all;
+                for (int g = 0; g < GROUPS; g++) {
+                    double own = paths[g] > 0 ? inPicture(sums[g][k], paths[g]) : all;
+                    quarterMeans[QuarterMeans.PER_PIXEL * (k / 3) + 3 * g + k % 3] += (float) own;
+                }
+            }
+        }
+    }
+
     private double value(int k, long n) {
         long high = 0;
         long low = 0;
@@ -148,7 +169,7 @@ public final class SplatFilm {
         for (int k = 0; k < pixels.length; k++) {
             pixels[k] = (float) value(k, n);
         }
-        return new Image(width, height, pixels, encoding);
+        return new Image(width, height, pixels, curve);
     }
 
     /**

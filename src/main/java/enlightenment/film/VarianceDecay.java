@@ -59,6 +59,18 @@ final class VarianceDecay {
 
     private VarianceDecay() {}
 
+    /** What samples are. */
+    enum Samples {
+        /** Colours that a screen takes. */
+        WHOLE,
+
+        /** Differences of those from a known part. */
+        DIFFERENCES,
+
+        /** Linear light: {@link PathDecay}. */
+        LIGHT
+    }
+
     /** Which of the three curves: what is to be expected, or the smallest or the largest that was found. */
     enum Curve {
         LEAST,
@@ -71,9 +83,16 @@ final class VarianceDecay {
      *
      * @param level binary logarithm of the number of samples, or negative for numbers of which there is none
      * @param ratio of the second figure to the first
-     * @param differences whether the samples are differences from a known part
+     * @param samples what they are
      */
-    static double share(Curve curve, int level, double ratio, boolean differences) {
+    static double share(Curve curve, int level, double ratio, Samples samples) {
+        return samples == Samples.LIGHT
+                ? PathDecay.share(curve, level, ratio)
+                : share(curve, level, ratio, samples == Samples.DIFFERENCES);
+    }
+
+    /** @param differences whether the samples are differences from a known part */
+    private static double share(Curve curve, int level, double ratio, boolean differences) {
         if (level < 0) {
             double s = share(curve, OTHERS_LEVEL, ratio, false);
             return curve == Curve.LEAST ? s : curve == Curve.MOST ? WORST : (s + 1) / 2;
@@ -125,7 +144,7 @@ final class VarianceDecay {
     }
 
     /** From this level on the ratios of halves and quarters of all levels are comparable. */
-    static int leastPooled(boolean differences) {
-        return differences ? OF_REST.length : 2;
+    static int leastPooled(Samples samples) {
+        return samples == Samples.DIFFERENCES ? OF_REST.length : 2;
     }
 }

@@ -105,7 +105,9 @@ public class BallCone {
         double r = otherRadius * (1 - TEST_ERROR);
         double tangent = cc - r * r;
         double nearest = distance - radius;
-        if (!(tangent > TEST_ERROR * cc) || !(tangent < nearest * nearest * (1 - TEST_ERROR))) {
+        // An apex that lies on the other ball may look at this one from within it; r is smaller than that by one error.
+        double onBall = 2 * TEST_ERROR;
+        if (!(tangent > 2 * onBall * cc) || !(tangent < nearest * nearest * (1 - TEST_ERROR))) {
             return false;
         }
         double inverse = 1 / Math.sqrt(cc);

@@ -1,8 +1,8 @@
 package enlightenment.image;
 
 import enlightenment.codec.PngWriter;
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
-import enlightenment.color.TransferCurve;
 import java.util.Objects;
 
 /**
@@ -14,7 +14,7 @@ public final class Image {
     private final int width;
     private final int height;
     private final float[] rgb;
-    private final Encoding encoding;
+    private final DisplayCurve curve;
 
     /**
      * A display-referred picture.
@@ -24,11 +24,11 @@ public final class Image {
      * @param rgb 3·width·height components, 0..1 where they can be displayed; taken over, not copied
      */
     public Image(int width, int height, float[] rgb) {
-        this(width, height, rgb, Encoding.DISPLAY);
+        this(width, height, rgb, DisplayCurve.NONE);
     }
 
     /**
-     * A picture.
+     * A picture; one of linear light is shown as it is ({@link DisplayCurve#SRGB}).
      *
      * @param width in pixels
      * @param height in pixels
@@ -36,6 +36,18 @@ public final class Image {
      * @param encoding what they are
      */
     public Image(int width, int height, float[] rgb, Encoding encoding) {
+        this(width, height, rgb, encoding == Encoding.DISPLAY ? DisplayCurve.NONE : DisplayCurve.SRGB);
+    }
+
+    /**
+     * A picture that is to be shown in a certain way.
+     *
+     * @param width in pixels
+     * @param height in pixels
+     * @param rgb 3·width·height components; taken over, not copied
+     * @param curve what they are, and how they become what a screen takes
+     */
+    public Image(int width, int height, float[] rgb, DisplayCurve curve) {
         Objects.requireNonNull(rgb, "rgb");
         if (width < 1 || height < 1 || rgb.length != 3L * width * height) {
             throw new IllegalArgumentException(
@@ -44,12 +56,29 @@ public final class Image {
         this.width = width;
         this.height = height;
         this.rgb = rgb;
-        this.encoding = Objects.requireNonNull(encoding, "encoding");
+        this.curve = Objects.requireNonNull(curve, "curve");
     }
 
     /** What the components are. */
     public Encoding encoding() {
-        return encoding;
+        return curve.encoding();
+    }
+
+    /** How the components become what a screen takes. */
+    public DisplayCurve curve() {
+        return curve;
+    }
+
+    /**
+     * The same components, to be shown in another way.
+     *
+     * @throws IllegalArgumentException if the curve is for components of the other kind
+     */
+    public Image withCurve(DisplayCurve other) {
+        if (other.encoding() != encoding()) {
+            throw new IllegalArgumentException("the picture is " + encoding() + ", the curve for " + other.encoding());
+        }
+        return new Image(width, height, rgb, other);
     }
 
     /** The number of columns, at least 1. */
@@ -68,23 +97,20 @@ public final class Image {
     }
 
     /**
-     * The same component as a screen takes it: as it is in a display-referred picture; linear light is limited to 0..1 and encoded
-     * by the sRGB curve, in double precision, then rounded to a float. NaN stays NaN.
+     * The same component as a screen takes it: as it is in a display-referred picture; linear light goes through the {@linkplain
+     * #curve curve} in double precision, then it is rounded to a float. NaN stays NaN.
      */
     public float displayed(int x, int y, int c) {
         return displayed(component(x, y, c));
     }
 
     private float displayed(float value) {
-        if (encoding == Encoding.DISPLAY) {
-            return value;
-        }
-        return value >= 1 ? 1 : value <= 0 ? 0 : (float) TransferCurve.encode(value);
+        return encoding() == Encoding.DISPLAY ? value : (float) curve.of(value);
     }
 
     /** The same picture as a screen takes it; this one if it is display-referred. */
     public Image toDisplay() {
-        if (encoding == Encoding.DISPLAY) {
+        if (encoding() == Encoding.DISPLAY) {
             return this;
         }
         float[] display = new float[rgb.length];

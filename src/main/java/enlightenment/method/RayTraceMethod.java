@@ -10,6 +10,7 @@ import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
+import enlightenment.shading.PathTracer;
 import enlightenment.shading.Shader;
 import java.util.function.BooleanSupplier;
 
@@ -52,9 +53,12 @@ public final class RayTraceMethod implements TileIntegrator {
         doubled = samples == 0 ? 0 : samples / fewer - 1;
     }
 
-    /** The same with the paper's shading. */
-    public static RayTraceMethod classic(
+    /** The same with the scene's shading. */
+    public static RayTraceMethod of(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
+        if (scene.physical != null) {
+            return new RayTraceMethod(scene, settings, new PathTracer(scene, counters), samples);
+        }
         int lightPoints = RayTraceSettings.of(settings).shadowSamples();
         return new RayTraceMethod(scene, settings, ClassicShader.ofColors(scene, lightPoints, counters), samples);
     }

@@ -41,7 +41,7 @@ public non-sealed interface TileIntegrator extends Integrator {
         }
         TilePasses all = new TilePasses(tile.x, tile.y, tile.width, tile.height, passes);
         for (int pass = 0; pass < passes; pass++) {
-            FilmTile one = new FilmTile(tile.x, tile.y, tile.width, tile.height);
+            FilmTile one = tile.like(tile.x, tile.y, tile.width, tile.height);
             render(one, pass, passes);
             all.add(pass, one);
         }

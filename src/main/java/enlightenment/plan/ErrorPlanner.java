@@ -36,7 +36,8 @@ final class ErrorPlanner {
 
     /** The number of samples for which the error is as asked; at most {@code most}, which it also is if it is stopped. */
     double samples(double most) {
-        ErrorTrials trials = new ErrorTrials(settings, (n, blocks) -> trial.render(n, blocks, stop), stop);
+        ErrorTrials trials =
+                new ErrorTrials(settings, trial.display(), (n, blocks) -> trial.render(n, blocks, stop), stop);
         if (trials.areTooFew()) {
             // The first round is the trial.
             return 1;

@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
 import enlightenment.picture.Rounding;
@@ -55,13 +56,16 @@ final class ErrorTrials {
     /** The trial that the present answer comes from. */
     private List<FilmTile> answered;
 
-    /** @param stop once true, nothing more is tried */
-    ErrorTrials(RenderSettings settings, Sampler sampler, BooleanSupplier stop) {
+    /**
+     * @param display what pixels are, and how they become what a screen takes
+     * @param stop once true, nothing more is tried
+     */
+    ErrorTrials(RenderSettings settings, DisplayCurve display, Sampler sampler, BooleanSupplier stop) {
         asked = settings.budget().error().orElseThrow();
         depth = settings.budget().depth();
         this.sampler = sampler;
         this.stop = stop;
-        blocks = new TrialBlocks(settings);
+        blocks = new TrialBlocks(settings, display);
         share = Math.max(SHARE, Math.min(MOST_SHARE, LEAST_BLOCKS / blocks.count()));
     }
 
@@ -166,7 +170,7 @@ final class ErrorTrials {
             for (int y = tile.y; y < tile.y + tile.height; y++) {
                 for (int x = tile.x; x < tile.x + tile.width; x++) {
                     for (int c = 0; c < 3; c++) {
-                        sum += Rounding.square((float) tile.mean(x, y, c), depth);
+                        sum += Rounding.square((float) tile.displayed(x, y, c), depth);
                     }
                     components += 3;
                 }

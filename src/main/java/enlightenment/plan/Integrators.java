@@ -93,7 +93,7 @@ public final class Integrators {
             return ofExtension(plan, scene, settings, counters);
         }
         return switch (method) {
-            case RAYTRACE -> RayTraceMethod.classic(scene, settings, counters, plan.level());
+            case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
             case CLUSTER ->
                 new ClusterMethod(
                         scene,

@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
@@ -29,6 +30,11 @@ final class Trial {
         this.plans = plans;
     }
 
+    /** What pixels are, and how they become what a screen takes. */
+    DisplayCurve display() {
+        return scene.display;
+    }
+
     /** What a trial for a time does: a part of the picture, and of a method whose paths may end anywhere some of the paths. */
     interface Piece {
         /** How many pixels take about as long. */
@@ -49,7 +55,7 @@ final class Trial {
             double blocks = plans.tracedPixels() / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
             return new Paths(Math.max(share, Math.min(fewestBlocks / blocks, 1)) * plans.tracedPixels());
         }
-        TrialBlocks blocks = new TrialBlocks(settings);
+        TrialBlocks blocks = new TrialBlocks(settings, scene.display);
         return new Blocks(blocks, Math.max(share, fewestBlocks / blocks.count()));
     }
 

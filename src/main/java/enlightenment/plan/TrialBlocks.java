@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.film.FilmTile;
 import enlightenment.method.SpreadPlaces;
 import enlightenment.sampling.Hash;
@@ -25,7 +26,11 @@ final class TrialBlocks {
     private final int down;
     private final double first;
 
-    TrialBlocks(RenderSettings settings) {
+    private final DisplayCurve display;
+
+    /** @param display what pixels are, and how they become what a screen takes */
+    TrialBlocks(RenderSettings settings, DisplayCurve display) {
+        this.display = display;
         area = settings.region();
         left = area.x() / SIDE;
         top = area.y() / SIDE;
@@ -55,6 +60,6 @@ final class TrialBlocks {
 
     private FilmTile block(int column, int row) {
         RenderSettings.Crop c = area.intersection(new RenderSettings.Crop(column * SIDE, row * SIDE, SIDE, SIDE));
-        return new FilmTile(c.x(), c.y(), c.width(), c.height());
+        return new FilmTile(c.x(), c.y(), c.width(), c.height(), display);
     }
 }

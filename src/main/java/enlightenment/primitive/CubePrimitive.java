@@ -59,6 +59,16 @@ public final class CubePrimitive extends Primitive {
         return new BoxPrimitive(center.minus(h), center.plus(h));
     }
 
+    /** The centre. */
+    public Vec3 center() {
+        return center;
+    }
+
+    /** The edge along one of the cube's own axes, from the lower face to the upper one. */
+    public Vec3 edge(int k) {
+        return (k == 0 ? axisX : k == 1 ? axisY : axisZ).times(2 * half);
+    }
+
     private double origin(Ray ray, Vec3 axis) {
         return Products.dot(
                 axis.x(), axis.y(), axis.z(), ray.ox - center.x(), ray.oy - center.y(), ray.oz - center.z());

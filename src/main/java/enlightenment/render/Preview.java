@@ -75,7 +75,7 @@ final class Preview {
             method.stopWhen(cancelled);
             return turn -> {
                 RenderSettings.Crop place = grid.place(turn);
-                FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height());
+                FilmTile tile = new FilmTile(place.x(), place.y(), place.width(), place.height(), scene.display);
                 if (side == 0) {
                     method.render(tile);
                     put(tile);
@@ -97,7 +97,7 @@ final class Preview {
             for (int x = tile.x; x < right; x = (x / side + 1) * side) {
                 int width = Math.min((x / side + 1) * side, right) - x;
                 int height = Math.min((y / side + 1) * side, bottom) - y;
-                FilmTile middle = new FilmTile(x + width / 2, y + height / 2, 1, 1);
+                FilmTile middle = tile.like(x + width / 2, y + height / 2, 1, 1);
                 method.render(middle);
                 fill(x, y, width, height, middle);
             }
@@ -137,6 +137,6 @@ final class Preview {
 
     /** What there is. */
     synchronized Image image() {
-        return new Image(region.width(), region.height(), rgb.clone());
+        return new Image(region.width(), region.height(), rgb.clone(), scene.display);
     }
 }

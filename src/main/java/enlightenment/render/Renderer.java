@@ -57,11 +57,16 @@ public final class Renderer {
      * @throws SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws CancellationException if the thread was interrupted before the picture was whole; the interrupt stays set
+     * @throws IllegalStateException if samples were infinite or no numbers, which is a fault of the program
      */
     public static Image render(Scene scene, RenderSettings settings) {
         RenderResult result = render(scene, settings, RenderProgress.NONE, () -> false);
         if (!result.complete()) {
             throw new CancellationException("the thread was interrupted before the picture was whole");
+        }
+        long lost = result.report().lostSamples();
+        if (lost > 0) {
+            throw new IllegalStateException(lost + " samples were infinite or no numbers: a fault of the program");
         }
         return result.image();
     }

@@ -4,6 +4,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * What a render did (the paper's Timekeeper): counts that depend on scene and settings only, and times that do not.
@@ -53,6 +54,7 @@ public record RenderReport(
      * @param accepted those of them that were of the kind sought
      * @param rounding root mean square of what rounding to the depth of the budget changes; 0 where there is none
      * @param rounds how often the picture was rendered: more than once where it was not as exact as asked
+     * @param light what is told of linear light beside that; empty for display-referred pictures
      */
     public record Sampling(
             Method method,
@@ -66,7 +68,38 @@ public record RenderReport(
             long proposals,
             long accepted,
             double rounding,
-            int rounds) {
+            int rounds,
+            Optional<Light> light) {
+        /** How it was sampled, for a display-referred picture. */
+        public Sampling(
+                Method method,
+                String decidedBy,
+                double plannedSamples,
+                double samplesPerPixel,
+                double estimatedError,
+                double errorLow,
+                double errorHigh,
+                long clusters,
+                long proposals,
+                long accepted,
+                double rounding,
+                int rounds) {
+            this(
+                    method,
+                    decidedBy,
+                    plannedSamples,
+                    samplesPerPixel,
+                    estimatedError,
+                    errorLow,
+                    errorHigh,
+                    clusters,
+                    proposals,
+                    accepted,
+                    rounding,
+                    rounds,
+                    Optional.empty());
+        }
+
         /** The error that is to be counted on, with that of rounding: the upper end of the interval. */
         public double errorInFile() {
             return Math.hypot(errorHigh, rounding);
@@ -85,8 +118,26 @@ public record RenderReport(
                     proposals,
                     accepted,
                     newRounding,
-                    rounds);
+                    rounds,
+                    light);
         }
+    }
+
+    /**
+     * What the samples tell of linear light, where {@link Sampling#estimatedError} tells of what a screen shows.
+     *
+     * @param relativeError root of the mean, over pixels and bands, of the estimated variance over m² + (0.05 M)², where m is the
+     *     pixel's value and M the mean of the band over the picture; NaN where it is not known, as of a single sample per pixel
+     * @param kurtosis how unevenly what tells the error is spread over the pixels: 1 where all tell the same, n where one of n tells
+     *     all, within blocks of 32 × 32 pixels; NaN where it is not known
+     * @param heavyTail whether few bright samples carry the error, so that it may be underestimated
+     * @param lostSamples how many samples were infinite or no numbers, and taken for black; more than none is a fault of the program
+     */
+    public record Light(double relativeError, double kurtosis, boolean heavyTail, long lostSamples) {}
+
+    /** How many samples were infinite or no numbers: if there are any, the picture is not to be trusted. */
+    public long lostSamples() {
+        return sampling.light().map(Light::lostSamples).orElse(0L);
     }
 
     /**

@@ -15,7 +15,9 @@ public interface Sampler {
         /** Which of several lobes, lights or ways to go on is chosen. */
         CHOICE,
         /** Whether a path goes on at all. */
-        ROULETTE
+        ROULETTE,
+        /** The point of the one light that is sampled. */
+        LIGHT
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

@@ -9,6 +9,9 @@ public final class SobolSampler implements Sampler {
     private static final long FILM = 0;
     private static final long FIRST_LIGHT = 1;
 
+    /** Later bounces gain little by being stratified, and a hash costs less (measured: docs/physical-light.md). */
+    private static final int STRATIFIED_BOUNCES = 2;
+
     private long pixelHash;
     private long filmSeed;
     private int sample;
@@ -45,6 +48,12 @@ public final class SobolSampler implements Sampler {
     @Override
     public void pair(int bounce, Purpose purpose, double[] out) {
         long seed = seed(bounce, purpose);
+        if (bounce >= STRATIFIED_BOUNCES) {
+            long h = Hash.of(seed, sample);
+            out[0] = (h >>> Integer.SIZE) * 0x1p-32;
+            out[1] = (h & 0xFFFFFFFFL) * 0x1p-32;
+            return;
+        }
         int index = Sobol.shuffled(sample, Hash.mix(seed));
         out[0] = Sobol.x(index, seed);
         out[1] = Sobol.y(index, seed);

@@ -52,7 +52,7 @@ public enum BuiltInMethod implements Method {
 
     @Override
     public Set<Shading.Model> shadings() {
-        return Set.of(Shading.Model.CLASSIC);
+        return this == RAYTRACE ? Set.of(Shading.Model.CLASSIC, Shading.Model.PHYSICAL) : Set.of(Shading.Model.CLASSIC);
     }
 
     @Override

@@ -51,7 +51,12 @@ public record Scene(
     /** The largest width or height that a picture may have. */
     public static final int MAX_SIDE = 65_536;
 
-    /** @throws InvalidValueException if the size is out of range or two objects have the same name; its key is the place */
+    /**
+     * Checks what can be checked without rendering.
+     *
+     * @throws InvalidValueException if the size is out of range, two objects have the same name, or an object's material has no
+     *     meaning in the scene's shading; its key is the place
+     */
     public Scene {
         Objects.requireNonNull(name, "name");
         checkSize(width, height);
@@ -64,13 +69,17 @@ public record Scene(
         objects = ObjectList.copyOf(objects);
         Objects.requireNonNull(render, "render");
         Objects.requireNonNull(animation, "animation");
+        ShadingFit fit = new ShadingFit(shading, materials);
         Set<String> names = new HashSet<>();
         for (int i = 0; i < objects.size(); i++) {
-            String n = objects.get(i).name();
+            SceneObject object = objects.get(i);
+            fit.look(object, i);
+            String n = object.name();
             if (!n.isEmpty() && !names.add(n)) {
                 throw new InvalidValueException("objects/" + i + "/name", "\"" + n + "\" is used twice");
             }
         }
+        fit.throwIfAny();
     }
 
     /** Starts a scene in code; see {@link SceneBuilder}. */

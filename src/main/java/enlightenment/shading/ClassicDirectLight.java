@@ -72,8 +72,8 @@ final class ClassicDirectLight {
     ClassicDirectLight(
             CompiledScene scene, int lightPoints, RayCounters counters, PathFollower path, PathReport report) {
         lights = scene.lights;
-        ambient = scene.shading.ambient();
-        shadow = scene.shading.shadow();
+        ambient = scene.classic.ambient();
+        shadow = scene.classic.shadow();
         this.lightPoints = lightPoints;
         this.counters = counters;
         this.path = path;

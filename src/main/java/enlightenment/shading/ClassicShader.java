@@ -43,7 +43,7 @@ public final class ClassicShader implements Shader {
      */
     public ClassicShader(CompiledScene scene, int lightPoints, RayCounters counters) {
         this.scene = scene;
-        path = new PathFollower(scene, counters, scene.shading.maxBounces());
+        path = new PathFollower(scene, counters, scene.classic.maxBounces());
         direct = new ClassicDirectLight(scene, lightPoints, counters, path, report);
     }
 
@@ -119,7 +119,7 @@ public final class ClassicShader implements Shader {
     private boolean step(Ray ray, Sampler sampler) {
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
-            DisplayRgb background = scene.shading.background();
+            DisplayRgb background = scene.classic.background();
             add(background.r(), background.g(), background.b());
             return false;
         }
@@ -176,7 +176,7 @@ public final class ClassicShader implements Shader {
     private void shadeSurface(SurfaceMaterial material, Sampler sampler, double share) {
         int lights = scene.lights.length;
         if (lights == 0) {
-            double factor = scene.shading.ambient() * share;
+            double factor = scene.classic.ambient() * share;
             add(surface[0] * factor, surface[1] * factor, surface[2] * factor);
             return;
         }

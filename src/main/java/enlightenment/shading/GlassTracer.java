@@ -7,6 +7,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.Hash;
 
 /**
  * Follows a ray through glass: keeps track of the solids that it is inside of, refracts it where the medium changes and lets it
@@ -43,6 +44,9 @@ final class GlassTracer {
 
     /** The index of the coincident surface that is the boundary of the two media, or -1. */
     private int boundary;
+
+    /** Which lobe of the border is chosen, 0..1. */
+    private double choice;
 
     GlassTracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
@@ -155,8 +159,23 @@ final class GlassTracer {
     private void scatter(Ray ray, Hit hit, int solid, int face, double eta) {
         Optics.arrive(border, ray, hit);
         border.eta = eta;
-        scene.material(solid, face).bsdf.sample(border, 0, 0, 0);
+        scene.material(solid, face).bsdf.sample(border, 0, 0, choice);
         Optics.leave(ray, hit, border);
+    }
+
+    /** Sets the number that chooses between reflection and refraction next. */
+    void choose(double number) {
+        choice = number;
+    }
+
+    /** The index of refraction of the medium that the ray is in. */
+    double indexOfRefraction() {
+        return inside.indexOfRefraction();
+    }
+
+    /** The solid that is the medium that the ray is in, or -1 in empty space. */
+    int medium() {
+        return inside.current();
     }
 
     /** Whether the last {@link #cross} did not turn the ray: it passed a pane, or between media of equal index. */
@@ -276,6 +295,7 @@ final class GlassTracer {
         }
         other.side = side;
         other.setOrigin(ray);
+        choice = Hash.unit(Hash.mix(Double.doubleToRawLongBits(choice) + 1));
         scatter(ray, other, solid, other.face, from / to);
         if (!border.transmitted) {
             change(solid, -side);

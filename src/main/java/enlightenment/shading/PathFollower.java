@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledLight;
 import enlightenment.compiled.CompiledScene;
@@ -58,6 +59,9 @@ final class PathFollower {
     /** No line meets more surfaces: a path that passes more of them straight is caught in a loop by rounding, and ends. */
     private final int maxStraight;
 
+    /** Whether the surface that the path is at coincides with the one before. */
+    private boolean tookNext;
+
     private int bounces;
     private int straight;
 
@@ -89,6 +93,7 @@ final class PathFollower {
     /** Follows the ray to what it meets next. */
     Event next(Ray ray) {
         id = glass.takeNext(hit);
+        tookNext = id >= 0;
         if (id < 0) {
             if (!(surfaces == 0 ? tracer.traceCamera(ray, hit) : tracer.trace(ray, hit))) {
                 return Event.NOTHING;
@@ -134,10 +139,7 @@ final class PathFollower {
      * @return false if the path ends here
      */
     boolean scatter(Ray ray, SurfaceMaterial material, double[] color, double u, double v, double choice) {
-        Optics.arrive(scattering, ray, hit);
-        scattering.red = color[0];
-        scattering.green = color[1];
-        scattering.blue = color[2];
+        arrive(ray, color);
         if (!material.bsdf.sample(scattering, u, v, choice)) {
             return false;
         }
@@ -145,10 +147,54 @@ final class PathFollower {
         color[1] = scattering.valueG;
         color[2] = scattering.valueB;
         counters.mirrorRays += scattering.delta ? 1 : 0;
-        Optics.leave(ray, hit, scattering);
+        leave(ray, scattering);
+        return true;
+    }
+
+    /** The opaque surface that the path is at, as a Bsdf wants it: with its colour, and without a direction to go on. */
+    Scattering arrive(Ray ray, double[] color) {
+        Optics.arrive(scattering, ray, hit);
+        scattering.red = color[0];
+        scattering.green = color[1];
+        scattering.blue = color[2];
+        return scattering;
+    }
+
+    /** Lets the ray leave that surface in the direction that was sampled. */
+    void leave(Ray ray, Scattering s) {
+        Optics.leave(ray, hit, s);
         glass.settle(ray, id, hit);
         glass.reflectFromAll(ray);
-        return true;
+    }
+
+    /**
+     * As {@link #scatter} at a Lambertian surface, whose colour is the weight.
+     *
+     * @return the direction, and its density
+     */
+    Scattering scatterMatte(Ray ray, double u, double v) {
+        scattering.nx = hit.nx * hit.side;
+        scattering.ny = hit.ny * hit.side;
+        scattering.nz = hit.nz * hit.side;
+        Lambert.INSTANCE.sample(scattering, u, v, 0);
+        leave(ray, scattering);
+        return scattering;
+    }
+
+    /** How far the ray went to what {@link #next} found: nowhere if that coincides with the glass that it left. */
+    double distance(Ray ray) {
+        return tookNext ? 0 : hit.t * Math.sqrt(ray.dd);
+    }
+
+    /** The material of the medium that the ray is in, or null in empty space. */
+    SurfaceMaterial medium() {
+        int solid = glass.medium();
+        return solid < 0 ? null : scene.material(solid, 0);
+    }
+
+    /** Whether the path may have one more scattering event. */
+    boolean mayScatter() {
+        return bounces < maxBounces;
     }
 
     /**

@@ -44,6 +44,25 @@ public final class ImageTexture {
         }
     }
 
+    private ImageTexture(ImageTexture displayed) {
+        width = displayed.width;
+        height = displayed.height;
+        packed = displayed.packed;
+        values = displayed.values == null ? null : displayed.values.clone();
+        deep = displayed.deep == null ? null : displayed.deep.clone();
+        for (int i = 0; values != null && i < values.length; i++) {
+            values[i] = TransferCurve.decode(values[i]);
+        }
+        for (int i = 0; deep != null && i < deep.length; i++) {
+            deep[i] = (float) TransferCurve.decode(deep[i]);
+        }
+    }
+
+    /** The same picture as light: each texel is decoded before anything is interpolated. */
+    public ImageTexture decoded() {
+        return new ImageTexture(this);
+    }
+
     /** A number that depends on the size and all texels, and on nothing else. */
     public long fingerprint() {
         CRC32C crc = new CRC32C();

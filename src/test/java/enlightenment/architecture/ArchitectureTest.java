@@ -136,7 +136,7 @@ class ArchitectureTest {
             .whereLayer("emitter")
             .mayOnlyBeAccessedByLayers("compiled", "shading")
             .whereLayer("primitive")
-            .mayOnlyBeAccessedByLayers("accel", "compiled", "shading", "method", "render")
+            .mayOnlyBeAccessedByLayers("emitter", "accel", "compiled", "shading", "method", "render")
             .whereLayer("compiled")
             .mayOnlyBeAccessedByLayers("film", "shading", "method", "work", "plan", "render", "engine")
             .whereLayer("accel")

@@ -60,6 +60,34 @@ class RgbTest {
     }
 
     @Test
+    void aColourIsBothWhatAScreenShowsAndLight() {
+        DisplayRgb shown = DisplayRgb.ofBytes(10, 128, 255);
+        Color color = shown;
+        assertEquals(shown, color.display());
+        assertEquals(Rgb.of(shown), color.linear());
+        Rgb light = new Rgb(0.25, 3e9, 0);
+        color = light;
+        assertEquals(light, color.linear());
+        assertEquals(new DisplayRgb(TransferCurve.encode(0.25), 1, 0), color.display());
+    }
+
+    @Test
+    void noLightIsBrighterOnAScreenThanWhite() {
+        for (double light : new double[] {Math.nextDown(1.0), 1, Math.nextUp(1.0), 2, Double.MAX_VALUE}) {
+            DisplayRgb shown = Rgb.gray(light).display();
+            assertTrue(shown.g() <= 1 && shown.g() >= 1 - 1e-15, light + ": " + shown);
+        }
+    }
+
+    @Test
+    void bandsAreMultipliedEachOnItsOwn() {
+        assertEquals(new Rgb(2, 0, 21), new Rgb(1, 5, 3).times(new Rgb(2, 0, 7)));
+        Rgb bright = Rgb.gray(1e200);
+        assertThrows(InvalidValueException.class, () -> bright.times(bright));
+        assertEquals(5, new Rgb(1, 5, 3).max());
+    }
+
+    @Test
     void encodingUndoesDecoding() {
         for (int step = 0; step <= 255; step++) {
             double encoded = step / 255.0;

@@ -173,7 +173,7 @@ class HierarchyTest {
     private static FilmTile render(Scene scene, RenderSettings settings, boolean withBvh) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings, withBvh);
         FilmTile tile = new FilmTile(0, 0, 48, 32);
-        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
+        RayTraceMethod.of(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
                 .render(tile);
         return tile;
     }

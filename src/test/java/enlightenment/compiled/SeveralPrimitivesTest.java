@@ -93,7 +93,7 @@ class SeveralPrimitivesTest {
     private static double[] render(CompiledScene compiled, Scene scene) {
         RenderSettings settings = RenderSettings.of(scene).withAntialias(2).with(new RayTraceSettings(3));
         FilmTile tile = new FilmTile(0, 0, WIDTH, HEIGHT);
-        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
+        RayTraceMethod.of(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
                 .render(tile);
         double[] means = new double[3 * WIDTH * HEIGHT];
         for (int i = 0; i < means.length; i++) {

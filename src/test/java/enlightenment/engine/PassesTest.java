@@ -146,7 +146,7 @@ class PassesTest {
     void thePictureIsThatOfOnePass() {
         RenderSettings settings = SETTINGS.withThreads(1);
         CompiledScene scene = SceneCompiler.compile(SCENE, settings);
-        RayTraceMethod method = RayTraceMethod.classic(
+        RayTraceMethod method = RayTraceMethod.of(
                 scene,
                 settings,
                 new RayCounters(scene.kindNames.size()),

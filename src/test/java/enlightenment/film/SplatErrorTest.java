@@ -2,7 +2,7 @@ package enlightenment.film;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.DisplayCurve;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -101,7 +101,7 @@ class SplatErrorTest {
 
     private static SplatFilm rendered(Paths paths, int perUnit, long seed) {
         SplatScale scale = SplatScale.of(1, (long) UNITS * perUnit, WIDTH * HEIGHT);
-        SplatFilm film = new SplatFilm(0, 0, WIDTH, HEIGHT, WIDTH * HEIGHT, scale, Encoding.LINEAR);
+        SplatFilm film = new SplatFilm(0, 0, WIDTH, HEIGHT, WIDTH * HEIGHT, scale, DisplayCurve.SRGB);
         SplatBatch batch = new SplatBatch(0, 0, WIDTH, HEIGHT, scale);
         SplittableRandom random = new SplittableRandom(seed);
         for (int u = 0; u < UNITS; u++) {

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
+import enlightenment.color.Tone;
 import enlightenment.sampling.Hash;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -25,7 +27,7 @@ class SplatFilmTest {
     private static final SplatScale SCALE = SplatScale.of(0.5, UNITS * PATHS, WIDTH * HEIGHT);
 
     private static SplatFilm film() {
-        return new SplatFilm(0, 0, WIDTH, HEIGHT, WIDTH * HEIGHT, SCALE, Encoding.LINEAR);
+        return new SplatFilm(0, 0, WIDTH, HEIGHT, WIDTH * HEIGHT, SCALE, DisplayCurve.SRGB);
     }
 
     /** Path p reaches a point with a colour; both are functions of p alone. */
@@ -120,7 +122,7 @@ class SplatFilmTest {
 
     @Test
     void aPixelThatIsTooBrightFailsWithItsPlaceAndChangesNothing() {
-        SplatFilm film = new SplatFilm(30, 40, 4, 4, 16, new SplatScale(0), Encoding.LINEAR);
+        SplatFilm film = new SplatFilm(30, 40, 4, 4, 16, new SplatScale(0), DisplayCurve.SRGB);
         SplatSums most = new SplatSums(new int[] {2, 9}, new long[] {1, 1, 1, 0, Long.MAX_VALUE, 0}, 1);
         SplatSums more = new SplatSums(new int[] {2, 9}, new long[] {5, 5, 5, 0, 1, 0}, 1);
         film.add(0, most);
@@ -147,11 +149,11 @@ class SplatFilmTest {
 
     @Test
     void aPictureHoldsWhatItsFilmHolds() {
-        for (Encoding encoding : Encoding.values()) {
-            assertEquals(encoding, new Film(0, 0, 2, 2, encoding).toImage().encoding());
-            SplatFilm film = new SplatFilm(0, 0, 2, 2, 4, SCALE, encoding);
-            assertEquals(encoding, film.encoding());
-            assertEquals(encoding, film.toImage().encoding());
+        for (DisplayCurve curve : List.of(DisplayCurve.NONE, DisplayCurve.SRGB, DisplayCurve.of(1.5, Tone.FILMIC))) {
+            assertEquals(curve, new Film(0, 0, 2, 2, curve).toImage().curve());
+            SplatFilm film = new SplatFilm(0, 0, 2, 2, 4, SCALE, curve);
+            assertEquals(curve.encoding(), film.encoding());
+            assertEquals(curve, film.toImage().curve());
         }
         assertEquals(Encoding.DISPLAY, new Film(0, 0, 2, 2).encoding());
     }
@@ -173,7 +175,7 @@ class SplatFilmTest {
     @Test
     void aCropHasThePixelsOfTheWhole() {
         SplatFilm whole = complete();
-        SplatFilm crop = new SplatFilm(3, 4, 5, 6, WIDTH * HEIGHT, SCALE, Encoding.LINEAR);
+        SplatFilm crop = new SplatFilm(3, 4, 5, 6, WIDTH * HEIGHT, SCALE, DisplayCurve.SRGB);
         SplatBatch batch = new SplatBatch(3, 4, 5, 6, SCALE);
         for (int u = 0; u < UNITS; u++) {
             batch.begin(PATHS);
@@ -201,7 +203,7 @@ class SplatFilmTest {
     void roundingToUnitsDoesNotShow(double brightness) {
         int n = 30_000;
         SplatScale scale = SplatScale.of(brightness, n, 3);
-        SplatFilm film = new SplatFilm(0, 0, 3, 1, 3, scale, Encoding.LINEAR);
+        SplatFilm film = new SplatFilm(0, 0, 3, 1, 3, scale, DisplayCurve.SRGB);
         SplatBatch batch = new SplatBatch(0, 0, 3, 1, scale);
         batch.begin(n);
         double[] exact = new double[3];

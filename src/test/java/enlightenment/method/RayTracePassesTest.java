@@ -25,7 +25,7 @@ class RayTracePassesTest {
     private static final CompiledScene COMPILED = SceneCompiler.compile(SCENE, SETTINGS);
 
     private static RayTraceMethod method(double samples) {
-        return RayTraceMethod.classic(COMPILED, SETTINGS, new RayCounters(COMPILED.kindNames.size()), samples);
+        return RayTraceMethod.of(COMPILED, SETTINGS, new RayCounters(COMPILED.kindNames.size()), samples);
     }
 
     private static FilmTile tile() {

@@ -68,7 +68,7 @@ class SpreadPlacesTest {
         RenderSettings settings = RenderSettings.of(scene).with(new RayTraceSettings(1));
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         FilmTile tile = new FilmTile(0, 0, 64, 64);
-        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), samples)
+        RayTraceMethod.of(compiled, settings, new RayCounters(compiled.kindNames.size()), samples)
                 .render(tile);
         long sum = 0;
         int low = Integer.highestOneBit((int) samples);

@@ -3,6 +3,7 @@ package enlightenment.plan;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.film.FilmTile;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.RenderSettings;
@@ -27,7 +28,7 @@ class TrialBlocksTest {
 
     @Test
     void phasesHaveNoBlockInCommonAndTogetherAreAll() {
-        TrialBlocks blocks = new TrialBlocks(SETTINGS.withSeed(7));
+        TrialBlocks blocks = new TrialBlocks(SETTINGS.withSeed(7), DisplayCurve.NONE);
         Set<Integer> all = new HashSet<>();
         int sum = 0;
         for (int phase = 0; phase < 16; phase++) {
@@ -47,7 +48,7 @@ class TrialBlocksTest {
         for (int[] place : new int[][] {{10, 10}, {50, 20}, {83, 41}, {0, 0}, {97, 47}}) {
             int met = 0;
             for (int seed = 0; seed < seeds; seed++) {
-                List<FilmTile> blocks = new TrialBlocks(SETTINGS.withSeed(seed)).phase(0, 1.0 / 16);
+                List<FilmTile> blocks = new TrialBlocks(SETTINGS.withSeed(seed), DisplayCurve.NONE).phase(0, 1.0 / 16);
                 met += blocks.stream()
                                 .anyMatch(b ->
                                         Math.abs(b.x / 8 - place[0] - 1) <= 1 && Math.abs(b.y / 8 - place[1] - 1) <= 1)
@@ -63,7 +64,7 @@ class TrialBlocksTest {
     @ValueSource(longs = {0, 1, -1, Long.MIN_VALUE, Long.MAX_VALUE})
     void ofACropThereAreOnlyItsOwnPixels(long seed) {
         RenderSettings settings = SETTINGS.withSeed(seed).withCrop(new RenderSettings.Crop(13, 21, 100, 3));
-        TrialBlocks blocks = new TrialBlocks(settings);
+        TrialBlocks blocks = new TrialBlocks(settings, DisplayCurve.NONE);
         // Columns 1 to 14 of row 2.
         assertEquals(14, blocks.count());
         int pixels = 0;
@@ -81,7 +82,10 @@ class TrialBlocksTest {
         RenderSettings settings = SETTINGS.withCrop(new RenderSettings.Crop(0, 0, 1, 1));
         for (long seed = 0; seed < 20; seed++) {
             assertEquals(
-                    1, new TrialBlocks(settings.withSeed(seed)).phase(0, 0.01).size());
+                    1,
+                    new TrialBlocks(settings.withSeed(seed), DisplayCurve.NONE)
+                            .phase(0, 0.01)
+                            .size());
         }
     }
 }

@@ -29,7 +29,7 @@ public final class DoublePicture {
     public static DoublePicture of(Scene scene, RenderSettings settings) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         FilmTile tile = new FilmTile(0, 0, settings.width(), settings.height());
-        RayTraceMethod.classic(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
+        RayTraceMethod.of(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
                 .render(tile);
         DoublePicture p = new DoublePicture(settings.width(), settings.height());
         for (int i = 0; i < p.rgb.length; i++) {

@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
+import enlightenment.color.Tone;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
 import enlightenment.image.PngOptions;
+import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -17,6 +20,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.net.WorkerOptions;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
@@ -40,6 +44,25 @@ class NamedFaultsTest {
         fails("max/1: must be greater than the same coordinate of \"min\"", () -> new Box(O, ExactPoint.of(1, 0, 1)));
         fails("transparency: must lie in 0.0..1.0, not 2.0", () -> new Material.Glass(WHITE, 1, 2, 0, true));
         fails("radius: must be a number greater than 0, not 0.0", () -> new Light.Sphere(O, 0, DisplayRgb.WHITE));
+        fails(
+                "intensity: belongs to point lights; a sphere light has \"radiance\" or \"power\"",
+                () -> new Light.Sphere(O, 1, DisplayRgb.WHITE, Emission.INTENSITY_1));
+        fails(
+                "radiance: belongs to lights with a surface; a point light has \"intensity\" or \"power\"",
+                () -> new Light.Point(O, DisplayRgb.WHITE, Emission.RADIANCE_1));
+        fails(
+                "power: times the light's colour is beyond the range of doubles",
+                () -> new Light.Point(O, Rgb.gray(1e200), Emission.power(Rgb.gray(1e200))));
+        fails(
+                "color: reflects more than it receives: no component of a surface's colour may be above 1, as 1.25 is",
+                () -> Material.Glossy.of(Texture.of(new Rgb(0, 1.25, 0)), 0.5));
+        fails(
+                "color: reflects more than it receives: no component of a surface's colour may be above 1, as 2.0 is",
+                () -> Material.Matte.of(new Texture.Checker(List.of(DisplayRgb.WHITE, Rgb.gray(2)), 4)));
+        fails("roughness: must lie in 0.0..1.0, not 2.0", () -> Material.Matte.of(WHITE)
+                .withRoughness(2));
+        fails("eta: must be a number greater than 0, not 0.0", () -> new Material.Conductor(Rgb.BLACK, Rgb.WHITE));
+        fails("exposure: must lie in -1000.0..1000.0, not NaN", () -> new Display(Double.NaN, Tone.CLIP));
         fails("ambient: must lie in 0.0..1.0, not 3.0", () -> new ClassicShading(3, 0, DisplayRgb.BLACK, 1));
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));
         fails("y: must be a finite number, not Infinity", () -> ExactPoint.of(0, 1 / 0.0, 0));

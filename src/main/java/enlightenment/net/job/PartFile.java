@@ -29,7 +29,7 @@ import java.util.Map;
  * all that. Numbers with their most significant byte first.
  */
 public final class PartFile implements Closeable {
-    private static final byte[] MAGIC = "ENLPART2".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "ENLPART3".getBytes(StandardCharsets.US_ASCII);
     private static final int BUFFER = 1 << 16;
 
     private final Path file;
@@ -73,6 +73,7 @@ public final class PartFile implements Closeable {
         out.write(head.job().toBytes());
         SettingsBytes.write(out, head.outline());
         out.writeInt(head.outline().splatScale().exponent());
+        SettingsBytes.write(out, head.outline().display());
         List<String> text = new ArrayList<>();
         head.text().forEach((key, value) -> text.addAll(List.of(key, value)));
         SettingsBytes.write(out, text);
@@ -91,7 +92,9 @@ public final class PartFile implements Closeable {
                 throw new IOException(file + ": was made by version " + build + ", this is " + Build.number());
             }
             ContentHash job = ContentHash.fromBytes(in.readNBytes(ContentHash.BYTES));
-            RenderOutline outline = SettingsBytes.readOutline(in, 1).withSplatScale(new SplatScale(in.readInt()));
+            RenderOutline outline = SettingsBytes.readOutline(in, 1)
+                    .withSplatScale(new SplatScale(in.readInt()))
+                    .withDisplay(SettingsBytes.readDisplay(in));
             List<String> list = SettingsBytes.readTexts(in);
             Map<String, String> text = new LinkedHashMap<>();
             for (int i = 0; i + 1 < list.size(); i += 2) {

@@ -1,5 +1,8 @@
 package enlightenment.net.job;
 
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Encoding;
+import enlightenment.color.Tone;
 import enlightenment.engine.RenderOutline;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
@@ -137,6 +140,25 @@ final class SettingsBytes {
         String name = text(in);
         Decided decided = read(in, threads);
         return new RenderOutline(name, decided.settings(), decided.plan(), readTexts(in), readTexts(in));
+    }
+
+    /** The kind of the pixels' numbers, exposure, and kind of the tone curve. */
+    static void write(DataOutputStream out, DisplayCurve curve) throws IOException {
+        out.writeBoolean(curve.encoding() == Encoding.LINEAR);
+        out.writeDouble(curve.exposure());
+        out.writeByte(curve.tone().ordinal());
+    }
+
+    /** @throws IllegalArgumentException for what is no curve */
+    static DisplayCurve readDisplay(DataInputStream in) throws IOException {
+        boolean isLinear = in.readBoolean();
+        double exposure = in.readDouble();
+        int tone = in.readUnsignedByte();
+        Tone[] tones = Tone.values();
+        if (tone >= tones.length) {
+            throw new IllegalArgumentException("tone curve " + tone);
+        }
+        return isLinear ? DisplayCurve.of(exposure, tones[tone]) : DisplayCurve.NONE;
     }
 
     static void write(DataOutputStream out, List<String> texts) throws IOException {

@@ -2,12 +2,12 @@ package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
 import enlightenment.math.Vec3;
-import java.util.List;
+import java.util.Map;
 
 /** The camera. */
 final class Cameras {
     static final Family<Camera> FAMILY = new Family<Camera>(
-                    "camera", "a camera", null, List.of(), List.of(), Cameras::read, Cameras::write)
+                    "camera", "a camera", null, Map.of(), Cameras::read, Cameras::write)
             .with("window", Camera.Window.class, "eye lowerLeft upperLeft upperRight lowerRight | pupilRadius")
             .with("perspective", Camera.Perspective.class, "eye lookAt fieldOfView | up")
             .with("orthographic", Camera.Orthographic.class, "eye lookAt height | up")

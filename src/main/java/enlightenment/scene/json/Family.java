@@ -19,19 +19,18 @@ final class Family<T> {
     private final String name;
     private final String noun;
     private final String typeUnlessGiven;
-    private final Collection<String> plannedTypes;
-    private final Collection<String> plannedKeys;
+    private final Map<String, String> plannedTypes;
     private final BiFunction<String, Fields, ? extends T> reader;
     private final BiConsumer<T, JsonObjectBuilder> writer;
     private final Map<String, Keys> byName = new LinkedHashMap<>();
+    private final Map<String, Map<String, String>> refused = new HashMap<>();
     private final Map<Class<?>, String> names = new HashMap<>();
 
     /**
      * @param name its name in the schema's {@code $defs}
      * @param noun what messages call one of it
      * @param typeUnlessGiven the type of a part that does not say one, or null if it must
-     * @param plannedTypes types that the format will have
-     * @param plannedKeys keys that the format will have
+     * @param plannedTypes types that the format will have, and what is missing for each, or ""
      * @param reader makes the value of a type; null after a problem. One for all types: one for each takes a class of the JDK's
      *     for each to start, whether a scene has the type or not
      * @param writer puts all of a value's keys but {@code "type"}
@@ -40,15 +39,13 @@ final class Family<T> {
             String name,
             String noun,
             String typeUnlessGiven,
-            Collection<String> plannedTypes,
-            Collection<String> plannedKeys,
+            Map<String, String> plannedTypes,
             BiFunction<String, Fields, ? extends T> reader,
             BiConsumer<T, JsonObjectBuilder> writer) {
         this.name = name;
         this.noun = noun;
         this.typeUnlessGiven = typeUnlessGiven;
         this.plannedTypes = plannedTypes;
-        this.plannedKeys = plannedKeys;
         this.reader = reader;
         this.writer = writer;
     }
@@ -61,6 +58,15 @@ final class Family<T> {
      * @param keys the keys that must be there, a bar, the keys that may be there
      */
     Family<T> with(String type, Class<? extends T> value, String keys) {
+        return with(type, value, keys, Map.of());
+    }
+
+    /**
+     * The same.
+     *
+     * @param whyNot keys that it does not have, although somebody may expect them, and what to say of them
+     */
+    Family<T> with(String type, Class<? extends T> value, String keys, Map<String, String> whyNot) {
         int bar = keys.indexOf('|');
         String required = keys.substring(0, bar);
         String optional = keys.substring(bar + 1);
@@ -71,6 +77,7 @@ final class Family<T> {
                 (implied ? "" : "type ") + required,
                 (implied ? "type " : "") + optional);
         byName.put(type, all);
+        refused.put(type, whyNot);
         names.put(value, type);
         return this;
     }
@@ -92,12 +99,13 @@ final class Family<T> {
         return typeUnlessGiven;
     }
 
-    Collection<String> plannedTypes() {
+    Map<String, String> plannedTypes() {
         return plannedTypes;
     }
 
-    Collection<String> plannedKeys() {
-        return plannedKeys;
+    /** The keys that a kind does not have, although somebody may expect them, and what to say of them. */
+    Map<String, String> refusedKeys(String type) {
+        return refused.get(type);
     }
 
     /** The names of all kinds. */

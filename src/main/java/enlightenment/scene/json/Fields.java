@@ -1,6 +1,7 @@
 package enlightenment.scene.json;
 
-import enlightenment.color.DisplayRgb;
+import enlightenment.color.Color;
+import enlightenment.color.Rgb;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -47,7 +48,7 @@ final class Fields {
             return null;
         }
         Fields fields = new Fields(o, place, values, before);
-        fields.checkKeys(keys, List.of(), refused);
+        fields.checkKeys(keys, refused);
         return fields;
     }
 
@@ -70,11 +71,11 @@ final class Fields {
             return null;
         }
         Fields fields = new Fields(o, place, values, before);
-        fields.checkKeys(family.keys(name), family.plannedKeys(), Map.of());
+        fields.checkKeys(family.keys(name), family.refusedKeys(name));
         return fields;
     }
 
-    private void checkKeys(Keys keys, Collection<String> planned, Map<String, String> refused) {
+    private void checkKeys(Keys keys, Map<String, String> refused) {
         if (values.areRight(object.keys(), keys)) {
             return;
         }
@@ -91,9 +92,7 @@ final class Fields {
             }
             String message = refused.get(key);
             if (message == null) {
-                message = planned.contains(key)
-                        ? "is for physical shading, which is not available yet"
-                        : "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
+                message = "unknown key" + Suggestion.of(key, keys.all(), keys.noun() + " has");
             }
             values.problems().add(object.value(i), place.child(key), message);
         }
@@ -152,15 +151,15 @@ final class Fields {
         return v == null ? null : values.text(v, at(key), expected);
     }
 
-    String word(String key, Collection<String> words, Collection<String> planned, String unlessGiven) {
+    String word(String key, Collection<String> words, String unlessGiven) {
         JsonValue v = get(key);
-        return v == null ? unlessGiven : values.word(v, at(key), words, planned);
+        return v == null ? unlessGiven : values.word(v, at(key), words, Map.of());
     }
 
     /** One of an enum's constants, called by its name in small letters; the first one after a problem. */
     <E extends Enum<E>> E word(String key, E unlessGiven) {
         Class<E> type = unlessGiven.getDeclaringClass();
-        String word = word(key, words(type), List.of(), word(unlessGiven));
+        String word = word(key, words(type), word(unlessGiven));
         return type.getEnumConstants()[Math.max(0, words(type).indexOf(word))];
     }
 
@@ -200,9 +199,15 @@ final class Fields {
         return points;
     }
 
-    DisplayRgb color(String key, DisplayRgb unlessGiven) {
+    Color color(String key, Color unlessGiven) {
         JsonValue v = get(key);
         return v == null ? unlessGiven : values.color(v, at(key));
+    }
+
+    /** A number for each band, or one for all. */
+    Rgb bands(String key, Rgb unlessGiven) {
+        JsonValue v = get(key);
+        return v == null ? unlessGiven : values.bands(v, at(key));
     }
 
     /** Reports a value of this part. */

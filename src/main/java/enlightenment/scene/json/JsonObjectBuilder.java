@@ -150,6 +150,19 @@ final class JsonObjectBuilder {
         return put(key, bands(c));
     }
 
+    /** One number where all bands have it, unless one of them is animated. */
+    JsonObjectBuilder bands(String key, Rgb v) {
+        boolean same = Double.compare(v.r(), v.g()) == 0 && Double.compare(v.g(), v.b()) == 0;
+        JsonObjectBuilder inside = child(key);
+        return same && !inside.animated("0") && !inside.animated("1") && !inside.animated("2")
+                ? number(key, v.r())
+                : linear(key, v);
+    }
+
+    JsonObjectBuilder bandsUnless(Rgb usual, String key, Rgb v) {
+        return v.equals(usual) && !animated(key) ? this : bands(key, v);
+    }
+
     private static JsonValue bands(Rgb c) {
         return JsonValue.Arr.of(List.of(number(c.r()), number(c.g()), number(c.b())));
     }

@@ -1,20 +1,65 @@
 package enlightenment.scene.json;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
+import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /** The lights. */
 final class Lights {
+    private static final String ULTRAVIOLET = "is not available yet: only fluorescent surfaces will see it";
+
     static final Family<Light> FAMILY = new Family<Light>(
-                    "light", "a light", null, List.of(), Vocabulary.PLANNED_LIGHT_KEYS, Lights::read, Lights::write)
-            .with("sphere", Light.Sphere.class, "center radius color |")
-            .with("rectangle", Light.Rectangle.class, "corners color |")
-            .with("point", Light.Point.class, "position color |");
+                    "light", "a light", null, Map.of(), Lights::read, Lights::write)
+            .with("sphere", Light.Sphere.class, "center radius color | radiance power", notOfSurfaces("sphere"))
+            .with(
+                    "rectangle",
+                    Light.Rectangle.class,
+                    "corners color | twoSided radiance power",
+                    notOfSurfaces("rectangle"))
+            .with(
+                    "point",
+                    Light.Point.class,
+                    "position color | intensity power",
+                    Map.of(
+                            "radiance",
+                            "belongs to lights with a surface; a point light has \"intensity\" or \"power\"",
+                            "ultraviolet",
+                            ULTRAVIOLET));
 
     private Lights() {}
+
+    private static Map<String, String> notOfSurfaces(String type) {
+        return Map.of(
+                "intensity",
+                "belongs to point lights; a " + type + " light has \"radiance\" or \"power\"",
+                "ultraviolet",
+                ULTRAVIOLET);
+    }
+
+    /** How much the light gives: in the quantity that is usual for it, or as power; not as both. */
+    private static Emission emission(Fields f, Emission unlessGiven) {
+        String usual = Fields.word(unlessGiven.quantity());
+        if (!f.has("power")) {
+            return f.has(usual) ? new Emission(unlessGiven.quantity(), f.bands(usual, Rgb.WHITE)) : unlessGiven;
+        }
+        if (f.has(usual)) {
+            f.problem("power", "stands beside \"" + usual + "\"; a light has one of the two");
+        }
+        return Emission.power(f.bands("power", Rgb.WHITE));
+    }
+
+    private static void write(Emission emission, Emission usual, JsonObjectBuilder p) {
+        String key = Fields.word(emission.quantity());
+        if (!emission.equals(usual) || p.animated(key)) {
+            p.bands(key, emission.value());
+        }
+    }
 
     private static Light read(String type, Fields f) {
         return switch (type) {
@@ -28,11 +73,15 @@ final class Lights {
     private static void write(Light value, JsonObjectBuilder p) {
         if (value instanceof Light.Sphere s) {
             p.point("center", s.center()).number("radius", s.radius()).color("color", s.color());
+            write(s.emission(), Emission.RADIANCE_1, p);
         } else if (value instanceof Light.Rectangle r) {
             p.points("corners", r.lowerLeft(), r.upperLeft(), r.upperRight(), r.lowerRight())
-                    .color("color", r.color());
+                    .color("color", r.color())
+                    .flagUnless(true, "twoSided", r.twoSided());
+            write(r.emission(), Emission.RADIANCE_1, p);
         } else if (value instanceof Light.Point q) {
             p.point("position", q.position()).color("color", q.color());
+            write(q.emission(), Emission.INTENSITY_1, p);
         } else {
             throw Family.unknown(value);
         }
@@ -55,23 +104,27 @@ final class Lights {
     private static Light sphere(Fields f) {
         ExactPoint center = f.point("center");
         double radius = f.number("radius");
-        DisplayRgb color = color(f);
-        return f.make(() -> new Light.Sphere(center, radius, color));
+        Color color = color(f);
+        Emission emission = emission(f, Emission.RADIANCE_1);
+        return f.make(() -> new Light.Sphere(center, radius, color, emission));
     }
 
     private static Light rectangle(Fields f) {
         List<ExactPoint> c = f.points("corners", 4, Shapes.CORNERS);
-        DisplayRgb color = color(f);
-        return f.make(() -> new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), color));
+        Color color = color(f);
+        boolean twoSided = f.flag("twoSided", true);
+        Emission emission = emission(f, Emission.RADIANCE_1);
+        return f.make(() -> new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), color, twoSided, emission));
     }
 
     private static Light point(Fields f) {
         ExactPoint position = f.point("position");
-        DisplayRgb color = color(f);
-        return f.make(() -> new Light.Point(position, color));
+        Color color = color(f);
+        Emission emission = emission(f, Emission.INTENSITY_1);
+        return f.make(() -> new Light.Point(position, color, emission));
     }
 
-    private static DisplayRgb color(Fields f) {
+    private static Color color(Fields f) {
         return f.color("color", DisplayRgb.WHITE);
     }
 }

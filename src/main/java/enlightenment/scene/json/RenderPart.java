@@ -30,8 +30,7 @@ final class RenderPart {
             return null;
         }
         RenderDefaults d = RenderDefaults.DEFAULT;
-        String method =
-                f.word("method", Method.words(methods), List.of(), d.method().word());
+        String method = f.word("method", Method.words(methods), d.method().word());
         int antialias = f.integer("antialias", 1, RenderDefaults.MAX_ANTIALIAS, d.antialias());
         ChosenSettings chosen = ChosenSettings.NONE;
         for (MethodSetting setting : Method.settings(methods)) {
@@ -64,7 +63,7 @@ final class RenderPart {
     private static Object value(Fields f, MethodSetting setting) {
         return setting instanceof MethodSetting.Whole w
                 ? (Object) f.integer(w.key(), w.min(), w.max(), w.usualValue())
-                : f.word(setting.key(), ((MethodSetting.Word) setting).words(), List.of(), null);
+                : f.word(setting.key(), ((MethodSetting.Word) setting).words(), null);
     }
 
     /** What was chosen, and all whole numbers of our own methods: a track of an animation may lead to them. */

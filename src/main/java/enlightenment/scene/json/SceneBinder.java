@@ -67,6 +67,7 @@ final class SceneBinder {
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
         Shading shading =
                 f.has("shading") ? Shadings.read(f.get("shading"), f.at("shading"), values) : ClassicShading.DEFAULT;
+        Display display = f.has("display") ? Displays.read(f.get("display"), f.at("display"), values) : Display.DEFAULT;
         stream.tellLibrary();
         List<Light> lights = f.has("lights") ? Lights.read(f.get("lights"), f.at("lights"), values) : List.of();
         List<SceneObject> objects = f.has("objects") ? stream.objects(f.get("objects"), f.at("objects")) : List.of();
@@ -78,7 +79,7 @@ final class SceneBinder {
                 height,
                 camera,
                 shading,
-                Display.DEFAULT,
+                display,
                 values.library().textures,
                 values.library().materials,
                 lights,

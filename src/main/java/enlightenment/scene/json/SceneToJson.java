@@ -34,6 +34,10 @@ final class SceneToJson {
                         .json());
         root.put("camera", json(Cameras.FAMILY, scene.camera(), root.child("camera")));
         root.put("shading", Shadings.write(scene.shading(), root.child("shading")));
+        JsonObjectBuilder display = Displays.write(scene.display(), root.child("display"));
+        if (!display.isEmpty()) {
+            root.put("display", display.json());
+        }
         putNamed(root, "textures", Textures.FAMILY, names.textures());
         putNamed(root, "materials", Materials.FAMILY, scene.materials());
         if (!scene.lights().isEmpty()) {

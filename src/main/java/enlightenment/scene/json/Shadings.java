@@ -18,9 +18,6 @@ final class Shadings {
             "shadow",
             "belongs to classic shading: in physical shading nothing of a hidden light arrives");
 
-    private static final String LIGHT = Values.COLOR
-            + ", [r, g, b] with components in 0..1, or { \"linear\": [r, g, b] } with components of at least 0";
-
     private Shadings() {}
 
     /** The names of all models. */
@@ -42,11 +39,11 @@ final class Shadings {
         if (f == null) {
             return null;
         }
-        f.word("model", models(), List.of(), Shading.Model.CLASSIC.word());
+        f.word("model", models(), Shading.Model.CLASSIC.word());
         ClassicShading d = ClassicShading.DEFAULT;
         double ambient = f.number("ambient", d.ambient());
         double shadow = f.number("shadow", d.shadow());
-        DisplayRgb background = f.color("background", d.background());
+        DisplayRgb background = f.color("background", d.background()).display();
         int maxBounces = f.integer("maxBounces", 0, ClassicShading.MAX_BOUNCES, d.maxBounces());
         return f.make(() -> new ClassicShading(ambient, shadow, background, maxBounces));
     }
@@ -59,31 +56,18 @@ final class Shadings {
         OptionalInt maxBounces = f.has("maxBounces")
                 ? OptionalInt.of(f.integer("maxBounces", 0, PhysicalShading.MAX_BOUNCES, 0))
                 : PhysicalShading.DEFAULT.maxBounces();
-        Rgb background = f.has("background")
-                ? light(f.get("background"), f.at("background"), values)
-                : PhysicalShading.DEFAULT.background();
+        Rgb background = background(f);
         return f.make(() -> new PhysicalShading(maxBounces, background));
     }
 
-    /** Linear light, or a colour of a screen that is decoded; null after a problem. */
-    private static Rgb light(JsonValue v, JsonPointer place, Values values) {
-        if (!(v instanceof JsonValue.Obj)) {
-            return Rgb.of(values.color(v, place, LIGHT));
+    private static Rgb background(Fields f) {
+        if (f.get("background") instanceof JsonValue.Obj o && o.get("texture") != null) {
+            f.problem(
+                    "background",
+                    "a texture as background is not available yet: light comes from it evenly, or not at all");
+            return Rgb.BLACK;
         }
-        Fields f = Fields.of(v, place, Vocabulary.LINEAR_COLOR, values);
-        JsonPointer at = place.child("linear");
-        JsonValue.Arr a = f.has("linear") ? values.array(f.get("linear"), at, 3, "three numbers [r, g, b]") : null;
-        if (a == null) {
-            return null;
-        }
-        double[] rgb = new double[3];
-        for (int i = 0; i < 3; i++) {
-            rgb[i] = values.number(a.get(i), at.child(i));
-            if (rgb[i] < 0) {
-                values.problems().add(a.get(i), at.child(i), "must be a number of at least 0, not " + rgb[i]);
-            }
-        }
-        return f.make(() -> new Rgb(rgb[0], rgb[1], rgb[2]));
+        return f.color("background", PhysicalShading.DEFAULT.background()).linear();
     }
 
     static JsonValue write(Shading shading, JsonObjectBuilder p) {

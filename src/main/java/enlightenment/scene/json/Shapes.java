@@ -20,13 +20,7 @@ final class Shapes {
 
     /** The keys {@code material} and {@code name} are the object's. */
     static final Family<Shape> FAMILY = new Family<Shape>(
-                    "object",
-                    "an object of the scene",
-                    null,
-                    Vocabulary.PLANNED_OBJECTS,
-                    List.of(),
-                    Shapes::read,
-                    Shapes::write)
+                    "object", "an object of the scene", null, Vocabulary.PLANNED_OBJECTS, Shapes::read, Shapes::write)
             .with("sphere", Sphere.class, "center radius material | rotation name")
             .with("rectangle", Rectangle.class, "corners material | name")
             .with("disk", Disk.class, "center normal radius material | name")

@@ -19,12 +19,13 @@ import java.util.Set;
 /** The named textures, and the colours that use them. */
 final class Textures {
     static final Family<Texture> FAMILY = new Family<Texture>(
-                    "texture", "a texture", "file", List.of(), List.of(), Textures::read, Textures::write)
+                    "texture", "a texture", "file", Map.of(), Textures::read, Textures::write)
             .with("file", Texture.File.class, "file | filter encoding")
             .with("checker", Texture.Checker.class, "colors scale |")
             .with("color", Texture.Solid.class, "color |");
 
-    private static final String COLOR = Values.COLOR + ", [r, g, b] with components in 0..1, or {\"texture\": NAME}";
+    private static final String COLOR =
+            Values.COLOR + ", [r, g, b] with components in 0..1, " + Values.LINEAR + ", or {\"texture\": NAME}";
 
     private Textures() {}
 
@@ -71,8 +72,8 @@ final class Textures {
 
     private static Texture color(JsonValue v, JsonPointer place, Values values) {
         int before = values.problems().count();
-        if (!(v instanceof JsonValue.Obj)) {
-            DisplayRgb c = values.color(v, place, COLOR);
+        if (!(v instanceof JsonValue.Obj o) || o.get("linear") != null) {
+            Color c = values.color(v, place, COLOR);
             return values.problems().count() > before ? null : Texture.of(c);
         }
         Fields f = Fields.of(v, place, Vocabulary.TEXTURE_REFERENCE, values);
@@ -89,7 +90,7 @@ final class Textures {
     }
 
     private static Texture solid(Fields f) {
-        DisplayRgb c = f.color("color", DisplayRgb.BLACK);
+        Color c = f.color("color", DisplayRgb.BLACK);
         return f.make(() -> Texture.of(c));
     }
 

@@ -1,6 +1,8 @@
 package enlightenment.scene.json;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.text.Plain;
@@ -8,6 +10,7 @@ import enlightenment.text.Suggestion;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.util.Collection;
+import java.util.Map;
 
 /**
  * Takes values of wanted kinds out of JSON. What is not of the kind becomes a problem that says what was found and what
@@ -16,6 +19,9 @@ import java.util.Collection;
 final class Values {
     /** How a colour may be written in a word. */
     static final String COLOR = "a colour: \"#rrggbb\", \"#rgb\", a CSS colour name such as \"teal\"";
+
+    /** How a colour may be written as light. */
+    static final String LINEAR = "{\"linear\": [r, g, b]} with components of at least 0";
 
     private final Problems problems;
     private final Library library;
@@ -110,8 +116,12 @@ final class Values {
         return null;
     }
 
-    /** One of some words; null after a problem. */
-    String word(JsonValue v, JsonPointer place, Collection<String> words, Collection<String> planned) {
+    /**
+     * One of some words; null after a problem.
+     *
+     * @param planned words that will be there, and what is missing for each, or ""
+     */
+    String word(JsonValue v, JsonPointer place, Collection<String> words, Map<String, String> planned) {
         if (!(v instanceof JsonValue.Str s)) {
             problems.add(v, place, "must be one of " + Suggestion.list(words) + ", not " + v.describe());
             return null;
@@ -120,8 +130,13 @@ final class Values {
         if (words.contains(text)) {
             return text;
         }
-        if (planned.contains(text)) {
-            problems.add(v, place, "\"" + text + "\" is not available yet; expected one of " + Suggestion.list(words));
+        String missing = planned.get(text);
+        if (missing != null) {
+            String reason = missing.isEmpty() ? "" : ": " + missing;
+            problems.add(
+                    v,
+                    place,
+                    "\"" + text + "\" is not available yet" + reason + "; expected one of " + Suggestion.list(words));
         } else {
             problems.add(v, place, "unknown: " + Plain.quoted(text) + Suggestion.of(text, words, "expected one of"));
         }
@@ -165,13 +180,18 @@ final class Values {
                 number(a.get(0), place.child(0)), number(a.get(1), place.child(1)), number(a.get(2), place.child(2)));
     }
 
-    /** A colour without texture: a word ({@link #named}) or {@code [r, g, b]}; black after a problem. */
-    DisplayRgb color(JsonValue v, JsonPointer place) {
-        return color(v, place, COLOR + ", or [r, g, b] with components in 0..1");
+    /**
+     * A colour without texture: a word ({@link #named}), {@code [r, g, b]} or {@code {"linear": [r, g, b]}}; black after a problem.
+     */
+    Color color(JsonValue v, JsonPointer place) {
+        return color(v, place, COLOR + ", [r, g, b] with components in 0..1, or " + LINEAR);
     }
 
     /** The same, where more than that is allowed and the message is to say so. */
-    DisplayRgb color(JsonValue v, JsonPointer place, String expected) {
+    Color color(JsonValue v, JsonPointer place, String expected) {
+        if (v instanceof JsonValue.Obj o && o.get("texture") == null) {
+            return linear(v, place);
+        }
         if (v instanceof JsonValue.Str s) {
             int rgb = named(s.text);
             if (rgb < 0) {
@@ -187,6 +207,37 @@ final class Values {
             return DisplayRgb.BLACK;
         }
         return new DisplayRgb(component(a, 0, place), component(a, 1, place), component(a, 2, place));
+    }
+
+    private Rgb linear(JsonValue v, JsonPointer place) {
+        Fields f = Fields.of(v, place, Vocabulary.LINEAR_COLOR, this);
+        return f.has("linear") ? three(f.get("linear"), f.at("linear"), "three numbers [r, g, b]") : Rgb.BLACK;
+    }
+
+    /** A number for each band, or one for all, at least 0; black after a problem. */
+    Rgb bands(JsonValue v, JsonPointer place) {
+        return v instanceof JsonValue.Num
+                ? Rgb.gray(notNegative(v, place))
+                : three(v, place, "a number, or [r, g, b] with components of at least 0");
+    }
+
+    private Rgb three(JsonValue v, JsonPointer place, String expected) {
+        JsonValue.Arr a = array(v, place, 3, expected);
+        if (a == null) {
+            return Rgb.BLACK;
+        }
+        return new Rgb(
+                notNegative(a.get(0), place.child(0)),
+                notNegative(a.get(1), place.child(1)),
+                notNegative(a.get(2), place.child(2)));
+    }
+
+    private double notNegative(JsonValue v, JsonPointer place) {
+        double d = number(v, place);
+        if (d < 0) {
+            problems.add(v, place, "must be a number of at least 0, not " + d);
+        }
+        return d >= 0 ? d : 0;
     }
 
     /** 0xrrggbb of {@code "#rrggbb"}, {@code "#rgb"} (each digit twice) or a colour's name; -1 for anything else. */

@@ -3,6 +3,7 @@ package enlightenment.scene.json;
 import enlightenment.scene.BuiltInMethod;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * The words of the scene format, but for the kinds of shapes, materials, textures, lights and cameras, which stand where
@@ -13,25 +14,25 @@ final class Vocabulary {
             "scene",
             "a scene",
             "image camera objects",
-            "$schema name shading textures materials lights render animation");
+            "$schema name shading display textures materials lights render animation");
     static final Keys IMAGE = Keys.of("image", "an image", "width height", "");
     static final Keys CLASSIC_SHADING =
             Keys.of("classicShading", "the shading", "", "model ambient shadow background maxBounces");
     static final Keys PHYSICAL_SHADING =
             Keys.of("physicalShading", "physical shading", "model", "background maxBounces");
+    static final Keys DISPLAY = Keys.of("display", "the display part", "", "exposure tone");
     static final Keys LINEAR_COLOR = Keys.of("linearColor", "a linear colour", "linear", "");
     static final Keys ANIMATION = Keys.of("animation", "an animation", "frames framesPerSecond tracks", "");
     static final Keys TRACK = Keys.of("track", "a track", "target keys", "");
     static final Keys TEXTURE_REFERENCE = Keys.of("textureReference", "a reference to a texture", "texture", "");
 
-    /** Types of objects that the format will have. */
-    static final List<String> PLANNED_OBJECTS = List.of("mesh");
+    /** Types of objects that the format will have, and what is missing. */
+    static final Map<String, String> PLANNED_OBJECTS = Map.of("mesh", "");
 
-    /** Types of materials that the format will have. */
-    static final List<String> PLANNED_MATERIALS = List.of("glossy", "scattering", "fluorescent");
-
-    /** Keys of lights that only physical shading will look at. */
-    static final List<String> PLANNED_LIGHT_KEYS = List.of("radiance", "power", "intensity");
+    /** Types of materials that the format will have, and what is missing. */
+    static final Map<String, String> PLANNED_MATERIALS = Map.of(
+            "scattering", "no method follows light that is scattered inside of a solid",
+            "fluorescent", "no method takes light from one wavelength to another");
 
     private Vocabulary() {}
 
@@ -48,6 +49,7 @@ final class Vocabulary {
                 IMAGE,
                 CLASSIC_SHADING,
                 PHYSICAL_SHADING,
+                DISPLAY,
                 LINEAR_COLOR,
                 render,
                 ANIMATION,

@@ -25,6 +25,7 @@ final class Documents {
               "camera": { "type": "window", "eye": [0, 1, -3], "lowerLeft": [-3, 0, 0], "upperLeft": [-3, 3, 0],
                 "upperRight": [3, 3, 0], "lowerRight": [3, 0, 0], "pupilRadius": 0.5 },
               "shading": { "model": "classic", "ambient": 0.25, "shadow": 0.75, "background": "#102030", "maxBounces": 7 },
+              "display": { "exposure": -0.5, "tone": "filmic" },
               "textures": {
                 "ice": { "type": "file", "file": "ice.png", "filter": "nearest", "encoding": "linear" },
                 "checks": { "type": "checker", "colors": ["#ffffff", [0, 0.5, 1]], "scale": 8 },
@@ -32,14 +33,17 @@ final class Documents {
               },
               "materials": {
                 "ice": { "type": "matte", "color": { "texture": "ice" }, "receivesShadows": false },
-                "chrome": { "type": "mirror", "color": [0.1, 0.2, 0.3], "receivesShadows": true },
+                "chrome": { "type": "mirror", "color": [0.1, 0.2, 0.3], "radiance": 0.5, "receivesShadows": true },
                 "glass": { "type": "glass", "color": "#fefefe", "indexOfRefraction": 1.5, "transparency": 0.875,
-                  "priority": -2, "receivesShadows": true }
+                  "priority": -2, "roughness": 0.25, "absorption": [0.5, 0, 2], "multipleScattering": false, "receivesShadows": true },
+                "ember": { "type": "matte", "color": { "linear": [0.25, 0.5, 1] }, "roughness": 0.625, "radiance": [4, 2, 0] },
+                "copper": { "type": "glossy", "color": "#ffeeff", "roughness": 0.375, "eta": [0.2, 0.92, 1.1], "k": [3.91, 2.45, 2.14],
+                  "multipleScattering": false, "radiance": 1.5 }
               },
               "lights": [
-                { "type": "sphere", "center": [0, 1, 1], "radius": 0.15, "color": "#ffffff" },
-                { "type": "rectangle", "corners": [[0, 9, 0], [0, 9, 1], [1, 9, 1], [1, 9, 0]], "color": "#ffffee" },
-                { "type": "point", "position": [0, 5, 5], "color": [1, 1, 1] }
+                { "type": "sphere", "center": [0, 1, 1], "radius": 0.15, "color": "#ffffff", "radiance": [200, 150, 100] },
+                { "type": "rectangle", "corners": [[0, 9, 0], [0, 9, 1], [1, 9, 1], [1, 9, 0]], "color": "#ffffee", "twoSided": false, "power": 40 },
+                { "type": "point", "position": [0, 5, 5], "color": [1, 1, 1], "intensity": 3 }
               ],
               "objects": [
                 { "name": "ball", "type": "sphere", "center": [-2, 1.10, 4], "radius": 1.5, "rotation": 200, "material": "ice" },

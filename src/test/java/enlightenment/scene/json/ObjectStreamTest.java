@@ -41,7 +41,17 @@ class ObjectStreamTest {
     Path folder;
 
     private static final List<String> KEYS = List.of(
-            "name", "image", "camera", "shading", "textures", "materials", "lights", "objects", "render", "animation");
+            "name",
+            "image",
+            "camera",
+            "shading",
+            "display",
+            "textures",
+            "materials",
+            "lights",
+            "objects",
+            "render",
+            "animation");
 
     /** The document with its parts in another order. */
     private static String inOrder(List<String> keys, String document) {

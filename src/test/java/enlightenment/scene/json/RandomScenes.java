@@ -1,8 +1,10 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.color.Tone;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -13,6 +15,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
+import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -53,6 +56,7 @@ final class RandomScenes {
     private final Path imageFolder;
     private final Map<String, Texture> textures = new LinkedHashMap<>();
     private final Map<String, Material> materials = new LinkedHashMap<>();
+    private boolean isPhysical;
 
     RandomScenes(long seed, Path imageFolder) {
         this.random = new Random(seed);
@@ -62,6 +66,8 @@ final class RandomScenes {
     Scene next() {
         textures.clear();
         materials.clear();
+        Shading shading = shading();
+        isPhysical = shading instanceof PhysicalShading;
         for (int i = random.nextInt(NAMES.length); i > 0; i--) {
             textures.put(NAMES[i], texture());
         }
@@ -76,14 +82,15 @@ final class RandomScenes {
         for (int i = random.nextInt(20); i > 0; i--) {
             objects.add(object(random.nextBoolean() ? "" : "object " + i));
         }
-        Shading shading = shading();
         return new Scene(
                 NAMES[random.nextInt(NAMES.length)],
                 1 + random.nextInt(Scene.MAX_SIDE),
                 1 + random.nextInt(Scene.MAX_SIDE),
                 retry(this::camera),
                 shading,
-                Display.DEFAULT,
+                random.nextBoolean()
+                        ? Display.DEFAULT
+                        : new Display(2000 * random.nextDouble() - 1000, Tone.values()[random.nextInt(2)]),
                 textures,
                 materials,
                 lights,
@@ -96,7 +103,7 @@ final class RandomScenes {
                                 ChosenSettings.of(new RayTraceSettings(1 + random.nextInt(1_000_000)))
                                         .with(new ClusterSettings(random.nextBoolean() ? "zeta" : "normal")),
                                 random.nextLong()),
-                random.nextBoolean() ? Optional.empty() : Optional.of(animation(shading, objects)));
+                random.nextBoolean() ? Optional.empty() : Optional.of(animation(shading, lights, objects)));
     }
 
     private Shading shading() {
@@ -122,12 +129,18 @@ final class RandomScenes {
         }
     }
 
-    private Animation animation(Shading shading, List<SceneObject> objects) {
+    private Animation animation(Shading shading, List<Light> lights, List<SceneObject> objects) {
         List<Animation.Track> tracks = new ArrayList<>();
         tracks.add(new Animation.Track(
                 "/shading/background/" + (shading instanceof PhysicalShading ? "linear/" : "") + random.nextInt(3),
                 keys()));
         tracks.add(new Animation.Track("/render/seed", keys()));
+        if (random.nextBoolean()) {
+            tracks.add(new Animation.Track("/display/exposure", keys()));
+        }
+        for (int i = 0; i < lights.size(); i++) {
+            tracks.add(track("/lights/" + i + "/", lights.get(i).emission()));
+        }
         for (int i = 0; i < objects.size(); i++) {
             SceneObject o = objects.get(i);
             if (o.shape() instanceof Sphere) {
@@ -136,10 +149,19 @@ final class RandomScenes {
             } else if (o.shape() instanceof Cube) {
                 tracks.add(new Animation.Track("/objects/" + i + "/rotation/1", keys()));
             } else if (o.material().color() instanceof Texture.Solid) {
-                tracks.add(new Animation.Track("/objects/" + i + "/material/color/2", keys()));
+                boolean linear = ((Texture.Solid) o.material().color()).color() instanceof Rgb;
+                tracks.add(new Animation.Track(
+                        "/objects/" + i + "/material/color/" + (linear ? "linear/2" : "2"), keys()));
             }
         }
         return new Animation(1 + random.nextInt(1000), positive(), tracks);
+    }
+
+    private Animation.Track track(String light, Emission emission) {
+        Rgb v = emission.value();
+        boolean one = v.equals(Rgb.gray(v.r())) && random.nextBoolean();
+        return new Animation.Track(
+                light + Fields.word(emission.quantity()) + (one ? "" : "/" + random.nextInt(3)), keys());
     }
 
     private TreeMap<Integer, BigDecimal> keys() {
@@ -173,11 +195,18 @@ final class RandomScenes {
         Vec3 v = vector();
         switch (random.nextInt(3)) {
             case 0:
-                return new Light.Sphere(o, positive(), color());
+                return new Light.Sphere(o, positive(), lightColor(), emission(Emission.RADIANCE_1));
             case 1:
-                return new Light.Rectangle(o, o.plus(u), o.plus(u).plus(v), o.plus(v), color());
+                return new Light.Rectangle(
+                        o,
+                        o.plus(u),
+                        o.plus(u).plus(v),
+                        o.plus(v),
+                        lightColor(),
+                        random.nextBoolean(),
+                        emission(Emission.RADIANCE_1));
             default:
-                return new Light.Point(o, color());
+                return new Light.Point(o, lightColor(), emission(Emission.INTENSITY_1));
         }
     }
 
@@ -226,19 +255,34 @@ final class RandomScenes {
 
     private Material newMaterial() {
         List<Texture> named = new ArrayList<>(textures.values());
-        Texture color =
-                named.isEmpty() || random.nextBoolean() ? Texture.of(color()) : named.get(random.nextInt(named.size()));
-        switch (random.nextInt(3)) {
+        Texture color = named.isEmpty() || random.nextBoolean()
+                ? Texture.of(surfaceColor())
+                : named.get(random.nextInt(named.size()));
+        boolean shadows = isPhysical || random.nextBoolean();
+        switch (random.nextInt(isPhysical ? 4 : 3)) {
             case 0:
-                return new Material.Matte(color, random.nextBoolean());
+                return new Material.Matte(color, shadows, random.nextBoolean() ? 0 : unit(), radiance());
             case 1:
-                return new Material.Mirror(color, random.nextBoolean());
+                return new Material.Mirror(color, shadows, radiance());
+            case 3:
+                return new Material.Glossy(
+                        color,
+                        unit(),
+                        random.nextBoolean()
+                                ? Optional.empty()
+                                : Optional.of(new Material.Conductor(
+                                        new Rgb(positive(), positive(), positive()), radiance())),
+                        random.nextBoolean(),
+                        radiance());
             default:
                 return new Material.Glass(
                         color,
                         positive(),
                         random.nextBoolean() ? 1 : unit(),
                         random.nextBoolean() ? 0 : random.nextInt(),
+                        shadows,
+                        random.nextBoolean() ? 0 : unit(),
+                        radiance(),
                         random.nextBoolean());
         }
     }
@@ -251,9 +295,34 @@ final class RandomScenes {
                         Texture.Filter.values()[random.nextInt(2)],
                         Texture.Encoding.values()[random.nextInt(2)]);
             case 1:
-                return new Texture.Checker(List.of(color(), color()), positive());
+                return new Texture.Checker(List.of(surfaceColor(), color()), positive());
             default:
-                return Texture.of(color());
+                return Texture.of(surfaceColor());
+        }
+    }
+
+    private Color surfaceColor() {
+        return random.nextInt(3) == 0 ? new Rgb(unit(), unit(), unit()) : color();
+    }
+
+    private Color lightColor() {
+        return random.nextInt(3) == 0 ? new Rgb(1e9 * unit(), 0, unit()) : color();
+    }
+
+    private Emission emission(Emission usual) {
+        return random.nextInt(3) == 0
+                ? usual
+                : new Emission(random.nextBoolean() ? usual.quantity() : Emission.Quantity.POWER, radiance());
+    }
+
+    private Rgb radiance() {
+        switch (random.nextInt(3)) {
+            case 0:
+                return Rgb.BLACK;
+            case 1:
+                return Rgb.gray(positive());
+            default:
+                return new Rgb(Math.abs(number()), 0, Math.abs(number()));
         }
     }
 

@@ -3,6 +3,7 @@ package enlightenment.scene.json;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Tone;
 import enlightenment.material.Texture;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
@@ -111,7 +112,7 @@ class SceneFormatDocumentTest {
                 new Section(Shapes.FAMILY, "### Objects", true),
                 new Section(Materials.FAMILY, "### Materials", true),
                 new Section(Textures.FAMILY, "### Textures", true),
-                new Section(Lights.FAMILY, "### Lights", false));
+                new Section(Lights.FAMILY, "### Lights", true));
     }
 
     @Test
@@ -140,6 +141,7 @@ class SceneFormatDocumentTest {
         return List.of(
                 new Part("#### Classic", List.of(Vocabulary.CLASSIC_SHADING)),
                 new Part("#### Physical", List.of(Vocabulary.PHYSICAL_SHADING)),
+                new Part("### Display", List.of(Vocabulary.DISPLAY)),
                 new Part("### Render", List.of(RenderPart.keys(BuiltInMethod.ALL))),
                 new Part("### Animation", List.of(Vocabulary.ANIMATION, Vocabulary.TRACK)));
     }
@@ -186,7 +188,7 @@ class SceneFormatDocumentTest {
         } else if (!row.ifMissing().isEmpty()) {
             assertEquals("none", row.ifMissing(), where);
         }
-        Matcher range = Pattern.compile("(\\d+)\\.\\.(\\d+)").matcher(row.text());
+        Matcher range = Pattern.compile("(-?\\d+)\\.\\.(\\d+)").matcher(row.text());
         if (range.find()) {
             assertEquals(schema.get("minimum").decimalValue().toString(), range.group(1), where);
             assertEquals(schema.get("maximum").decimalValue().toString(), range.group(2), where);
@@ -203,19 +205,24 @@ class SceneFormatDocumentTest {
         assertEquals(3, Documents.read(example, Path.of("")).objects().size());
     }
 
+    private static Stream<String> refused(Family<?> family) {
+        return Stream.concat(
+                family.plannedTypes().keySet().stream(),
+                family.types().stream().flatMap(t -> family.refusedKeys(t).keySet().stream()));
+    }
+
     @Test
     void everyWordIsExplained() {
         Stream.of(
                         Method.words(BuiltInMethod.ALL),
                         Shadings.models(),
                         Fields.words(Texture.Filter.class),
+                        Fields.words(Tone.class),
                         Fields.words(Texture.Encoding.class))
                 .flatMap(List::stream)
                 .forEach(w -> assertTrue(document.contains("`\"" + w + "\"`"), w));
         Stream.concat(
-                        Vocabulary.families().stream()
-                                .flatMap(f -> Stream.of(f.plannedTypes(), f.plannedKeys()))
-                                .flatMap(w -> w.stream()),
+                        Vocabulary.families().stream().flatMap(SceneFormatDocumentTest::refused),
                         Stream.concat(
                                 Vocabulary.LINEAR_COLOR.all().stream(), Vocabulary.TEXTURE_REFERENCE.all().stream()))
                 .forEach(w -> assertTrue(document.contains("`" + w + "`") || document.contains("\"" + w + "\": "), w));

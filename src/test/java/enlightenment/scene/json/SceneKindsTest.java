@@ -151,8 +151,7 @@ class SceneKindsTest {
                         "thing",
                         "a thing",
                         null,
-                        List.of(),
-                        List.of(),
+                        Map.of(),
                         (type, f) -> f.text("text", "a text"),
                         (s, p) -> p.text("text", (String) s))
                 .with("word", String.class, "text |");

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.sun.management.ThreadMXBean;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
+import enlightenment.color.Tone;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -16,6 +18,7 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
+import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -24,6 +27,7 @@ import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Display;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderDefaults;
@@ -64,18 +68,35 @@ class SceneReaderTest {
         Texture checks = new Texture.Checker(List.of(DisplayRgb.WHITE, DisplayRgb.of(0, 0.5, 1)), 8);
         assertEquals(Map.of("ice", ice, "checks", checks, "plain", plain(0, 0, 255)), s.textures());
         Material matte = new Material.Matte(ice, false);
-        Material chrome = Material.Mirror.of(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)));
-        Material glass = new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true);
-        assertEquals(Map.of("ice", matte, "chrome", chrome, "glass", glass), s.materials());
+        Material chrome = new Material.Mirror(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)), true, Rgb.gray(0.5));
+        Material glass =
+                new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true, 0.25, new Rgb(0.5, 0, 2), false);
+        Material ember = new Material.Matte(Texture.of(new Rgb(0.25, 0.5, 1)), true, 0.625, new Rgb(4, 2, 0));
+        Material copper = new Material.Glossy(
+                plain(255, 238, 255),
+                0.375,
+                Optional.of(new Material.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14))),
+                false,
+                Rgb.gray(1.5));
+        assertEquals(
+                Map.of("ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper),
+                s.materials());
+        assertEquals(new Display(-0.5, Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
         assertEquals(new ClassicShading(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());
         assertEquals(new RenderDefaults(Method.CLUSTER, 3, ChosenSettings.of(new RayTraceSettings(7)), 99), s.render());
         assertEquals(
                 List.of(
-                        new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE),
+                        new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE, Emission.radiance(new Rgb(200, 150, 100))),
                         new Light.Rectangle(
-                                p(0, 9, 0), p(0, 9, 1), p(1, 9, 1), p(1, 9, 0), DisplayRgb.ofBytes(255, 255, 238)),
-                        new Light.Point(p(0, 5, 5), DisplayRgb.WHITE)),
+                                p(0, 9, 0),
+                                p(0, 9, 1),
+                                p(1, 9, 1),
+                                p(1, 9, 0),
+                                DisplayRgb.ofBytes(255, 255, 238),
+                                false,
+                                Emission.power(Rgb.gray(40))),
+                        new Light.Point(p(0, 5, 5), DisplayRgb.WHITE, Emission.intensity(Rgb.gray(3)))),
                 s.lights());
         Material tiles = Material.Matte.of(checks);
         Material ink = Material.Matte.of(plain(1, 2, 3));
@@ -118,6 +139,7 @@ class SceneReaderTest {
                 folder);
         assertEquals("", s.name());
         assertEquals(ClassicShading.DEFAULT, s.shading());
+        assertEquals(Display.DEFAULT, s.display());
         assertEquals(RenderDefaults.DEFAULT, s.render());
         assertEquals(List.of(), s.lights());
         assertEquals(Optional.empty(), s.animation());

@@ -1,0 +1,64 @@
+package enlightenment.bsdf;
+
+/**
+ * Fresnel's equations at a smooth border of two dielectrics, in forms that do not cancel: with c and c' the cosines of arrival and
+ * refraction, (ηc)² − c'² = η² − 1 exactly, so r_s = (η² − 1)/(ηc + c')²; and r_p = −r_s·cos(θ + θ')/cos(θ − θ'). They are 0 where η is 1 and
+ * keep their digits next to it.
+ */
+final class DielectricFresnel {
+    private DielectricFresnel() {}
+
+    /**
+     * The share of unpolarised light that is reflected, 0..1.
+     *
+     * @param c the cosine of arrival, 0..1
+     * @param eta the index on the side of arrival over that of the other side
+     */
+    static double reflectance(double c, double eta) {
+        double s = perpendicular(c, eta);
+        return s < 1 ? 0.5 * (s + s * parallelRatio(c, eta)) : 1;
+    }
+
+    /**
+     * The share of unpolarised light that a pane between two parallel faces reflects, with all that goes to and fro inside: each
+     * polarisation for itself, 2R/(1 + R), because parallel faces do not mix them.
+     */
+    static double paneReflectance(double c, double eta) {
+        double s = perpendicular(c, eta);
+        if (!(s < 1)) {
+            return 1;
+        }
+        double p = s * parallelRatio(c, eta);
+        return s / (1 + s) + p / (1 + p);
+    }
+
+    /** The squared cosine of refraction; negative for total internal reflection. */
+    static double refracted2(double c, double eta) {
+        double etaCos = eta * c;
+        return Math.fma(etaCos, etaCos, (1 - eta) * (1 + eta));
+    }
+
+    /** The reflectance of light that is polarised perpendicularly to the plane of incidence, at most 1. */
+    private static double perpendicular(double c, double eta) {
+        double through2 = refracted2(c, eta);
+        if (!(through2 >= 0)) {
+            return 1;
+        }
+        double sum = Math.fma(eta, c, Math.sqrt(through2));
+        if (!(sum > 0)) {
+            // Along the surface; there is no border if the indices are equal.
+            return eta == 1 ? 0 : 1;
+        }
+        double r = (eta - 1) * (eta + 1) / (sum * sum);
+        return Math.min(r * r, 1);
+    }
+
+    /** What the reflectance of parallel polarisation is over that of perpendicular one, where light is refracted. */
+    private static double parallelRatio(double c, double eta) {
+        double cosines = c * Math.sqrt(refracted2(c, eta));
+        double sines = eta * Math.max((1 - c) * (1 + c), 0);
+        double sum = cosines + sines;
+        double ratio = sum > 0 ? (cosines - sines) / sum : 1;
+        return ratio * ratio;
+    }
+}

@@ -1,0 +1,112 @@
+package enlightenment.bsdf;
+
+import enlightenment.color.Rgb;
+
+/**
+ * What share of light an opaque glossy surface or one of its microfacets reflects, for each colour component, 0..1: by Schlick's formula
+ * from the surface's colour, or by Fresnel's equations of a metal times that colour.
+ */
+public final class Fresnel {
+    /**
+     * The surface's colour F₀ at normal incidence, white at grazing incidence: F₀ + (1 − F₀)(1 − c)⁵ (C. Schlick, "An inexpensive BRDF
+     * model for physically-based rendering", 1994).
+     */
+    public static final Fresnel SCHLICK = new Fresnel(null, null);
+
+    /** Gauss and Legendre's points on 0..1 for the mean over directions. */
+    private static final int POINTS = 16;
+
+    private final Rgb eta;
+    private final Rgb k;
+    private final double meanR;
+    private final double meanG;
+    private final double meanB;
+
+    private Fresnel(Rgb eta, Rgb k) {
+        this.eta = eta;
+        this.k = k;
+        meanR = eta == null ? 0 : mean(eta.r(), k.r());
+        meanG = eta == null ? 0 : mean(eta.g(), k.g());
+        meanB = eta == null ? 0 : mean(eta.b(), k.b());
+    }
+
+    /**
+     * Light from empty space on a metal of the complex index of refraction η + ik.
+     *
+     * @param eta its real part, positive
+     * @param k its imaginary part, not negative
+     */
+    public static Fresnel conductor(Rgb eta, Rgb k) {
+        if (!(Math.min(Math.min(eta.r(), eta.g()), eta.b()) > 0)) {
+            throw new IllegalArgumentException("refractive index " + eta);
+        }
+        if (!(Math.min(Math.min(k.r(), k.g()), k.b()) >= 0)) {
+            throw new IllegalArgumentException("extinction " + k);
+        }
+        return new Fresnel(eta, k);
+    }
+
+    /** Sets the value to the reflectance at the cosine c, 0..1, of arrival. */
+    void at(double c, Scattering s) {
+        if (eta == null) {
+            double m = Math.max(1 - c, 0);
+            double m2 = m * m;
+            double w = m2 * m2 * m;
+            s.value(Math.fma(1 - s.red, w, s.red), Math.fma(1 - s.green, w, s.green), Math.fma(1 - s.blue, w, s.blue));
+        } else {
+            s.value(
+                    s.red * conductor(c, eta.r(), k.r()),
+                    s.green * conductor(c, eta.g(), k.g()),
+                    s.blue * conductor(c, eta.b(), k.b()));
+        }
+    }
+
+    /** The mean 2∫F c dc over directions by their cosine, of the red component. */
+    double meanR(Scattering s) {
+        return eta == null ? schlickMean(s.red) : s.red * meanR;
+    }
+
+    /** The same, green. */
+    double meanG(Scattering s) {
+        return eta == null ? schlickMean(s.green) : s.green * meanG;
+    }
+
+    /** The same, blue. */
+    double meanB(Scattering s) {
+        return eta == null ? schlickMean(s.blue) : s.blue * meanB;
+    }
+
+    /** 2∫(1 − c)⁵ c dc is 1/21. */
+    private static double schlickMean(double color) {
+        return color + (1 - color) / 21;
+    }
+
+    /** The reflectance of a metal for unpolarised light at the cosine c of arrival. */
+    static double conductor(double c, double eta, double k) {
+        double c2 = c * c;
+        double s2 = Math.max((1 - c) * (1 + c), 0);
+        double twice = 2 * eta * k;
+        // a + ib is the root of (η + ik)² − sin²θ; of a² and b² the greater comes from a sum, the other one from their
+        // product.
+        double t = (eta - k) * (eta + k) - s2;
+        double sum = Math.sqrt(Math.fma(t, t, twice * twice));
+        double a2 = t >= 0 ? 0.5 * (sum + t) : 0.5 * twice * twice / (sum - t);
+        double ac = 2 * Math.sqrt(a2) * c;
+        double perpendicular = share(sum + c2, ac);
+        double parallel = perpendicular * share(Math.fma(c2, sum, s2 * s2), ac * s2);
+        return 0.5 * (perpendicular + parallel);
+    }
+
+    private static double share(double sum, double difference) {
+        return sum > 0 ? Math.max(sum - difference, 0) / (sum + difference) : 1;
+    }
+
+    private static double mean(double eta, double k) {
+        double total = 0;
+        for (int i = 0; i < POINTS; i++) {
+            double x = GaussLegendre.node(POINTS, i);
+            total += GaussLegendre.weight(POINTS, i) * 2 * x * conductor(x, eta, k);
+        }
+        return Math.min(total, 1);
+    }
+}

@@ -1,0 +1,44 @@
+package enlightenment.bsdf;
+
+/** Gauss and Legendre's quadrature on 0..1. Not for hot code: every call works its number out. */
+final class GaussLegendre {
+    /** Newton's method doubles the digits of a first guess that has two. */
+    private static final int STEPS = 8;
+
+    private GaussLegendre() {}
+
+    /** The i-th of n points. */
+    static double node(int n, int i) {
+        return 0.5 - 0.5 * root(n, i);
+    }
+
+    /** Its weight; all of them add up to 1. */
+    static double weight(int n, int i) {
+        double x = root(n, i);
+        double slope = slope(n, x);
+        return 1 / ((1 - x) * (1 + x) * slope * slope);
+    }
+
+    private static double root(int n, int i) {
+        double x = StrictMath.cos(Math.PI * (4 * i + 3) / (4 * n + 2));
+        for (int step = 0; step < STEPS; step++) {
+            x -= legendre(n, x) / slope(n, x);
+        }
+        return x;
+    }
+
+    private static double legendre(int n, double x) {
+        double before = 0;
+        double value = 1;
+        for (int k = 1; k <= n; k++) {
+            double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+            before = value;
+            value = next;
+        }
+        return value;
+    }
+
+    private static double slope(int n, double x) {
+        return n * (x * legendre(n, x) - legendre(n - 1, x)) / (x * x - 1);
+    }
+}

@@ -1,0 +1,133 @@
+package enlightenment.bsdf;
+
+/**
+ * Rough metal and other opaque glossy surfaces: {@link Microfacets} that reflect, f = F·D·G2/(4 μo μi), sampled by the normals that are
+ * visible from o. If asked, what single reflection loses among the microfacets comes back as a second, broad lobe (C. Kulla and
+ * A. Conty, "Revisiting physically based shading at Imageworks", 2017), which is reciprocal: a white surface then reflects all light.
+ */
+public final class GlossyReflection implements Bsdf {
+    /** Of samples at least so many are of visible normals. */
+    private static final double LEAST_SHARE = 0.1;
+
+    private final Microfacets facets;
+    private final Fresnel fresnel;
+    private final AlbedoTable table;
+
+    /**
+     * A rough surface.
+     *
+     * @param alpha its roughness α of GGX, at most 1 and not {@linkplain Microfacets#isSmooth smooth}
+     * @param fresnel what share of light a microfacet reflects
+     * @param compensate whether light that is reflected more than once is added: makes a table, in some milliseconds
+     */
+    public GlossyReflection(double alpha, Fresnel fresnel, boolean compensate) {
+        facets = new Microfacets(alpha);
+        this.fresnel = fresnel;
+        table = compensate ? new AlbedoTable(facets) : null;
+    }
+
+    @Override
+    public boolean isDelta() {
+        return false;
+    }
+
+    @Override
+    public boolean transmits() {
+        return false;
+    }
+
+    @Override
+    public void evaluate(Scattering s) {
+        double in = s.cosineIn();
+        if (!(in > 0)) {
+            s.nothing();
+            return;
+        }
+        double out = s.cosineOutClamped();
+        double single = single(s, in, out);
+        if (table == null) {
+            s.pdf = visible(s, out);
+            fresnel.at(s.cosineFacet, s);
+            s.value(s.valueR * single, s.valueG * single, s.valueB * single);
+        } else {
+            evaluateBoth(s, in, out, single);
+        }
+    }
+
+    /** Sets D, and gives the value of a white surface's single reflection. */
+    private double single(Scattering s, double in, double out) {
+        facets.at(s, s.ox + s.ix, s.oy + s.iy, s.oz + s.iz);
+        return 0.5 * s.facets * facets.masking(in, out);
+    }
+
+    private double visible(Scattering s, double out) {
+        return 0.5 * s.facets * facets.visible(out);
+    }
+
+    private void evaluateBoth(Scattering s, double in, double out, double single) {
+        double lost = table.loss(out);
+        double r = fresnel.meanR(s);
+        double g = fresnel.meanG(s);
+        double b = fresnel.meanB(s);
+        double moreR = multiple(r);
+        double moreG = multiple(g);
+        double moreB = multiple(b);
+        s.pdf = mixed(share(r + g + b, moreR + moreG + moreB, lost), visible(s, out), in);
+        double more = lost * table.loss(in) * in / (Math.PI * table.meanLoss);
+        fresnel.at(s.cosineFacet, s);
+        s.value(
+                Math.fma(s.valueR, single, moreR * more),
+                Math.fma(s.valueG, single, moreG * more),
+                Math.fma(s.valueB, single, moreB * more));
+    }
+
+    /** The share of the lost light that comes back: each further reflection takes F̄, and 1 − Ē of the rest goes on. */
+    private double multiple(double mean) {
+        return mean * mean * (1 - table.meanLoss) / (1 - mean * table.meanLoss);
+    }
+
+    /** The share of samples of visible normals, by what both lobes reflect of light from o. */
+    private static double share(double first, double more, double lost) {
+        double single = first * (1 - lost);
+        double both = Math.fma(more, lost, single);
+        return both > 0 ? Math.max(single / both, LEAST_SHARE) : 1;
+    }
+
+    private static double mixed(double share, double visible, double in) {
+        return Math.fma(share, visible, (1 - share) * in / Math.PI);
+    }
+
+    @Override
+    public double pdf(Scattering s) {
+        double in = s.cosineIn();
+        if (!(in > 0)) {
+            return 0;
+        }
+        double out = s.cosineOutClamped();
+        facets.at(s, s.ox + s.ix, s.oy + s.iy, s.oz + s.iz);
+        double visible = visible(s, out);
+        return table == null ? visible : mixed(share(s, out), visible, in);
+    }
+
+    private double share(Scattering s, double out) {
+        double r = fresnel.meanR(s);
+        double g = fresnel.meanG(s);
+        double b = fresnel.meanB(s);
+        return share(r + g + b, multiple(r) + multiple(g) + multiple(b), table.loss(out));
+    }
+
+    @Override
+    public boolean sample(Scattering s, double u, double v, double choice) {
+        s.transmitted = false;
+        double out = s.cosineOutClamped();
+        if (table != null && choice >= share(s, out)) {
+            s.sampleCosine(u, v);
+        } else if (facets.sampleVisible(s, u, v)) {
+            s.reflectFrom(s.ix, s.iy, s.iz);
+        } else {
+            return false;
+        }
+        evaluate(s);
+        return s.weigh();
+    }
+}

@@ -1,0 +1,109 @@
+package enlightenment.bsdf;
+
+/**
+ * Rough surfaces as mirrors or borders of glass so small that only the distribution of their normals matters: that of Trowbridge and Reitz
+ * (GGX), isotropic, with Smith's masking and shadowing (B. Walter et al., "Microfacet models for refraction through rough surfaces", 2007;
+ * E. Heitz, "Understanding the masking-shadowing function", 2014). All forms are free of cancellation and of divisions by small cosines,
+ * down to the least roughness and to directions along the surface.
+ */
+public final class Microfacets {
+    /** The least roughness that has an extent: below it a lobe is as narrow as what doubles can tell of directions. */
+    private static final double LEAST = 1e-4;
+
+    final double alpha;
+    private final double alpha2;
+    private final double rest;
+
+    Microfacets(double alpha) {
+        if (!(alpha >= LEAST && alpha <= 1)) {
+            throw new IllegalArgumentException("roughness " + alpha);
+        }
+        this.alpha = alpha;
+        alpha2 = alpha * alpha;
+        rest = (1 - alpha) * (1 + alpha);
+    }
+
+    /** Whether a surface of the roughness α is so smooth that it takes a Bsdf of delta lobes. */
+    public static boolean isSmooth(double alpha) {
+        return !(alpha >= LEAST);
+    }
+
+    /** sqrt(α² + (1 − α²)μ²), which is (1 + 2Λ)μ: of Smith's Λ without a division by μ. */
+    double reach(double cosine) {
+        return Math.sqrt(Math.fma(rest * cosine, cosine, alpha2));
+    }
+
+    /**
+     * G2/(μo μi), height-correlated, times μi/2: with it a value is F·D·(this)/2, and it is finite for all μi &gt; 0.
+     *
+     * @param in |μi|, positive
+     * @param out |μo|, not negative
+     */
+    double masking(double in, double out) {
+        return 1 / Math.fma(out / in, reach(in), reach(out));
+    }
+
+    /** G1(o)/(2μo): the density of o's visible normals is D·(o·m)·2(this). */
+    double visible(double out) {
+        return 1 / (out + reach(out));
+    }
+
+    /** The share of G1(o) that shadowing leaves: G2/G1, the weight of a visible normal. */
+    double shadowing(double in, double out) {
+        return (out + reach(out)) * masking(in, out);
+    }
+
+    /** 1 − {@link #shadowing}, with all its digits. */
+    double shadowed(double in, double out) {
+        double reach = reach(in);
+        return out * (alpha2 * (1 - in) * (1 + in) / (reach + in)) / Math.fma(out, reach, in * reach(out));
+    }
+
+    /**
+     * Sets the density D of microfacets whose normal goes along the vector h, of any length, and their cosine with o; D is 0 below the
+     * surface.
+     */
+    void at(Scattering s, double hx, double hy, double hz) {
+        double z = hx * s.nx + hy * s.ny + hz * s.nz;
+        double px = s.ny * hz - s.nz * hy;
+        double py = s.nz * hx - s.nx * hz;
+        double pz = s.nx * hy - s.ny * hx;
+        double z2 = z * z;
+        double p2 = px * px + py * py + pz * pz;
+        double length2 = z2 + p2;
+        double narrow = Math.fma(alpha2, z2, p2);
+        if (!(z > 0 && narrow > 0)) {
+            s.facets = 0;
+            s.cosineFacet = 0;
+            return;
+        }
+        double ratio = alpha * (length2 / narrow);
+        s.facets = ratio * ratio / Math.PI;
+        s.cosineFacet = Math.min(Math.max((hx * s.ox + hy * s.oy + hz * s.oz) / Math.sqrt(length2), 0), 1);
+    }
+
+    /**
+     * Samples a normal that is visible from o, uniformly on a spherical cap (J. Dupuy and A. Benyoub, "Sampling visible GGX normals with
+     * spherical caps", 2023), and leaves it in i. The cap's heights come from the disk without a subtraction of like numbers.
+     *
+     * @return false if there is none
+     */
+    boolean sampleVisible(Scattering s, double u, double v) {
+        s.toDisk(u, v);
+        s.turn();
+        double x = alpha * s.localOx();
+        double y = alpha * s.localOy();
+        double z = Math.max(s.cosineOut(), 0);
+        double scale = 1 / Math.sqrt(x * x + y * y + z * z);
+        double k = Math.fma(z, scale, 1);
+        double q = Math.sqrt(Math.max(k * (2 - s.disk2 * k), 0));
+        double hx = alpha * Math.fma(s.diskX, q, x * scale);
+        double hy = alpha * Math.fma(s.diskY, q, y * scale);
+        double hz = k * Math.max(1 - s.disk2, 0);
+        if (!(hx * hx + hy * hy + hz * hz > 0)) {
+            return false;
+        }
+        s.directLocal(hx, hy, hz);
+        return true;
+    }
+}

@@ -1,0 +1,50 @@
+package enlightenment.cli;
+
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.picture.Exposure;
+import enlightenment.render.RenderResult;
+import enlightenment.report.RenderReport;
+import java.util.Locale;
+
+/** What is to be said of a picture of linear light beside its figures. */
+final class LightNotes {
+    /** For pictures whose errors sit in few places. */
+    static final String HEAVY_TAIL = "few bright samples carry the error; it may be underestimated";
+
+    /** A picture that is darker than this in the mean, as shown, is hardly as it was meant. */
+    private static final double DARK = 0.02;
+
+    private LightNotes() {}
+
+    /**
+     * Says what there is to say.
+     *
+     * @param shown the picture as it was written
+     */
+    static void tell(RenderResult result, Image shown, Terminal terminal) {
+        RenderReport report = result.report();
+        if (report.sampling().light().map(RenderReport.Light::heavyTail).orElse(false)) {
+            terminal.say("warning: " + HEAVY_TAIL);
+        }
+        double mean = shown.encoding() == Encoding.LINEAR ? Exposure.meanDisplayed(shown) : 1;
+        if (mean < DARK) {
+            terminal.say(String.format(
+                    Locale.ROOT,
+                    "hint: the picture is dark, %.4f in the mean: --exposure auto shows more of it",
+                    mean));
+        }
+    }
+
+    /** Fails if the picture cannot be trusted. */
+    static void require(RenderResult result) {
+        long lost = result.report().lostSamples();
+        if (lost > 0) {
+            throw CliException.failed(String.format(
+                    Locale.ROOT,
+                    "%,d samples were infinite or no numbers and were taken for black: the picture is not to be trusted."
+                            + " This is a fault of Enlightenment; please report it with the scene and the command line",
+                    lost));
+        }
+    }
+}

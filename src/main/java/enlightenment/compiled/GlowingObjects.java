@@ -1,0 +1,103 @@
+package enlightenment.compiled;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
+import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The lights of a scene of physical shading: those with extent become objects with a black surface that glows, the others points. */
+final class GlowingObjects {
+    /** The objects of the scene, then those that lights are. */
+    final List<SceneObject> objects;
+
+    /** The surfaces of those, by their materials. */
+    final Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
+
+    /** The lights without extent, in an order that does not depend on that in the scene. */
+    final List<PhysicalLight> points = new ArrayList<>();
+
+    GlowingObjects(Scene scene, SceneFrame frame) {
+        List<SceneObject> all = new ArrayList<>();
+        for (Light light : scene.lights()) {
+            if (light instanceof Light.Sphere s) {
+                double perPower = 1 / (4 * Math.PI * Math.PI) / s.radius() / s.radius();
+                all.add(object(light, perPower, true, Sphere.of(s.center(), s.radius())));
+            } else if (light instanceof Light.Rectangle q) {
+                Shape shape = new Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight());
+                double sides = q.twoSided() ? 2 : 1;
+                all.add(object(light, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
+            } else if (light instanceof Light.Point p) {
+                PhysicalLight point = point(p, frame);
+                if (point.luminance() > 0) {
+                    points.add(point);
+                }
+            } else {
+                throw new AssertionError("no physical form of the light " + light.type());
+            }
+        }
+        points.sort(Comparator.<PhysicalLight>comparingDouble(l -> l.x)
+                .thenComparingDouble(l -> l.y)
+                .thenComparingDouble(l -> l.z)
+                .thenComparingDouble(l -> l.r)
+                .thenComparingDouble(l -> l.g)
+                .thenComparingDouble(l -> l.b));
+        if (all.isEmpty()) {
+            objects = scene.objects();
+        } else {
+            all.addAll(0, scene.objects());
+            objects = Collections.unmodifiableList(all);
+        }
+    }
+
+    /** @param perPower the radiance of one unit of power */
+    private SceneObject object(Light light, double perPower, boolean isTwoSided, Shape shape) {
+        Rgb radiance = light.emitted();
+        if (light.emission().quantity() == Emission.Quantity.POWER) {
+            radiance = new Rgb(radiance.r() * perPower, radiance.g() * perPower, radiance.b() * perPower);
+        }
+        Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
+        surfaces.put(black, new SurfaceMaterial(black, null, PhysicalSurface.light(radiance, isTwoSided)));
+        return SceneObject.of(shape, black);
+    }
+
+    private static double area(Light.Rectangle q) {
+        SceneFrame corner = new SceneFrame(q.lowerLeft(), 0);
+        return corner.toFrame(q.upperLeft())
+                .cross(corner.toFrame(q.lowerRight()))
+                .length();
+    }
+
+    /** Intensity is power per solid angle: seen in another unit of length, as many times the square of it arrive. */
+    private static PhysicalLight point(Light.Point p, SceneFrame frame) {
+        boolean isPower = p.emission().quantity() == Emission.Quantity.POWER;
+        Rgb c = p.emitted();
+        double perPower = isPower ? 1 / (4 * Math.PI) : 1;
+        Vec3 position = frame.toFrame(p.position());
+        return PhysicalLight.point(
+                position,
+                new Rgb(
+                        intensity(c.r() * perPower, frame),
+                        intensity(c.g() * perPower, frame),
+                        intensity(c.b() * perPower, frame)));
+    }
+
+    private static double intensity(double value, SceneFrame frame) {
+        return Scale.scalb(Scale.scalb(value, -frame.exponent()), -frame.exponent());
+    }
+}

@@ -1,0 +1,99 @@
+package enlightenment.compiled;
+
+import enlightenment.color.Rgb;
+import enlightenment.emitter.AreaLight;
+import enlightenment.emitter.AreaLights;
+import enlightenment.emitter.SphereLight;
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.RectanglePrimitive;
+import enlightenment.primitive.SupportSurface;
+
+/**
+ * A light of physical shading: a face of a primitive that glows, or a point. What glows is a surface like any other: rays meet it, and it
+ * occludes what is behind it.
+ */
+public final class PhysicalLight extends LightBody {
+    private static final int NO_PRIMITIVE = -1;
+
+    /** The light's form: points on it, as they are seen from somewhere; null for a point. */
+    public final AreaLight form;
+
+    /** The id of the primitive that glows; -1 for a point. */
+    public final int id;
+
+    /** Which of its faces. */
+    public final int face;
+
+    /** Whether it has no extent: then the three numbers are its intensity, per squared unit of length of the frame. */
+    public final boolean isPoint;
+
+    /** Whether it is a ball: then direct light of matte surfaces always has a closed form. */
+    public final boolean isBall;
+
+    /** Radiance, or the intensity of a point: linear, by band. */
+    public final double r;
+
+    public final double g;
+    public final double b;
+
+    /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
+    public final boolean hidesNothingOfItself;
+
+    private PhysicalLight(Place place, AreaLight form, Primitive surface, int id, int face, Rgb glow) {
+        super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
+        this.form = form;
+        this.id = id;
+        this.face = face;
+        isPoint = surface == null;
+        isBall = form instanceof SphereLight;
+        r = glow.r();
+        g = glow.g();
+        b = glow.b();
+        hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex() && surface.isSolid());
+    }
+
+    /** Where a light is, as {@link LightBody} wants it. */
+    private record Place(Vec3 at, double radius, Vec3 right, Vec3 up, Vec3 ball, double ballRadius) {
+        static Place ball(Vec3 center, double radius) {
+            return new Place(center, radius, Vec3.ZERO, Vec3.ZERO, center, radius);
+        }
+
+        static Place of(Primitive p, AreaLight form) {
+            Vec3 ball = form.ballCenter();
+            if (p instanceof RectanglePrimitive && p.support(0) instanceof SupportSurface.Plane plane) {
+                Vec3[] c = plane.corners();
+                return new Place(c[0], 0, c[3].minus(c[0]), c[1].minus(c[0]), ball, form.ballRadius());
+            }
+            return ball(ball, form.ballRadius());
+        }
+    }
+
+    /** A point light of an intensity per squared unit of length of the frame. */
+    static PhysicalLight point(Vec3 position, Rgb intensity) {
+        return new PhysicalLight(Place.ball(position, 0), null, null, NO_PRIMITIVE, 0, intensity);
+    }
+
+    /** A face of a primitive that glows; null if it has no area in the frame. */
+    static PhysicalLight glowing(Primitive p, int id, int face, Rgb radiance, boolean isTwoSided) {
+        AreaLight form = AreaLights.of(p, face, isTwoSided);
+        return form == null ? null : new PhysicalLight(Place.of(p, form), form, p, id, face, radiance);
+    }
+
+    /** Luminance of radiance or intensity. */
+    double luminance() {
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    }
+
+    /** Finds the faces that the light lies on, and that therefore do not occlude it. */
+    void lieOn(Primitive[] primitives, boolean few) {
+        // Among few primitives, candidates for occlusion are listed for each light, and its own need not be among them.
+        lieOn(primitives, face, few && hidesNothingOfItself ? id : NO_PRIMITIVE);
+    }
+
+    /** A box around the primitive, or the point. */
+    public Bounds box() {
+        return bounds();
+    }
+}

@@ -1,0 +1,105 @@
+package enlightenment.compiled;
+
+import enlightenment.color.Rgb;
+import enlightenment.emitter.LightPicker;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.scene.PhysicalShading;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** What physical shading adds to a compiled scene: lights, surroundings, and what of it the scene requires. Immutable. */
+public final class PhysicalScene {
+    private static final int NO_LIGHT = -1;
+
+    /** The lights: faces of primitives that glow, in the order of ids and faces, then points. */
+    public final PhysicalLight[] lights;
+
+    /** Chooses among them, by their indices. */
+    public final LightPicker picker;
+
+    /** The radiance that comes from everywhere that nothing hides: linear, by band. */
+    public final double backgroundR;
+
+    public final double backgroundG;
+    public final double backgroundB;
+
+    /** The most scattering events of a path. */
+    public final int maxBounces;
+
+    /** Whether a medium absorbs. */
+    public final boolean hasAbsorption;
+
+    /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
+    private final int[] firstFace;
+
+    private final int[] lightOfFace;
+
+    PhysicalScene(PhysicalShading shading, CompiledPrimitives compiled, List<PhysicalLight> points) {
+        Rgb background = shading.background();
+        backgroundR = background.r();
+        backgroundG = background.g();
+        backgroundB = background.b();
+        maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
+        int n = compiled.primitives().length;
+        firstFace = new int[n];
+        List<Integer> ofFaces = new ArrayList<>();
+        List<PhysicalLight> all = new ArrayList<>();
+        for (int id = 0; id < n; id++) {
+            firstFace[id] = NO_LIGHT;
+            int faces = compiled.primitives()[id].faceCount();
+            int first = ofFaces.size();
+            for (int face = 0; face < faces; face++) {
+                PhysicalLight light = lightOf(compiled, id, face);
+                ofFaces.add(light == null ? NO_LIGHT : all.size());
+                if (light != null) {
+                    firstFace[id] = first;
+                    all.add(light);
+                }
+            }
+            if (firstFace[id] == NO_LIGHT) {
+                ofFaces.subList(first, ofFaces.size()).clear();
+            }
+        }
+        all.addAll(points);
+        hasAbsorption = Arrays.stream(compiled.glassSolids())
+                .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
+        lights = all.toArray(new PhysicalLight[0]);
+        lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
+        LightPicker.Builder builder = new LightPicker.Builder();
+        for (PhysicalLight light : lights) {
+            if (light.isPoint) {
+                builder.addPoint(new Vec3(light.x, light.y, light.z), light.luminance());
+            } else {
+                builder.add(light.form, light.luminance());
+            }
+        }
+        picker = builder.build();
+    }
+
+    private static PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face) {
+        SurfaceMaterial material = compiled.materials().of(id, face);
+        return material.glows
+                ? PhysicalLight.glowing(compiled.primitives()[id], id, face, material.glow(), material.glowsInside)
+                : null;
+    }
+
+    /** Finds for each light the faces that it lies on. */
+    void lieOn(Primitive[] primitives, boolean few) {
+        for (PhysicalLight light : lights) {
+            light.lieOn(primitives, few);
+        }
+    }
+
+    /** The index of the light that a face of a primitive is, or -1. */
+    public int lightOf(int id, int face) {
+        int first = firstFace[id];
+        return first < 0 ? NO_LIGHT : lightOfFace[first + face];
+    }
+
+    /** Whether caustics are the business of a pass of their own, so that paths from the eye leave them out. */
+    public boolean hasCausticPass() {
+        return false;
+    }
+}

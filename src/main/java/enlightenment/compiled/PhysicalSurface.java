@@ -1,0 +1,81 @@
+package enlightenment.compiled;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Fresnel;
+import enlightenment.bsdf.GlossyReflection;
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Microfacets;
+import enlightenment.bsdf.RoughDielectric;
+import enlightenment.bsdf.RoughDiffuse;
+import enlightenment.bsdf.SmoothConductor;
+import enlightenment.bsdf.SmoothDielectric;
+import enlightenment.bsdf.SpecularReflection;
+import enlightenment.bsdf.ThinDielectric;
+import enlightenment.color.Rgb;
+import enlightenment.frame.SceneFrame;
+import enlightenment.material.Material;
+import enlightenment.numeric.Scale;
+
+/**
+ * What physical shading knows of a material beyond its colour.
+ *
+ * @param bsdf how it scatters light
+ * @param pane how a pane of it does; null unless it is glass
+ * @param glow the radiance that it emits
+ * @param glowsInside whether it emits from the inside as well
+ * @param absorption how much a solid of it absorbs, per unit of length of the frame
+ * @param look all this as a text that is equal for materials that look the same
+ */
+record PhysicalSurface(Bsdf bsdf, Bsdf pane, Rgb glow, boolean glowsInside, Rgb absorption, String look) {
+    /** That of a material of classic shading. */
+    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, "");
+
+    static PhysicalSurface of(Material material, SceneFrame frame) {
+        Rgb absorption = Rgb.BLACK;
+        Bsdf pane = null;
+        String look = material.radiance().toString();
+        if (material instanceof Material.Glass glass) {
+            pane = new ThinDielectric(glass.indexOfRefraction());
+            absorption = scaled(glass.absorption(), frame.exponent());
+            look += " " + glass.roughness() + " " + glass.absorption() + " " + glass.multipleScattering();
+        } else if (material instanceof Material.Matte matte) {
+            look += " " + matte.roughness();
+        } else if (material instanceof Material.Glossy glossy) {
+            look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
+        }
+        return new PhysicalSurface(bsdf(material), pane, material.radiance(), true, absorption, look);
+    }
+
+    /** The surface of a light: black, and opaque. */
+    static PhysicalSurface light(Rgb radiance, boolean isTwoSided) {
+        return new PhysicalSurface(
+                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, radiance + " " + isTwoSided);
+    }
+
+    private static Bsdf bsdf(Material material) {
+        if (material instanceof Material.Matte matte) {
+            return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
+        }
+        if (material instanceof Material.Mirror) {
+            return SpecularReflection.INSTANCE;
+        }
+        if (material instanceof Material.Glossy glossy) {
+            double alpha = glossy.roughness() * glossy.roughness();
+            Fresnel fresnel = glossy.conductor()
+                    .map(c -> Fresnel.conductor(c.eta(), c.k()))
+                    .orElse(Fresnel.SCHLICK);
+            return Microfacets.isSmooth(alpha)
+                    ? new SmoothConductor(fresnel)
+                    : new GlossyReflection(alpha, fresnel, glossy.multipleScattering());
+        }
+        if (material instanceof Material.Glass glass) {
+            double alpha = glass.roughness() * glass.roughness();
+            return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha);
+        }
+        throw new AssertionError("no physical form of the material " + material.type());
+    }
+
+    private static Rgb scaled(Rgb c, int exponent) {
+        return new Rgb(Scale.scalb(c.r(), exponent), Scale.scalb(c.g(), exponent), Scale.scalb(c.b(), exponent));
+    }
+}

@@ -1,0 +1,75 @@
+package enlightenment.emitter;
+
+import enlightenment.math.Vec3;
+
+/**
+ * A light with extent, or a face of a glowing object, in the frame of a render, for physical shading. Radiance is not part of it:
+ * closed forms are for radiance 1. Immutable, shared by threads; what depends on the receiver is in a {@link LightSample}, which must have
+ * been {@link #aim aimed}.
+ *
+ * <p>Whether the light itself or something else hides a sampled point is for the caller's shadow ray to find out.
+ */
+public sealed interface AreaLight
+        permits SphereLight, ParallelogramLight, TriangleLight, DiskLight, LateralLight, TorusLight {
+    /** Prepares samples of this light for the receiver (x, y, z), and sets the sample's cone around the light's ball. */
+    void aim(LightSample s, double x, double y, double z);
+
+    /**
+     * Chooses a point of the light for (u, v) in the unit square: direction, distance, density per solid angle and cosine at the light. The
+     * density is 0 if there is none: the receiver is inside a ball, in the plane of a flat light or behind one with one side, or the point
+     * lies on the side that is turned away.
+     */
+    void sample(LightSample s, double u, double v);
+
+    /**
+     * The density per solid angle with which {@link #sample} chooses a direction that is known to meet the light: the exact inverse.
+     *
+     * @param dx the unit direction from the receiver
+     * @param distance how far along it the light is met
+     * @param cosine the cosine there as in {@link LightSample#cosine}
+     * @return 0 for directions that are never chosen
+     */
+    double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine);
+
+    /**
+     * The irradiance of a receiver with the unit normal n, if nothing hides the light and its radiance is 1: the integral of the cosine
+     * over the directions in which the light is seen above the horizon, 0..π.
+     *
+     * @return NaN if there is no closed form
+     */
+    double irradiance(LightSample s, double nx, double ny, double nz);
+
+    /**
+     * As {@link #sample}, but with a density in proportion to the cosine with the unit normal n if there is a way; {@link LightSample#pdf}
+     * is the density of whichever was used. {@link #samplesByCosine} says which.
+     */
+    default void sampleByCosine(LightSample s, double nx, double ny, double nz, double u, double v) {
+        sample(s, u, v);
+    }
+
+    /** Whether {@link #sampleByCosine} chooses by the cosine: then its density is the cosine over {@link #irradiance}. */
+    default boolean samplesByCosine(LightSample s, double nx, double ny, double nz) {
+        return false;
+    }
+
+    /** The area of one side. */
+    double area();
+
+    /** Whether a flat light or an open surface shines from both of its sides. */
+    boolean isTwoSided();
+
+    /** Chooses a point evenly over the area, for (u, v) in the unit square, with its normal. */
+    void samplePoint(double u, double v, SurfacePoint point);
+
+    /** The centre of a ball around it. */
+    Vec3 ballCenter();
+
+    /** The radius of that ball. */
+    double ballRadius();
+
+    /** The unit normal of a flat light, which points to its front; the zero vector for one that is not flat. */
+    Vec3 flatNormal();
+
+    /** The numbers that define the light, in a fixed order: lights of a kind are equal if these are. */
+    double[] parameters();
+}

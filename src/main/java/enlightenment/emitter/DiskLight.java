@@ -1,0 +1,116 @@
+package enlightenment.emitter;
+
+import enlightenment.frame.Basis;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Products;
+import enlightenment.numeric.Scale;
+import enlightenment.sampling.Warp;
+
+/** A flat disk, sampled evenly over its area. */
+public final class DiskLight implements AreaLight {
+    private final Vec3 center;
+    private final Vec3 normal;
+    private final double radius;
+    private final boolean twoSided;
+    private final Basis basis = new Basis();
+    private final double area;
+
+    /**
+     * A disk.
+     *
+     * @param normal of length 1, points to its front
+     * @param twoSided whether its back shines as well
+     */
+    public DiskLight(Vec3 center, Vec3 normal, double radius, boolean twoSided) {
+        this.center = center;
+        this.normal = normal;
+        this.radius = radius;
+        this.twoSided = twoSided;
+        basis.around(normal.x(), normal.y(), normal.z());
+        area = Math.PI * radius * radius;
+    }
+
+    @Override
+    public void aim(LightSample s, double x, double y, double z) {
+        s.aim(center.x(), center.y(), center.z(), ballRadius(), x, y, z);
+        s.height = -Products.dot(normal.x(), normal.y(), normal.z(), center.x() - x, center.y() - y, center.z() - z);
+    }
+
+    @Override
+    public void sample(LightSample s, double u, double v) {
+        if (!(twoSided ? s.height != 0 : s.height > 0)) {
+            s.absent();
+            return;
+        }
+        Warp.toDisk(u, v, s.disk);
+        double p = radius * s.disk[0];
+        double q = radius * s.disk[1];
+        s.toOffset(
+                Math.fma(p, basis.ax, Math.fma(q, basis.bx, center.x() - s.cone.x)),
+                Math.fma(p, basis.ay, Math.fma(q, basis.by, center.y() - s.cone.y)),
+                Math.fma(p, basis.az, Math.fma(q, basis.bz, center.z() - s.cone.z)));
+        s.cosine = s.height / s.length;
+        s.pdf = LightSample.pdfOfArea(area, twoSided, s.length, s.cosine);
+    }
+
+    @Override
+    public double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine) {
+        return LightSample.pdfOfArea(area, twoSided, distance, cosine);
+    }
+
+    /** 0 where nothing of it is seen above the horizon; else there is none. */
+    @Override
+    public double irradiance(LightSample s, double nx, double ny, double nz) {
+        if (!(twoSided ? s.height != 0 : s.height > 0)) {
+            return 0;
+        }
+        double along = nx * normal.x() + ny * normal.y() + nz * normal.z();
+        double highest = nx * (center.x() - s.cone.x)
+                + ny * (center.y() - s.cone.y)
+                + nz * (center.z() - s.cone.z)
+                + radius * Math.sqrt(Math.max((1 - along) * (1 + along), 0));
+        return highest <= 0 ? 0 : Double.NaN;
+    }
+
+    @Override
+    public double area() {
+        return area;
+    }
+
+    @Override
+    public boolean isTwoSided() {
+        return twoSided;
+    }
+
+    @Override
+    public void samplePoint(double u, double v, SurfacePoint point) {
+        Warp.toDisk(u, v, point.disk);
+        double p = radius * point.disk[0];
+        double q = radius * point.disk[1];
+        point.set(
+                Math.fma(p, basis.ax, Math.fma(q, basis.bx, center.x())),
+                Math.fma(p, basis.ay, Math.fma(q, basis.by, center.y())),
+                Math.fma(p, basis.az, Math.fma(q, basis.bz, center.z())));
+        point.setNormal(normal.x(), normal.y(), normal.z());
+    }
+
+    @Override
+    public Vec3 ballCenter() {
+        return center;
+    }
+
+    @Override
+    public double ballRadius() {
+        return radius * (1 + Scale.gamma(8));
+    }
+
+    @Override
+    public Vec3 flatNormal() {
+        return normal;
+    }
+
+    @Override
+    public double[] parameters() {
+        return Numbers.of(twoSided, center, normal, new Vec3(radius, 0, 0));
+    }
+}

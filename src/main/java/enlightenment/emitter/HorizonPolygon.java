@@ -1,0 +1,146 @@
+package enlightenment.emitter;
+
+import enlightenment.numeric.Angles;
+
+/**
+ * A flat convex light of radiance 1 as it is seen from a receiver, cut by the receiver's horizon, and the irradiance that it causes:
+ * Lambert's sum over its edges (Lambert 1760; D. Baum, H. Rushmeier, J. Winget, "Improving radiosity solutions through the use of
+ * analytically determined form-factors", 1989). Far away that sum cancels, and a quadrature of the area, exact there to the last digits,
+ * takes its place. A mutable work object.
+ */
+final class HorizonPolygon {
+    /** Below this ratio of size to distance the quadrature, of the fifth degree, is exact to rounding. */
+    static final double FAR = 0x1p-9;
+
+    private static final int MOST = 6;
+
+    /** J. Radon's rule of seven points, "Zur mechanischen Kubatur", 1948: two orbits of three and the centroid. */
+    private static final double NEAR_CENTRE = (6 + Math.sqrt(15)) / 21;
+
+    private static final double NEAR_CORNER = (6 - Math.sqrt(15)) / 21;
+    private static final double CENTROID_WEIGHT = 9.0 / 40;
+    private static final double CENTRE_WEIGHT = (155 + Math.sqrt(15)) / 1200;
+    private static final double CORNER_WEIGHT = (155 - Math.sqrt(15)) / 1200;
+
+    private final double[] rawX = new double[MOST];
+    private final double[] rawY = new double[MOST];
+    private final double[] rawZ = new double[MOST];
+    private final double[] x = new double[MOST];
+    private final double[] y = new double[MOST];
+    private final double[] z = new double[MOST];
+    private int corners;
+    private int count;
+    private double nx;
+    private double ny;
+    private double nz;
+
+    void clear() {
+        corners = 0;
+    }
+
+    /** Adds the corner at this offset from the receiver. */
+    void add(double cx, double cy, double cz) {
+        rawX[corners] = cx;
+        rawY[corners] = cy;
+        rawZ[corners++] = cz;
+    }
+
+    /**
+     * The irradiance of a receiver with the unit normal n.
+     *
+     * @param height the receiver's distance from the polygon's plane
+     * @param far whether the polygon's size is below {@link #FAR} of its distance
+     */
+    double irradiance(double normalX, double normalY, double normalZ, double height, boolean far) {
+        nx = normalX;
+        ny = normalY;
+        nz = normalZ;
+        clip();
+        if (count < 3) {
+            return 0;
+        }
+        if (!far) {
+            return Math.min(sumOverEdges(), Math.PI);
+        }
+        double sum = 0;
+        for (int k = 1; k + 1 < count; k++) {
+            sum += overTriangle(k);
+        }
+        return sum * height;
+    }
+
+    /** The part above the horizon (I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974). */
+    private void clip() {
+        count = 0;
+        int last = corners - 1;
+        double before = nx * rawX[last] + ny * rawY[last] + nz * rawZ[last];
+        for (int k = 0; k < corners; k++) {
+            double here = nx * rawX[k] + ny * rawY[k] + nz * rawZ[k];
+            if (here > 0 && before < 0 || here < 0 && before > 0) {
+                double share = before / (before - here);
+                put(
+                        Math.fma(share, rawX[k] - rawX[last], rawX[last]),
+                        Math.fma(share, rawY[k] - rawY[last], rawY[last]),
+                        Math.fma(share, rawZ[k] - rawZ[last], rawZ[last]));
+            }
+            if (here >= 0) {
+                put(rawX[k], rawY[k], rawZ[k]);
+            }
+            last = k;
+            before = here;
+        }
+    }
+
+    private void put(double px, double py, double pz) {
+        x[count] = px;
+        y[count] = py;
+        z[count++] = pz;
+    }
+
+    private double sumOverEdges() {
+        double sum = 0;
+        int i = count - 1;
+        for (int k = 0; k < count; k++) {
+            double cx = y[i] * z[k] - z[i] * y[k];
+            double cy = z[i] * x[k] - x[i] * z[k];
+            double cz = x[i] * y[k] - y[i] * x[k];
+            double length = Math.sqrt(cx * cx + cy * cy + cz * cz);
+            if (length > 0) {
+                double angle = Angles.atan2(length, x[i] * x[k] + y[i] * y[k] + z[i] * z[k]);
+                sum += angle * ((nx * cx + ny * cy + nz * cz) / length);
+            }
+            i = k;
+        }
+        return 0.5 * Math.abs(sum);
+    }
+
+    /** The integral of n·v/|v|⁴ over the triangle of the corners 0, k and k + 1. */
+    private double overTriangle(int k) {
+        double ax = x[k] - x[0];
+        double ay = y[k] - y[0];
+        double az = z[k] - z[0];
+        double bx = x[k + 1] - x[0];
+        double by = y[k + 1] - y[0];
+        double bz = z[k + 1] - z[0];
+        double cx = ay * bz - az * by;
+        double cy = az * bx - ax * bz;
+        double cz = ax * by - ay * bx;
+        double near = 1 - 2 * NEAR_CENTRE;
+        double corner = 1 - 2 * NEAR_CORNER;
+        double sum = CENTROID_WEIGHT * at(k, 1.0 / 3, 1.0 / 3)
+                + CENTRE_WEIGHT
+                        * (at(k, NEAR_CENTRE, NEAR_CENTRE) + at(k, near, NEAR_CENTRE) + at(k, NEAR_CENTRE, near))
+                + CORNER_WEIGHT
+                        * (at(k, NEAR_CORNER, NEAR_CORNER) + at(k, corner, NEAR_CORNER) + at(k, NEAR_CORNER, corner));
+        return 0.5 * Math.sqrt(cx * cx + cy * cy + cz * cz) * sum;
+    }
+
+    private double at(int k, double p, double q) {
+        double o = 1 - p - q;
+        double px = o * x[0] + p * x[k] + q * x[k + 1];
+        double py = o * y[0] + p * y[k] + q * y[k + 1];
+        double pz = o * z[0] + p * z[k] + q * z[k + 1];
+        double square = px * px + py * py + pz * pz;
+        return Math.max(nx * px + ny * py + nz * pz, 0) / (square * square);
+    }
+}

@@ -1,0 +1,167 @@
+package enlightenment.emitter;
+
+import enlightenment.math.Vec3;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Chooses one of a scene's lights for a receiver: up to {@link #FEW} in proportion to what they contribute if nothing hides them, more of
+ * them by a {@link LightTree}. A light that can contribute has a probability above 0; the choice does not depend on the order in which
+ * lights are given. Immutable, shared by threads.
+ */
+public final class LightPicker {
+    /** Up to this number every light is weighed for every receiver. */
+    static final int FEW = 16;
+
+    private final int count;
+
+    /** From canonical places to the caller's indices, and back. */
+    private final int[] indices;
+
+    private final int[] places;
+    private final LightWeights weights;
+    private final LightTree tree;
+
+    private LightPicker(List<Entry> entries) {
+        count = entries.size();
+        indices = canonicalOrder(entries);
+        places = new int[count];
+        weights = new LightWeights(count);
+        List<LightNode> leaves = new ArrayList<>();
+        for (int place = 0; place < count; place++) {
+            places[indices[place]] = place;
+            Entry e = entries.get(indices[place]);
+            if (e.light == null) {
+                weights.setPoint(place, e.position, e.strength);
+            } else {
+                weights.set(place, e.light, e.strength);
+            }
+            leaves.add(weights.leaf(place));
+        }
+        tree = count > FEW ? new LightTree(LightNode.tree(leaves, 0), count, weights) : null;
+    }
+
+    /** The number of lights. */
+    public int count() {
+        return count;
+    }
+
+    /**
+     * Chooses a light for the receiver (x, y, z).
+     *
+     * @param nx the receiver's unit normal, on the side that light is taken from; (0, 0, 0) if it takes light from all sides, as glass
+     * @param number evenly distributed in 0..1
+     */
+    public void choose(
+            double x, double y, double z, double nx, double ny, double nz, double number, LightChoice choice) {
+        if (count == 0) {
+            choice.none(number);
+            return;
+        }
+        if (tree != null) {
+            tree.choose(x, y, z, nx, ny, nz, number, choice);
+            choice.light = choice.light < 0 ? -1 : indices[choice.light];
+            return;
+        }
+        double sum = weigh(x, y, z, nx, ny, nz, choice.weights);
+        if (!(sum > 0)) {
+            choice.none(number);
+            return;
+        }
+        double left = number * sum;
+        int chosen = -1;
+        for (int i = 0; i < count; i++) {
+            double w = choice.weights[i];
+            if (w > 0) {
+                chosen = i;
+                if (left < w) {
+                    break;
+                }
+                left -= w;
+            }
+        }
+        choice.light = indices[chosen];
+        choice.probability = choice.weights[chosen] / sum;
+        choice.rest = Math.min(left / choice.weights[chosen], Math.nextDown(1.0));
+    }
+
+    private double weigh(double x, double y, double z, double nx, double ny, double nz, double[] into) {
+        double sum = 0;
+        for (int i = 0; i < count; i++) {
+            into[i] = weights.weight(i, x, y, z, nx, ny, nz);
+            sum += into[i];
+        }
+        return sum;
+    }
+
+    /**
+     * The probability with which {@link #choose} chooses a light for this receiver: the exact inverse.
+     *
+     * @param light the light's index in the caller's order
+     */
+    public double probability(
+            int light, double x, double y, double z, double nx, double ny, double nz, LightChoice scratch) {
+        int place = places[light];
+        if (tree != null) {
+            return tree.probability(place, x, y, z, nx, ny, nz);
+        }
+        double sum = weigh(x, y, z, nx, ny, nz, scratch.weights);
+        return sum > 0 ? scratch.weights[place] / sum : 0;
+    }
+
+    /** The places of lights, sorted by what they are: lights that compare as equal are equal. */
+    private static int[] canonicalOrder(List<Entry> entries) {
+        return java.util.stream.IntStream.range(0, entries.size())
+                .boxed()
+                .sorted((i, k) -> entries.get(i).compareTo(entries.get(k)))
+                .mapToInt(Integer::intValue)
+                .toArray();
+    }
+
+    private record Entry(AreaLight light, Vec3 position, double strength, double[] key) implements Comparable<Entry> {
+        private String kind() {
+            return light == null ? "" : light.getClass().getSimpleName();
+        }
+
+        @Override
+        public int compareTo(Entry o) {
+            int byKind = kind().compareTo(o.kind());
+            int byShape = byKind != 0 ? byKind : Arrays.compare(key, o.key);
+            return byShape != 0 ? byShape : Double.compare(strength, o.strength);
+        }
+    }
+
+    /** Collects lights; the n-th one added has the index n − 1. */
+    public static final class Builder {
+        private final List<Entry> entries = new ArrayList<>();
+
+        /** A builder without lights. */
+        public Builder() {}
+
+        /**
+         * Adds a light with extent.
+         *
+         * @param luminance of its radiance, above 0, as that of all others in any unit
+         */
+        public Builder add(AreaLight light, double luminance) {
+            entries.add(new Entry(light, light.ballCenter(), luminance, light.parameters()));
+            return this;
+        }
+
+        /**
+         * Adds a point that shines to all sides.
+         *
+         * @param luminance of its radiant intensity, in the unit of the other lights' times the square of the unit of length
+         */
+        public Builder addPoint(Vec3 position, double luminance) {
+            entries.add(new Entry(null, position, luminance, new double[] {position.x(), position.y(), position.z()}));
+            return this;
+        }
+
+        /** The picker of these lights. */
+        public LightPicker build() {
+            return new LightPicker(entries);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+package enlightenment.emitter;
+
+import enlightenment.frame.BallCone;
+
+/**
+ * An {@link AreaLight} as it is seen from a receiving point, and one point of it that was sampled: {@link #dx}, {@link #dy}, {@link #dz} is
+ * the unit direction to it, {@link #length} its distance. {@link AreaLight#aim} comes first. A mutable work object, one per thread.
+ */
+public final class LightSample extends EmitterView {
+    /** The density of the last direction, per solid angle; 0 if there is none, and then nothing else of the sample counts. */
+    public double pdf;
+
+    /**
+     * The cosine at the light between its normal (outward, or to its front) and the direction back to the receiver: negative where a
+     * two-sided light is seen from behind.
+     */
+    public double cosine;
+
+    final SphericalRectangle rectangle = new SphericalRectangle();
+    final SphericalTriangle triangle = new SphericalTriangle();
+    final SphericalTriangle secondTriangle = new SphericalTriangle();
+    final HorizonPolygon polygon = new HorizonPolygon();
+    final SurfacePoint point = new SurfacePoint();
+
+    /** How a light that can be sampled in several ways is sampled from here. */
+    SamplingChoice choice = SamplingChoice.UNDECIDED;
+
+    /** The signed distance of the receiver from a flat light's plane, positive in front of it. */
+    double height;
+
+    /** A sample with a cone of its own. */
+    public LightSample() {
+        this(new BallCone());
+    }
+
+    /** @param cone receives the cone around the light's ball when the sample is aimed */
+    public LightSample(BallCone cone) {
+        super(cone);
+    }
+
+    void aim(double ballX, double ballY, double ballZ, double ballRadius, double x, double y, double z) {
+        cone.set(ballX, ballY, ballZ, ballRadius, x, y, z);
+        aim();
+        choice = SamplingChoice.UNDECIDED;
+    }
+
+    void absent() {
+        pdf = 0;
+    }
+
+    /** Sets direction and distance to the point at the offset (x, y, z) from the receiver. */
+    void toOffset(double x, double y, double z) {
+        double len = Math.sqrt(x * x + y * y + z * z);
+        double inverse = len > 0 ? 1 / len : 0;
+        set(x * inverse, y * inverse, z * inverse, len);
+    }
+
+    /** The sample is {@link #point}, chosen evenly over an area. */
+    void toPoint(double area, boolean twoSided) {
+        toOffset(point.x - cone.x, point.y - cone.y, point.z - cone.z);
+        cosine = -(dx * point.nx + dy * point.ny + dz * point.nz);
+        pdf = pdfOfArea(area, twoSided, length, cosine);
+    }
+
+    /** Density by area to density by solid angle; 0 behind a light that shines to one side only, and where it is not finite. */
+    static double pdfOfArea(double area, boolean twoSided, double distance, double cosine) {
+        if (!(twoSided ? cosine != 0 : cosine > 0)) {
+            return 0;
+        }
+        double density = distance * distance / (area * Math.abs(cosine));
+        return density <= Double.MAX_VALUE ? density : 0;
+    }
+}

@@ -1,0 +1,146 @@
+package enlightenment.emitter;
+
+import enlightenment.numeric.Scale;
+
+/**
+ * A hierarchy of many lights: A. Conty Estevez and C. Kulla, "Importance sampling of many lights with adaptive tree splitting", 2018,
+ * without its splitting, with the bounds of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 4th ed., 12.6.3. A node is
+ * chosen in proportion to an upper bound of what it contributes, a light at the end by its own weight. Immutable.
+ */
+final class LightTree {
+    /** Bounds the roundings of cosines: what is below the horizon by less may be above it. */
+    private static final double SLACK = Scale.gamma(64);
+
+    private static final int STRIDE = 10;
+
+    private final LightWeights weights;
+
+    /** For each node: ball's centre and radius, cone's axis, cosine and sine, strength. */
+    private final double[] data;
+
+    /** The second child of a node, whose first one follows it; for a leaf −1 − its light. */
+    private final int[] second;
+
+    private final int[] parents;
+    private final int[] leaves;
+
+    LightTree(LightNode root, int lights, LightWeights weights) {
+        this.weights = weights;
+        int nodes = 2 * lights - 1;
+        data = new double[STRIDE * nodes];
+        second = new int[nodes];
+        parents = new int[nodes];
+        leaves = new int[lights];
+        lay(root, 0, -1);
+    }
+
+    /** Lays out a node and all below it from the place {@code at}; returns the place behind them. */
+    private int lay(LightNode n, int at, int parent) {
+        parents[at] = parent;
+        n.write(data, STRIDE * at);
+        if (n.light >= 0) {
+            second[at] = -1 - n.light;
+            leaves[n.light] = at;
+            return at + 1;
+        }
+        second[at] = lay(n.first, at + 1, at);
+        return lay(n.second, second[at], at);
+    }
+
+    void choose(double x, double y, double z, double nx, double ny, double nz, double number, LightChoice choice) {
+        int node = 0;
+        double probability = 1;
+        double rest = number;
+        while (second[node] >= 0) {
+            double a = importance(node + 1, x, y, z, nx, ny, nz);
+            double b = importance(second[node], x, y, z, nx, ny, nz);
+            double sum = a + b;
+            if (!(sum > 0)) {
+                choice.none(number);
+                return;
+            }
+            double share = a / sum;
+            boolean first = b == 0 || rest < share;
+            double part = first ? share : b / sum;
+            rest = Math.min(first ? rest / share : (rest - share) / part, Math.nextDown(1.0));
+            rest = Math.max(rest, 0);
+            probability *= part;
+            node = first ? node + 1 : second[node];
+        }
+        choice.light = -1 - second[node];
+        choice.probability = probability;
+        choice.rest = rest;
+    }
+
+    double probability(int light, double x, double y, double z, double nx, double ny, double nz) {
+        double probability = 1;
+        int node = leaves[light];
+        while (parents[node] >= 0) {
+            int parent = parents[node];
+            boolean first = node == parent + 1;
+            double own = importance(node, x, y, z, nx, ny, nz);
+            if (!(own > 0)) {
+                return 0;
+            }
+            double other = importance(first ? second[parent] : parent + 1, x, y, z, nx, ny, nz);
+            probability *= own / (own + other);
+            node = parent;
+        }
+        return probability;
+    }
+
+    private double importance(int node, double x, double y, double z, double nx, double ny, double nz) {
+        if (second[node] < 0) {
+            return weights.weight(-1 - second[node], x, y, z, nx, ny, nz);
+        }
+        int k = STRIDE * node;
+        double dx = data[k] - x;
+        double dy = data[k + 1] - y;
+        double dz = data[k + 2] - z;
+        double radius = data[k + 3];
+        double square = dx * dx + dy * dy + dz * dz;
+        double strength = data[k + 9] / Math.max(Math.max(square, radius * radius), LightWeights.LEAST_SQUARE);
+        if (square <= radius * radius) {
+            return strength;
+        }
+        double inverse = 1 / Math.sqrt(square);
+        double sine = radius * inverse;
+        double cosine = Math.sqrt(Math.max((1 - sine) * (1 + sine), 0));
+        if (nx != 0 || ny != 0 || nz != 0) {
+            strength *= atMost((nx * dx + ny * dy + nz * dz) * inverse, cosine, sine);
+        }
+        double spread = data[k + 7];
+        if (spread > -1) {
+            double towards = -(data[k + 4] * dx + data[k + 5] * dy + data[k + 6] * dz) * inverse;
+            strength *= emitted(towards, spread, data[k + 8], cosine, sine);
+        }
+        return strength;
+    }
+
+    /** A bound of cos(max(θ − θb, 0)) from 0 on, and above 0 where rounding leaves it in doubt. */
+    private static double atMost(double cos, double ballCosine, double ballSine) {
+        if (cos >= ballCosine) {
+            return 1;
+        }
+        double sin = Math.sqrt(Math.max((1 - cos) * (1 + cos), 0));
+        return positive(cos * ballCosine + sin * ballSine);
+    }
+
+    /** The same for max(θ − θo − θb, 0), where θo bounds the angle between normals and axis. */
+    private static double emitted(double cos, double cosO, double sinO, double ballCosine, double ballSine) {
+        if (cos >= cosO) {
+            return 1;
+        }
+        double sin = Math.sqrt(Math.max((1 - cos) * (1 + cos), 0));
+        double less = cos * cosO + sin * sinO;
+        if (less >= ballCosine) {
+            return 1;
+        }
+        double lessSine = Math.max(sin * cosO - cos * sinO, 0);
+        return positive(less * ballCosine + lessSine * ballSine);
+    }
+
+    private static double positive(double cosine) {
+        return cosine > -SLACK ? Math.max(cosine, SLACK) : 0;
+    }
+}

@@ -1,0 +1,234 @@
+package enlightenment.emitter;
+
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Products;
+import enlightenment.numeric.Scale;
+
+/**
+ * A parallelogram. Near ones are sampled evenly over the solid angle that they cover, rectangles as a {@link SphericalRectangle}, others as
+ * two {@link SphericalTriangle}s; far ones over the area. Its front is the side from which its edges {@code up} and {@code right} are
+ * seen as they are named: the normal is up × right.
+ */
+public final class ParallelogramLight implements AreaLight {
+    /** Below this solid angle the density by area hardly varies over the light, unless it is seen at a grazing angle. */
+    static final double LEAST_SOLID_ANGLE = 1e-3;
+
+    /** Above this a spherical triangle is nearly the whole half space. */
+    static final double LARGEST_SOLID_ANGLE = 6;
+
+    /** Below this the angles of a spherical rectangle keep too few digits. */
+    private static final double LEAST_PRECISE = 1e-9;
+
+    private static final double RIGHT_ANGLE_ERROR = Scale.gamma(64);
+
+    private final Vec3 corner;
+    private final Vec3 right;
+    private final Vec3 up;
+    private final boolean twoSided;
+    private final Vec3 normal;
+    private final Vec3 unitRight;
+    private final Vec3 unitUp;
+    private final double width;
+    private final double length;
+    private final double area;
+    private final boolean rectangular;
+    private final Vec3 center;
+    private final double radius;
+
+    /**
+     * A parallelogram.
+     *
+     * @param corner its lower left corner
+     * @param right the edge from there to the lower right one
+     * @param up the edge to the upper left one
+     * @param twoSided whether its back shines as well
+     */
+    public ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, boolean twoSided) {
+        this.corner = corner;
+        this.right = right;
+        this.up = up;
+        this.twoSided = twoSided;
+        Vec3 product = up.cross(right);
+        area = product.length();
+        normal = product.normalized();
+        width = right.length();
+        length = up.length();
+        unitRight = right.normalized();
+        unitUp = up.normalized();
+        rectangular = Math.abs(unitRight.dot(unitUp)) <= RIGHT_ANGLE_ERROR;
+        center = corner.plus(right.plus(up).times(0.5));
+        double diagonal = Math.max(right.plus(up).length(), right.minus(up).length());
+        radius = 0.5 * diagonal * (1 + Scale.gamma(16));
+    }
+
+    @Override
+    public void aim(LightSample s, double x, double y, double z) {
+        s.aim(center.x(), center.y(), center.z(), radius, x, y, z);
+        s.height = -Products.dot(normal.x(), normal.y(), normal.z(), corner.x() - x, corner.y() - y, corner.z() - z);
+    }
+
+    private SamplingChoice choice(LightSample s) {
+        if (s.choice == SamplingChoice.UNDECIDED) {
+            s.choice = decide(s);
+        }
+        return s.choice;
+    }
+
+    private SamplingChoice decide(LightSample s) {
+        if (!(twoSided ? s.height != 0 : s.height > 0)) {
+            return SamplingChoice.ABSENT;
+        }
+        return rectangular ? decideRectangle(s) : decideTriangles(s);
+    }
+
+    private SamplingChoice decideRectangle(LightSample s) {
+        double x = corner.x() - s.cone.x;
+        double y = corner.y() - s.cone.y;
+        double z = corner.z() - s.cone.z;
+        SphericalRectangle r = s.rectangle;
+        double left = Products.dot(unitRight.x(), unitRight.y(), unitRight.z(), x, y, z);
+        double low = Products.dot(unitUp.x(), unitUp.y(), unitUp.z(), x, y, z);
+        r.set(left, width, low, length, Math.abs(s.height));
+        boolean uneven = r.farthest > 2 * r.nearest && r.solidAngle > LEAST_PRECISE;
+        if (r.solidAngle < LEAST_SOLID_ANGLE && !uneven) {
+            return SamplingChoice.AREA;
+        }
+        r.prepare();
+        return SamplingChoice.SOLID_ANGLE;
+    }
+
+    private SamplingChoice decideTriangles(LightSample s) {
+        double x = corner.x() - s.cone.x;
+        double y = corner.y() - s.cone.y;
+        double z = corner.z() - s.cone.z;
+        double across = Math.abs(s.height) * area;
+        double length0 = s.triangle.corner(0, x, y, z);
+        double length1 = s.triangle.corner(1, x + right.x(), y + right.y(), z + right.z());
+        double length2 = s.triangle.corner(2, x + up.x(), y + up.y(), z + up.z());
+        s.triangle.measure(across / (length0 * length1 * length2));
+        Vec3 diagonal = right.plus(up);
+        length0 = s.secondTriangle.corner(0, x + diagonal.x(), y + diagonal.y(), z + diagonal.z());
+        s.secondTriangle.corner(1, x + up.x(), y + up.y(), z + up.z());
+        s.secondTriangle.corner(2, x + right.x(), y + right.y(), z + right.z());
+        s.secondTriangle.measure(across / (length0 * length1 * length2));
+        double solidAngle = s.triangle.solidAngle + s.secondTriangle.solidAngle;
+        if (!(solidAngle >= LEAST_SOLID_ANGLE && solidAngle <= LARGEST_SOLID_ANGLE)) {
+            return SamplingChoice.AREA;
+        }
+        s.triangle.prepare();
+        s.secondTriangle.prepare();
+        return SamplingChoice.SOLID_ANGLE;
+    }
+
+    @Override
+    public void sample(LightSample s, double u, double v) {
+        switch (choice(s)) {
+            case SOLID_ANGLE -> sampleSolidAngle(s, u, v);
+            case AREA -> {
+                double x = Math.fma(u, right.x(), Math.fma(v, up.x(), corner.x() - s.cone.x));
+                double y = Math.fma(u, right.y(), Math.fma(v, up.y(), corner.y() - s.cone.y));
+                double z = Math.fma(u, right.z(), Math.fma(v, up.z(), corner.z() - s.cone.z));
+                s.toOffset(x, y, z);
+                s.cosine = s.height / s.length;
+                s.pdf = LightSample.pdfOfArea(area, twoSided, s.length, s.cosine);
+            }
+            default -> s.absent();
+        }
+    }
+
+    private void sampleSolidAngle(LightSample s, double u, double v) {
+        if (rectangular) {
+            SphericalRectangle r = s.rectangle;
+            r.choose(u, v);
+            double down = -s.height;
+            s.toOffset(
+                    Products.dot(unitRight.x(), unitUp.x(), normal.x(), r.x, r.y, down),
+                    Products.dot(unitRight.y(), unitUp.y(), normal.y(), r.x, r.y, down),
+                    Products.dot(unitRight.z(), unitUp.z(), normal.z(), r.x, r.y, down));
+            s.cosine = s.height / s.length;
+            s.pdf = 1 / r.solidAngle;
+            return;
+        }
+        double both = s.triangle.solidAngle + s.secondTriangle.solidAngle;
+        double share = s.triangle.solidAngle / both;
+        boolean first = u < share;
+        SphericalTriangle t = first ? s.triangle : s.secondTriangle;
+        t.choose(first ? u / share : Math.min((u - share) / (1 - share), 1), v);
+        onPlane(s, t, normal, 1 / both);
+    }
+
+    /** The point of the plane in the direction that the triangle has chosen. */
+    static void onPlane(LightSample s, SphericalTriangle t, Vec3 normal, double density) {
+        double cosine = -Products.dot(t.x, t.y, t.z, normal.x(), normal.y(), normal.z());
+        double distance = s.height / cosine;
+        s.set(t.x, t.y, t.z, distance);
+        s.cosine = cosine;
+        s.pdf = distance > 0 && distance <= Double.MAX_VALUE ? density : 0;
+    }
+
+    @Override
+    public double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine) {
+        return switch (choice(s)) {
+            case SOLID_ANGLE ->
+                1 / (rectangular ? s.rectangle.solidAngle : s.triangle.solidAngle + s.secondTriangle.solidAngle);
+            case AREA -> LightSample.pdfOfArea(area, twoSided, distance, cosine);
+            default -> 0;
+        };
+    }
+
+    @Override
+    public double irradiance(LightSample s, double nx, double ny, double nz) {
+        if (!(twoSided ? s.height != 0 : s.height > 0)) {
+            return 0;
+        }
+        double x = corner.x() - s.cone.x;
+        double y = corner.y() - s.cone.y;
+        double z = corner.z() - s.cone.z;
+        HorizonPolygon p = s.polygon;
+        p.clear();
+        p.add(x, y, z);
+        p.add(x + right.x(), y + right.y(), z + right.z());
+        p.add(x + right.x() + up.x(), y + right.y() + up.y(), z + right.z() + up.z());
+        p.add(x + up.x(), y + up.y(), z + up.z());
+        return p.irradiance(nx, ny, nz, Math.abs(s.height), 2 * radius < HorizonPolygon.FAR * s.cone.distance);
+    }
+
+    @Override
+    public double area() {
+        return area;
+    }
+
+    @Override
+    public boolean isTwoSided() {
+        return twoSided;
+    }
+
+    @Override
+    public void samplePoint(double u, double v, SurfacePoint point) {
+        point.set(
+                Math.fma(u, right.x(), Math.fma(v, up.x(), corner.x())),
+                Math.fma(u, right.y(), Math.fma(v, up.y(), corner.y())),
+                Math.fma(u, right.z(), Math.fma(v, up.z(), corner.z())));
+        point.setNormal(normal.x(), normal.y(), normal.z());
+    }
+
+    @Override
+    public Vec3 ballCenter() {
+        return center;
+    }
+
+    @Override
+    public double ballRadius() {
+        return radius;
+    }
+
+    @Override
+    public Vec3 flatNormal() {
+        return normal;
+    }
+
+    @Override
+    public double[] parameters() {
+        return Numbers.of(twoSided, corner, right, up);
+    }
+}

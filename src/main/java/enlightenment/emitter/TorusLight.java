@@ -1,0 +1,136 @@
+package enlightenment.emitter;
+
+import enlightenment.frame.Basis;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+
+/** A torus that shines outwards, sampled evenly over its area. */
+public final class TorusLight implements AreaLight {
+    /** Halvings of the angle's interval before Newton's steps, which then converge from wherever they are. */
+    private static final int MOST_STEPS = 64;
+
+    private final Vec3 center;
+    private final Vec3 axis;
+    private final double majorRadius;
+    private final double minorRadius;
+
+    /** The ratio of the radii, at most 1. */
+    private final double thickness;
+
+    private final Basis basis = new Basis();
+    private final double area;
+
+    /**
+     * All points within {@code minorRadius} of a circle.
+     *
+     * @param axis the unit vector that the circle's plane is perpendicular to
+     * @param majorRadius the circle's radius
+     * @param minorRadius greater than 0, at most the major radius
+     */
+    public TorusLight(Vec3 center, Vec3 axis, double majorRadius, double minorRadius) {
+        this.center = center;
+        this.axis = axis;
+        this.majorRadius = majorRadius;
+        this.minorRadius = minorRadius;
+        thickness = minorRadius / majorRadius;
+        basis.around(axis.x(), axis.y(), axis.z());
+        area = 4 * Math.PI * Math.PI * majorRadius * minorRadius;
+    }
+
+    @Override
+    public void aim(LightSample s, double x, double y, double z) {
+        s.aim(center.x(), center.y(), center.z(), ballRadius(), x, y, z);
+    }
+
+    @Override
+    public void sample(LightSample s, double u, double v) {
+        samplePoint(u, v, s.point);
+        s.toPoint(area, false);
+    }
+
+    @Override
+    public double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine) {
+        return LightSample.pdfOfArea(area, false, distance, cosine);
+    }
+
+    @Override
+    public double irradiance(LightSample s, double nx, double ny, double nz) {
+        return Horizon.irradianceIfBelow(s.cone, nx, ny, nz);
+    }
+
+    @Override
+    public double area() {
+        return area;
+    }
+
+    @Override
+    public boolean isTwoSided() {
+        return false;
+    }
+
+    @Override
+    public void samplePoint(double u, double v, SurfacePoint point) {
+        double around = 2 * Math.PI * u;
+        double p = StrictMath.cos(around);
+        double q = StrictMath.sin(around);
+        double tube = tubeAngle(2 * Math.PI * v - Math.PI);
+        double out = StrictMath.cos(tube);
+        double up = StrictMath.sin(tube);
+        double x = p * basis.ax + q * basis.bx;
+        double y = p * basis.ay + q * basis.by;
+        double z = p * basis.az + q * basis.bz;
+        point.setNormal(
+                Math.fma(out, x, up * axis.x()), Math.fma(out, y, up * axis.y()), Math.fma(out, z, up * axis.z()));
+        double r = Math.fma(minorRadius, out, majorRadius);
+        double h = minorRadius * up;
+        point.set(
+                Math.fma(r, x, Math.fma(h, axis.x(), center.x())),
+                Math.fma(r, y, Math.fma(h, axis.y(), center.y())),
+                Math.fma(r, z, Math.fma(h, axis.z(), center.z())));
+    }
+
+    /**
+     * The angle ψ around the tube, from the outer equator, with ψ + (r/R)·sin ψ = m for m in −π..π: the area up to ψ grows as the left
+     * side. Newton's steps within an interval that encloses the root; where one would leave it, it is halved.
+     */
+    private double tubeAngle(double m) {
+        double lo = -Math.PI;
+        double hi = Math.PI;
+        double angle = m / (1 + thickness);
+        for (int k = 0; k < MOST_STEPS; k++) {
+            double excess = angle + thickness * StrictMath.sin(angle) - m;
+            if (excess > 0) {
+                hi = angle;
+            } else {
+                lo = angle;
+            }
+            double next = angle - excess / (1 + thickness * StrictMath.cos(angle));
+            next = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
+            if (next == angle || Math.abs(next - angle) <= Math.ulp(angle)) {
+                return next;
+            }
+            angle = next;
+        }
+        return angle;
+    }
+
+    @Override
+    public Vec3 ballCenter() {
+        return center;
+    }
+
+    @Override
+    public double ballRadius() {
+        return (majorRadius + minorRadius) * (1 + Scale.gamma(8));
+    }
+
+    @Override
+    public Vec3 flatNormal() {
+        return Vec3.ZERO;
+    }
+
+    @Override
+    public double[] parameters() {
+        return Numbers.of(false, center, axis, new Vec3(majorRadius, minorRadius, 0));
+    }
+}

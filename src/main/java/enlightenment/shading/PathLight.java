@@ -1,0 +1,365 @@
+package enlightenment.shading;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.LightCone;
+import enlightenment.compiled.PhysicalLight;
+import enlightenment.compiled.PhysicalScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.Tracer;
+import enlightenment.emitter.AreaLight;
+import enlightenment.emitter.LightChoice;
+import enlightenment.emitter.LightPicker;
+import enlightenment.emitter.LightSample;
+import enlightenment.emitter.SphereLight;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+
+/**
+ * The light that reaches a vertex of a path straight from the lights, and the weight of light that the path runs into after it: what
+ * both find is counted once.
+ *
+ * <p>At a matte vertex irradiance has closed forms. That of a ball is used everywhere, times a sampled visibility; that of a polygon only
+ * where nothing can occlude it, which is a function of light and vertex alone ({@link #isClosed}), so that both sides agree on it. All
+ * else is sampled, with the power heuristic (E. Veach and L. Guibas, "Optimally combining sampling techniques", 1995).
+ */
+final class PathLight {
+    /** At the first vertex up to this many lights are taken all. */
+    private static final int ALL_AT_FIRST = 4;
+
+    private final PhysicalScene physical;
+    private final PhysicalLight[] lights;
+    private final LightPicker picker;
+    private final RayCounters counters;
+    private final PathFollower path;
+    private final Hit hit;
+    private final GlassTracer glass;
+    private final Tracer tracer;
+    private final LightCone cone = new LightCone();
+    private final LightSample view = new LightSample(cone);
+    private final LightChoice choice = new LightChoice();
+    private final Ray shadowRay = new Ray();
+    private final double[] pair = new double[2];
+
+    /** Primitives that the vertex lies on; if there are more, the others are tested needlessly. The last is the light's own. */
+    private final int[] starts = new int[9];
+
+    private int startCount;
+
+    /** The last vertex that scattered light other than into single directions, and its normal on the side that the path came from. */
+    private double x;
+
+    private double y;
+    private double z;
+    private double nx;
+    private double ny;
+    private double nz;
+
+    /** Whether it is Lambertian. */
+    private boolean isMatte;
+
+    /** Whether it took light from all lights, rather than from one that was chosen. */
+    private boolean tookAll;
+
+    /** The density per solid angle with which the path left it. */
+    private double pdf;
+
+    /** What was gathered: radiance towards where the path came from; of a Lambertian surface, that of a white one. */
+    double red;
+
+    double green;
+    double blue;
+
+    PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
+        physical = scene.physical;
+        lights = physical.lights;
+        picker = physical.picker;
+        this.counters = counters;
+        this.path = path;
+        hit = path.hit;
+        glass = path.glass;
+        tracer = path.tracer;
+    }
+
+    private void begin(boolean matte, boolean isFirst) {
+        isMatte = matte;
+        tookAll = lights.length <= 1 || isFirst && lights.length <= ALL_AT_FIRST;
+        double facing = hit.side;
+        x = hit.px;
+        y = hit.py;
+        z = hit.pz;
+        nx = hit.nx * facing;
+        ny = hit.ny * facing;
+        nz = hit.nz * facing;
+        red = 0;
+        green = 0;
+        blue = 0;
+        findStarts();
+    }
+
+    /** Tells the density per solid angle of the direction in which the path leaves the vertex. */
+    void left(double density) {
+        pdf = density;
+    }
+
+    /**
+     * Gathers the light at the Lambertian surface that the path is at.
+     *
+     * @param isFirst whether the path came here from the eye by delta events only
+     */
+    void gatherMatte(Sampler sampler, int address, boolean isFirst) {
+        begin(true, isFirst);
+        if (tookAll) {
+            for (int i = 0; i < lights.length; i++) {
+                addMatte(i, 1, sampler, address);
+            }
+        } else if (choose(sampler, address)) {
+            addMatte(choice.light, choice.probability, sampler, address);
+        }
+    }
+
+    private void addMatte(int index, double probability, Sampler sampler, int address) {
+        PhysicalLight l = lights[index];
+        counters.lightSamples++;
+        double e = l.isPoint ? ofPoint(l) : irradiance(l, tookAll ? index : -1, probability, sampler, address);
+        if (e > 0) {
+            double f = e / (Math.PI * probability);
+            red = Math.fma(f, l.r, red);
+            green = Math.fma(f, l.g, green);
+            blue = Math.fma(f, l.b, blue);
+        }
+    }
+
+    private boolean choose(Sampler sampler, int address) {
+        sampler.pair(address, Sampler.Purpose.CHOICE, pair);
+        picker.choose(x, y, z, nx, ny, nz, pair[0], choice);
+        return choice.light >= 0;
+    }
+
+    private double ofPoint(PhysicalLight l) {
+        aimAtPoint(l);
+        double cosine = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        return cosine > 0 && isVisible(l) ? cosine / (cone.distance * cone.distance) : 0;
+    }
+
+    private void aimAtPoint(PhysicalLight l) {
+        cone.aim(l, x, y, z);
+        view.dx = cone.wx;
+        view.dy = cone.wy;
+        view.dz = cone.wz;
+        view.length = cone.distance;
+    }
+
+    /** The irradiance, estimated, of a light of radiance 1: the part of it that is not left to chance. */
+    private double irradiance(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
+        aim(l);
+        double e = irradiance(l.form);
+        if (e == 0) {
+            counters.lightSamplesWithoutRay++;
+            return 0;
+        }
+        if (e != e) {
+            // Prepares the shadow ray; an answer without a ray is no closed form here.
+            Tracer.Visibility known = visibility(l);
+            return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
+        }
+        Tracer.Visibility visibility = visibility(l);
+        if (visibility != Tracer.Visibility.UNKNOWN) {
+            counters.lightSamplesWithoutRay++;
+            return visibility == Tracer.Visibility.ALL ? e : 0;
+        }
+        return l.isBall
+                ? ofHiddenBall(l, e, index, sampler, address)
+                : sampled(l, index, probability, sampler, address, visibility);
+    }
+
+    /** The irradiance of a ball of which a part may be hidden. */
+    private double ofHiddenBall(PhysicalLight l, double e, int index, Sampler sampler, int address) {
+        SphereLight ball = (SphereLight) l.form;
+        lightPoint(index, sampler, address);
+        if (ball.samplesByCosine(view, nx, ny, nz)) {
+            ball.sampleByCosine(view, nx, ny, nz, pair[0], pair[1]);
+            return isBlocked(l) ? 0 : e;
+        }
+        ball.sample(view, pair[0], pair[1]);
+        double cosine = nx * view.dx + ny * view.dy + nz * view.dz;
+        return cosine > 0 && view.pdf > 0 && !isBlocked(l) ? cosine / view.pdf : 0;
+    }
+
+    /** The same by a point of the light, weighted against directions by the cosine. */
+    private double sampled(
+            PhysicalLight l, int index, double probability, Sampler sampler, int address, Tracer.Visibility known) {
+        lightPoint(index, sampler, address);
+        sample(l.form);
+        double cosine = nx * view.dx + ny * view.dy + nz * view.dz;
+        if (!(view.pdf > 0) || !(cosine > 0)) {
+            counters.lightSamplesWithoutRay++;
+            return 0;
+        }
+        double weighed = cosine / view.pdf * weight(cosine / Math.PI, probability * view.pdf);
+        return known == Tracer.Visibility.ALL || !isBlocked(l) ? weighed : 0;
+    }
+
+    /** Gathers the light at the surface that the path is at, whatever its lobes. */
+    void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
+        begin(false, isFirst);
+        if (tookAll) {
+            for (int i = 0; i < lights.length; i++) {
+                add(bsdf, s, i, 1, sampler, address);
+            }
+        } else if (choose(sampler, address)) {
+            add(bsdf, s, choice.light, choice.probability, sampler, address);
+        }
+    }
+
+    private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
+        PhysicalLight l = lights[index];
+        counters.lightSamples++;
+        double density;
+        if (l.isPoint) {
+            aimAtPoint(l);
+            density = cone.distance * cone.distance;
+        } else {
+            aim(l);
+            lightPoint(tookAll ? index : -1, sampler, address);
+            sample(l.form);
+            density = view.pdf;
+        }
+        if (!(density > 0)) {
+            return;
+        }
+        s.ix = view.dx;
+        s.iy = view.dy;
+        s.iz = view.dz;
+        bsdf.evaluate(s);
+        if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
+            double f = (l.isPoint ? 1 : weight(s.pdf, probability * density)) / (probability * density);
+            red = Math.fma(f * s.valueR, l.r, red);
+            green = Math.fma(f * s.valueG, l.g, green);
+            blue = Math.fma(f * s.valueB, l.b, blue);
+        }
+    }
+
+    /** The weight of what the surface that the path is at emits: it ran into it after it left the vertex. */
+    double weight(Ray ray) {
+        int index = physical.lightOf(path.id, hit.face);
+        if (index < 0) {
+            return 1;
+        }
+        PhysicalLight l = lights[index];
+        aim(l);
+        if (isMatte && isClosed(l)) {
+            return 0;
+        }
+        double dx = hit.px - x;
+        double dy = hit.py - y;
+        double dz = hit.pz - z;
+        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double scale = 1 / Math.sqrt(ray.dd);
+        double cosine = -(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz) * scale;
+        double density = l.form.pdf(view, ray.dx * scale, ray.dy * scale, ray.dz * scale, distance, cosine);
+        if (!(density > 0)) {
+            return 1;
+        }
+        double probability = tookAll ? 1 : picker.probability(index, x, y, z, nx, ny, nz, choice);
+        return weight(probability * density, pdf);
+    }
+
+    /** Whether the vertex, a matte one, has all of the light from its closed form. */
+    private boolean isClosed(PhysicalLight l) {
+        double e = irradiance(l.form);
+        if (!(e > 0)) {
+            return false;
+        }
+        return l.isBall || visibility(l) != Tracer.Visibility.UNKNOWN;
+    }
+
+    /** The power heuristic of one density against another, with the ratio formed first: no square overflows. */
+    private static double weight(double other, double own) {
+        double ratio = other / own;
+        return 1 / (1 + ratio * ratio);
+    }
+
+    private void aim(PhysicalLight l) {
+        if (l.form instanceof SphereLight ball) {
+            ball.aim(view, x, y, z);
+        } else {
+            l.form.aim(view, x, y, z);
+        }
+        cone.around(l);
+    }
+
+    // Asking for the common form first lets the just-in-time compiler inline it.
+
+    private double irradiance(AreaLight form) {
+        return form instanceof SphereLight ball ? ball.irradiance(view, nx, ny, nz) : form.irradiance(view, nx, ny, nz);
+    }
+
+    private void sample(AreaLight form) {
+        if (form instanceof SphereLight ball) {
+            ball.sample(view, pair[0], pair[1]);
+        } else {
+            form.sample(view, pair[0], pair[1]);
+        }
+    }
+
+    /** Sets the pair to the numbers of a point of a light: of the one that was chosen, or of each of several. */
+    private void lightPoint(int index, Sampler sampler, int address) {
+        if (index <= 0) {
+            sampler.pair(address, Sampler.Purpose.LIGHT, pair);
+        } else {
+            sampler.lightPoints(index, address, 1);
+            pair[0] = sampler.lightX(0);
+            pair[1] = sampler.lightY(0);
+        }
+    }
+
+    private boolean isVisible(PhysicalLight l) {
+        Tracer.Visibility visibility = visibility(l);
+        if (visibility != Tracer.Visibility.UNKNOWN) {
+            counters.lightSamplesWithoutRay++;
+            return visibility == Tracer.Visibility.ALL;
+        }
+        return !isBlocked(l);
+    }
+
+    private void findStarts() {
+        int count = 0;
+        if (neverReturnsTo(hit)) {
+            starts[count++] = path.id;
+        }
+        for (int k = 0; k < glass.surfaces() && count < starts.length - 1; k++) {
+            if (glass.surface(k) != path.id && neverReturnsTo(glass.hitOf(k))) {
+                starts[count++] = glass.surface(k);
+            }
+        }
+        startCount = count;
+    }
+
+    private Tracer.Visibility visibility(PhysicalLight l) {
+        int count = startCount;
+        if (l.hidesNothingOfItself) {
+            starts[count++] = l.id;
+        }
+        return tracer.prepareShadows(cone, starts, count, 1);
+    }
+
+    /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */
+    private static boolean neverReturnsTo(Hit place) {
+        Primitive p = place.primitive;
+        return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
+    }
+
+    private boolean isBlocked(PhysicalLight l) {
+        path.poll.tick();
+        shadowRay.set(x, y, z, view.dx, view.dy, view.dz, 0);
+        shadowRay.from(hit.primitive, hit.side);
+        if (glass.surfaces() > 1) {
+            glass.startOnAll(shadowRay);
+        }
+        return tracer.occluded(shadowRay, view.length, l);
+    }
+}

@@ -1,0 +1,268 @@
+package enlightenment.shading;
+
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.PhysicalScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
+ * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997).
+ *
+ * <p>What a path finds twice, by sampling a light and by running into it, is weighted so that both together count once
+ * ({@link PathLight}). Nothing is clamped: the mean over paths is the solution. See docs/physical-light.md.
+ */
+public final class PathTracer implements Shader {
+    /** From this scattering event on roulette may end a path. */
+    private static final int ROULETTE_FROM = 5;
+
+    /** Sooner, if less than this is left of a path's throughput. */
+    private static final double FAINT = 0.05;
+
+    /** Paths of a closed white room must end, too. */
+    private static final double LARGEST_SURVIVAL = 0.99;
+
+    private final PhysicalScene physical;
+    private final PathFollower path;
+    private final PathLight light;
+    private final boolean absorbs;
+    private final boolean hasCausticPass;
+    private final double[] surface = new double[3];
+    private final double[] pair = new double[2];
+
+    private double throughputR;
+    private double throughputG;
+    private double throughputB;
+    private double red;
+    private double green;
+    private double blue;
+
+    /** How many scattering events have used random numbers: the address of the next ones. */
+    private int address;
+
+    /** How many scattering events there were. */
+    private int events;
+
+    /** Whether a direction was sampled from a lobe that is not a delta lobe. */
+    private boolean scattered;
+
+    /** Whether the first event was of that kind. */
+    private boolean scatteredFirst;
+
+    /** Whether the last event was one of a delta lobe. */
+    private boolean delta;
+
+    /** The index of refraction of the medium that the eye is in. */
+    private double firstIndex;
+
+    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
+    private double compression;
+
+    /**
+     * A path tracer for one thread.
+     *
+     * @param scene a scene of physical shading
+     * @param counters what this thread counts
+     */
+    public PathTracer(CompiledScene scene, RayCounters counters) {
+        physical = scene.physical;
+        path = new PathFollower(scene, counters, physical.maxBounces);
+        path.tracer.leaveVisibilityOpen();
+        light = new PathLight(scene, counters, path);
+        absorbs = physical.hasAbsorption;
+        hasCausticPass = physical.hasCausticPass();
+    }
+
+    @Override
+    public void beginTile(double x0, double y0, double x1, double y1) {
+        path.tracer.beginTile(x0, y0, x1, y1);
+    }
+
+    @Override
+    public boolean seesNothing() {
+        return path.tracer.seesNothing();
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier condition) {
+        path.poll.stopWhen(condition);
+    }
+
+    @Override
+    public void shade(Ray ray, Sampler sampler, double[] out) {
+        red = 0;
+        green = 0;
+        blue = 0;
+        throughputR = 1;
+        throughputG = 1;
+        throughputB = 1;
+        address = 0;
+        events = 0;
+        scattered = false;
+        scatteredFirst = false;
+        delta = false;
+        compression = 1;
+        path.begin(ray);
+        firstIndex = path.glass.indexOfRefraction();
+        while (step(ray, sampler)) {
+            events++;
+        }
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    /** Follows the ray to the next event; returns whether the path goes on. */
+    private boolean step(Ray ray, Sampler sampler) {
+        SurfaceMaterial medium = absorbs ? path.medium() : null;
+        PathFollower.Event event = path.next(ray);
+        if (event == PathFollower.Event.NOTHING) {
+            add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            return false;
+        }
+        if (medium != null && medium.absorbs) {
+            absorb(medium, path.distance(ray));
+        }
+        return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
+    }
+
+    /** At an opaque surface. */
+    private boolean surface(Ray ray, Sampler sampler) {
+        SurfaceMaterial material = path.material();
+        if (material.glows) {
+            glow(ray, material);
+        }
+        if (material.isBlack || !path.mayScatter()) {
+            return false;
+        }
+        path.color(material, surface);
+        if (material.bsdf == Lambert.INSTANCE) {
+            return matte(ray, sampler);
+        }
+        return material.isDelta ? reflect(ray, material, sampler) : rough(ray, material, sampler);
+    }
+
+    /** Adds what the surface emits. */
+    private void glow(Ray ray, SurfaceMaterial material) {
+        double weight = 1;
+        if (scattered) {
+            weight = delta ? weightOfCaustic() : light.weight(ray);
+        }
+        if (weight > 0 && material.glowsTo(path.hit.side)) {
+            add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
+        }
+    }
+
+    /** Of light that was reflected by a mirror or refracted on its way to a matter surface. */
+    private double weightOfCaustic() {
+        return hasCausticPass && scatteredFirst ? 0 : 1;
+    }
+
+    /** Lambert's law: direct light has closed forms. */
+    private boolean matte(Ray ray, Sampler sampler) {
+        light.gatherMatte(sampler, address, !scattered);
+        add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
+        Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
+        light.left(s.pdf);
+        leave(false);
+        return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+    }
+
+    private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        path.scatter(ray, material, surface, 0, 0, 0);
+        leave(true);
+        return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+    }
+
+    /** Any other lobes. */
+    private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        Scattering s = path.arrive(ray, surface);
+        light.gather(material.bsdf, s, sampler, address, !scattered);
+        add(light.red, light.green, light.blue);
+        sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
+        if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
+            return false;
+        }
+        light.left(s.pdf);
+        path.leave(ray, s);
+        leave(s.delta);
+        return filterAndSurvive(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
+    }
+
+    /** At a border of glass, or at a pane. */
+    private boolean glass(Ray ray, Sampler sampler) {
+        if (!path.mayScatter()) {
+            return false;
+        }
+        sampler.pair(address++, Sampler.Purpose.CHOICE, pair);
+        path.glass.choose(pair[0]);
+        boolean through = path.cross(ray);
+        double r = 1;
+        double g = 1;
+        double b = 1;
+        for (int k = 0; through && k < path.glass.surfaces(); k++) {
+            if (path.glass.filters(k, true)) {
+                path.turnTo(k);
+                path.color(path.material(), surface);
+                r *= surface[0];
+                g *= surface[1];
+                b *= surface[2];
+            }
+        }
+        double n = path.glass.indexOfRefraction();
+        compression = firstIndex * firstIndex / (n * n);
+        leave(true);
+        return filterAndSurvive(r, g, b, sampler) && path.goesOn();
+    }
+
+    /** Notes the kind of event that the path leaves behind. */
+    private void leave(boolean isDelta) {
+        if (!isDelta) {
+            scattered = true;
+            scatteredFirst |= events == 0;
+        }
+        delta = isDelta;
+    }
+
+    private void add(double r, double g, double b) {
+        red = Math.fma(throughputR * compression, r, red);
+        green = Math.fma(throughputG * compression, g, green);
+        blue = Math.fma(throughputB * compression, b, blue);
+    }
+
+    /**
+     * Multiplies the throughput by the weight of an event and plays roulette by it: by the event's own albedo, since what is left of the
+     * path's throughput says little of what is to come.
+     */
+    private boolean filterAndSurvive(double r, double g, double b, Sampler sampler) {
+        throughputR *= r;
+        throughputG *= g;
+        throughputB *= b;
+        double most = Math.max(throughputR, Math.max(throughputG, throughputB));
+        if (events + 1 < ROULETTE_FROM && most >= FAINT) {
+            return true;
+        }
+        double survival = Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
+        if (!(sampler.unit(events, Sampler.Purpose.ROULETTE) < survival)) {
+            return false;
+        }
+        double scale = 1 / survival;
+        throughputR *= scale;
+        throughputG *= scale;
+        throughputB *= scale;
+        return true;
+    }
+
+    /** By Beer and Lambert's law, on the way to what the path has come to. */
+    private void absorb(SurfaceMaterial medium, double length) {
+        throughputR *= StrictMath.exp(-medium.absorptionR * length);
+        throughputG *= StrictMath.exp(-medium.absorptionG * length);
+        throughputB *= StrictMath.exp(-medium.absorptionB * length);
+    }
+}

@@ -1,0 +1,92 @@
+package enlightenment.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayRgb;
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Sphere;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
+import enlightenment.math.Vec3;
+import java.util.Collections;
+import org.junit.jupiter.api.Test;
+
+class ShadingFitTest {
+    private static final Texture WHITE = Texture.of(DisplayRgb.WHITE);
+    private static final Material BRASS = Material.Glossy.of(WHITE, 0.5);
+    private static final Material SKY = new Material.Matte(WHITE, false);
+    private static final Sphere BALL = Sphere.of(ExactPoint.ORIGIN, 1);
+
+    private static SceneBuilder scene(Shading shading) {
+        return Scene.builder()
+                .camera(new Camera.Isometric(ExactPoint.ORIGIN, 3))
+                .shading(shading);
+    }
+
+    private static InvalidValueException refused(SceneBuilder scene) {
+        return assertThrows(InvalidValueException.class, scene::build);
+    }
+
+    @Test
+    void aMaterialThatClassicShadingDoesNotKnowIsRefusedWhereItIsUsed() {
+        InvalidValueException e = refused(scene(ClassicShading.DEFAULT)
+                .object(BALL, Material.Matte.of(WHITE))
+                .object(BALL, BRASS));
+        assertEquals("objects/1/material/type", e.key());
+        assertTrue(e.problem().startsWith("\"glossy\" needs \"shading\": {\"model\": \"physical\"}"), e.problem());
+        scene(PhysicalShading.DEFAULT).object(BALL, BRASS).build();
+    }
+
+    @Test
+    void aMaterialWithANameIsRefusedAtItsName() {
+        assertEquals(
+                "materials/door~1handle~0/type",
+                refused(scene(ClassicShading.DEFAULT)
+                                .material("door/handle~", BRASS)
+                                .object(BALL, BRASS))
+                        .key());
+    }
+
+    @Test
+    void materialsThatNothingUsesDoNoHarm() {
+        scene(ClassicShading.DEFAULT).material("brass", BRASS).build();
+        scene(PhysicalShading.DEFAULT).material("sky", SKY).build();
+    }
+
+    @Test
+    void surfacesWithoutShadowsAreRefusedInPhysicalShading() {
+        scene(ClassicShading.DEFAULT).object(BALL, SKY).build();
+        InvalidValueException e = refused(scene(PhysicalShading.DEFAULT).object(BALL, SKY));
+        assertEquals("objects/0/material/receivesShadows", e.key());
+        assertEquals(
+                "must be true in physical shading: what stands in the way of light takes it from every surface alike",
+                e.problem());
+    }
+
+    @Test
+    void facesAreLookedAtToo() {
+        Cube cube = new Cube(ExactPoint.ORIGIN, 1, Vec3.ZERO);
+        Material white = Material.Matte.of(WHITE);
+        SceneObject object =
+                new SceneObject("", cube, white, java.util.List.of(white, white, white, SKY, white, white));
+        assertEquals(
+                "objects/0/faces/3/receivesShadows",
+                refused(scene(PhysicalShading.DEFAULT).object(object)).key());
+    }
+
+    @Test
+    void allPlacesAreToldAtOnceButNotThousands() {
+        SceneBuilder scene = scene(ClassicShading.DEFAULT);
+        Collections.nCopies(1000, BRASS).forEach(m -> scene.object(BALL, m));
+        String problem = refused(scene).problem();
+        assertTrue(
+                problem.endsWith("; the same at /objects/1/material/type, /objects/2/material/type,"
+                        + " /objects/3/material/type and 996 more"),
+                problem);
+    }
+}

@@ -1,0 +1,159 @@
+package enlightenment.shading;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.geometry.Sphere;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import java.util.List;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Scenes whose radiance is known: closed forms, and the constant surroundings in which nothing lossless can be seen. */
+class PathTracerTest {
+    private static final PhysicalShading IN_WHITE = new PhysicalShading(OptionalInt.empty(), new Rgb(1, 1, 1));
+
+    private static Texture grey(double linear) {
+        return Texture.of(new Rgb(linear, linear, linear));
+    }
+
+    private static SceneBuilder scene() {
+        return Scene.builder().size(8, 8).shading(PhysicalShading.DEFAULT);
+    }
+
+    private static SceneBuilder seenFrom(double x, double y, double z, double degrees) {
+        return scene().camera(new Camera.Perspective(ExactPoint.of(x, y, z), ExactPoint.of(0, 0, 0), Vec3.Y, degrees));
+    }
+
+    /** Mean and standard error of the red band over the picture. */
+    private record Mean(double value, double error) {
+        void agreesWith(double expected) {
+            assertTrue(
+                    Math.abs(value - expected) <= 4 * error + 1e-12 * expected,
+                    () -> value + " ± " + error + ", not " + expected);
+        }
+    }
+
+    private static Mean render(Scene scene, int samples) {
+        CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
+        PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()));
+        tracer.beginTile(0, 0, 1, 1);
+        SobolSampler sampler = new SobolSampler();
+        Ray ray = new Ray();
+        double[] out = new double[3];
+        double sum = 0;
+        double squares = 0;
+        int n = 64;
+        for (int pixel = 0; pixel < n; pixel++) {
+            sampler.pixel(5, pixel % 8, pixel / 8);
+            double mean = 0;
+            for (int s = 0; s < samples; s++) {
+                sampler.sample(s);
+                compiled.camera.ray((pixel % 8 + sampler.filmX()) / 8, (pixel / 8 + sampler.filmY()) / 8, ray);
+                tracer.shade(ray, sampler, out);
+                mean += out[0] / samples;
+            }
+            sum += mean;
+            squares += mean * mean;
+        }
+        double mean = sum / n;
+        return new Mean(mean, Math.sqrt(Math.max(squares / n - mean * mean, 0) / (n - 1)));
+    }
+
+    /** P04: the radiance of a wall of an integrating sphere, over that of the lamp in its middle. */
+    @ParameterizedTest
+    @CsvSource({"0.15, 0.5, 0.02200489", "0.15, 0.9, 0.16839917", "0.5, 0.8, 0.5"})
+    void theWallOfAnIntegratingSphereIsAsBrightAsTheSeriesSays(double lamp, double albedo, double expected) {
+        Scene scene = scene().camera(
+                        new Camera.Perspective(ExactPoint.of(0, 0.75, 0.1), ExactPoint.of(0, 1, 0.1), Vec3.Z, 40))
+                .object(new Sphere(ExactPoint.of(0, 0, 0), 1, 0), Material.Matte.of(grey(albedo)))
+                .light(new Light.Sphere(ExactPoint.of(0, 0, 0), lamp, DisplayRgb.WHITE))
+                .build();
+        render(scene, 1024).agreesWith(expected);
+    }
+
+    /** P06: every surface of a closed box emits 1 and reflects a share. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.5, 0.9})
+    void aClosedBoxThatGlowsIsAGeometricSeries(double albedo) {
+        Material.Matte wall = new Material.Matte(grey(albedo), true).withRadiance(new Rgb(1, 1, 1));
+        Scene scene = seenFrom(0.2, 0.3, -0.4, 60)
+                .object(new Sphere(ExactPoint.of(0, 0, 0), 1, 0), wall)
+                .build();
+        render(scene, 512).agreesWith(1 / (1 - albedo));
+    }
+
+    /** P09. */
+    @Test
+    void aPointLightLightsBySquareOfTheDistance() {
+        Scene scene = scene().camera(
+                        new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
+                .object(
+                        enlightenment.render.TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9),
+                        Material.Matte.of(grey(0.5)))
+                .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))))
+                .build();
+        assertEquals(0.5 / Math.PI * 7 * (4.0 / 5) / 25, render(scene, 1).value, 1e-8);
+    }
+
+    /** P12. */
+    @Test
+    void aLampIsSeenAsBrightAsItIs() {
+        Scene scene = seenFrom(0, 0, -9, 1)
+                .light(new Light.Sphere(
+                        ExactPoint.of(0, 0, 0), 1, DisplayRgb.WHITE, Emission.radiance(new Rgb(3, 3, 3))))
+                .build();
+        assertEquals(3, render(scene, 1).value);
+    }
+
+    private static final List<Material> LOSSLESS = List.of(
+            Material.Matte.of(grey(1)),
+            Material.Matte.of(grey(1)).withRoughness(0.7),
+            Material.Mirror.of(grey(1)),
+            Material.Glass.of(grey(1), 1.5),
+            Material.Glass.of(grey(1), 1),
+            Material.Glossy.of(grey(1), 0.5));
+
+    /** P05. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3, 4, 5})
+    void whatLosesNothingCannotBeSeenInAFurnace(int k) {
+        Scene scene = seenFrom(0, 0, -4, 20)
+                .shading(IN_WHITE)
+                .object(new Sphere(ExactPoint.of(0, 0, 0), 1, 0), LOSSLESS.get(k))
+                .build();
+        Mean mean = render(scene, 64);
+        assertTrue(Math.abs(mean.value - 1) < 4 * mean.error + 2e-3, mean::toString);
+    }
+
+    /** P05, from within: the eye is in the glass, where radiance is greater by the square of its index. */
+    @Test
+    void theFurnaceIsBrighterFromWithinGlass() {
+        Scene scene = seenFrom(0.1, 0.2, -0.1, 60)
+                .shading(IN_WHITE)
+                .object(new Sphere(ExactPoint.of(0, 0, 0), 1, 0), Material.Glass.of(grey(1), 1.5))
+                .build();
+        Mean mean = render(scene, 256);
+        mean.agreesWith(2.25);
+    }
+}

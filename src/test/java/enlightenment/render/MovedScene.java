@@ -16,6 +16,7 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.math.BigDecimal;
@@ -25,11 +26,12 @@ import java.util.function.UnaryOperator;
 
 /**
  * The same scene in other coordinates: every position goes through one function, every length through another. Power and intensity
- * grow with areas and absorption falls with lengths, so that all radiance stays.
+ * grow with areas and absorption falls with lengths, so that all radiance stays; in classic shading, which looks at neither, they stay as they are.
  */
 final class MovedScene {
     private final UnaryOperator<BigDecimal> coordinate;
     private final DoubleUnaryOperator length;
+    private boolean physical;
 
     private MovedScene(UnaryOperator<BigDecimal> coordinate, DoubleUnaryOperator length) {
         this.coordinate = coordinate;
@@ -77,6 +79,7 @@ final class MovedScene {
     }
 
     private Scene scene(Scene s) {
+        physical = s.shading() instanceof PhysicalShading;
         return new Scene(
                 s.name(),
                 s.width(),
@@ -133,7 +136,7 @@ final class MovedScene {
     }
 
     private Emission emission(Emission e) {
-        boolean stays = e.quantity() == Emission.Quantity.RADIANCE;
+        boolean stays = !physical || e.quantity() == Emission.Quantity.RADIANCE;
         return stays ? e : new Emission(e.quantity(), times(e.value(), length(1) * length(1)));
     }
 

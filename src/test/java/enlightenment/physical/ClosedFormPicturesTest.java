@@ -13,7 +13,7 @@ class ClosedFormPicturesTest {
     private static final int SEEDS = 12;
 
     static Stream<ClosedForms.Known> known() {
-        return ClosedForms.all().stream();
+        return Stream.concat(ClosedForms.all().stream(), ClosedForms.hard().stream());
     }
 
     /** Six standard errors of twelve means: Student's distribution gives a right program a chance of 1e-4 to fail. */

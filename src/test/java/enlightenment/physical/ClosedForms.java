@@ -10,7 +10,13 @@ import static enlightenment.physical.PhysicalScenes.sphereLight;
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
 import enlightenment.geometry.Shape;
+import enlightenment.geometry.Torus;
+import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
@@ -19,6 +25,7 @@ import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
+import java.util.ArrayList;
 import java.util.List;
 
 /** Scenes of which every place of the picture has a radiance that is known. */
@@ -201,8 +208,103 @@ final class ClosedForms {
         return new Known("a lamp", scene, 1, 0.5, 0);
     }
 
+    /** Walls of any closed form that glow and reflect all over: no form factor matters. */
+    static Known glowingInside(String name, Shape shape) {
+        Material wall = matte(0.6, 0.3, 0).withRadiance(new Rgb(1, 2, 3));
+        Scene scene = inside(0.3, 0.1, -0.1).object(shape, wall).build();
+        return new Known("glowing " + name, scene, 1 / (1 - 0.6), 2 / (1 - 0.3), 3);
+    }
+
+    /** Forms around the place of {@link #inside}. */
+    static List<Known> insides() {
+        return List.of(
+                glowingInside("cylinder", new Cylinder(at(-0.2, -0.5, -0.6), at(0.6, 0.9, 0.7), 0.8, true)),
+                glowingInside("cone", new Cone(at(0.2, -0.9, 0), at(0.4, 2, 0.1), 1.1, 0, true)),
+                glowingInside("frustum", new Cone(at(0.2, -0.9, 0), at(0.4, 1, 0.1), 1.1, 0.4, true)),
+                glowingInside("cube", new Cube(at(0.1, 0, 0.1), 1.3, new Vec3(20, 30, 40))),
+                glowingInside("ring", new Torus(at(-0.6, 0, 0), new Vec3(0.1, 1, 0), 0.9, 0.4)));
+    }
+
+    /** Two mirrors that face each other, of which one glows: Le + ρ² Le + … */
+    static Known mirrors() {
+        Material glow = new Material.Mirror(linear(0.9, 0.5, 0), true, new Rgb(1, 2, 3));
+        Scene scene = Scene.builder()
+                .size(4, 4)
+                .camera(new Camera.Perspective(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 0.01))
+                .shading(shading(7))
+                .object(TestScenes.rectangle(-50, -50, 1, -50, 50, 1, 50, 50, 1, 50, -50, 1), glow)
+                .object(
+                        TestScenes.rectangle(-50, -50, -1, -50, 50, -1, 50, 50, -1, 50, -50, -1),
+                        Material.Mirror.of(linear(0.9, 0.5, 0)))
+                .build();
+        return new Known("mirrors", scene, 1 / (1 - 0.81), 2 / (1 - 0.25), 3);
+    }
+
+    /** What is flat sees nothing of its own light, however it lies. */
+    static Known sheet(Shape shape) {
+        Scene scene = Scene.builder()
+                .size(4, 4)
+                .camera(new Camera.Perspective(at(0.5, 0.4, -2), at(0, 0, 0), Vec3.Y, 5))
+                .shading(shading(0))
+                .object(shape, matte(0.8, 0.5, 0.3).withRadiance(new Rgb(1, 2, 3)))
+                .build();
+        return new Known("glowing " + shape.type(), scene, 1, 2, 3);
+    }
+
+    static List<Known> sheets() {
+        return List.of(
+                sheet(TestScenes.rectangle(-1.1, -0.9, 0.3, -0.8, 1.1, 0.7, 1.1, 0.9, -0.3, 0.8, -1.1, -0.7)),
+                sheet(new Disk(at(0.1, 0.03, 0), new Vec3(0.3, 0.4, -1), 1)),
+                sheet(new Triangle(at(-1.3, -1.1, 0.6), at(0.1, 2, 0.3), at(1.2, -0.9, -0.5))),
+                sheet(new Cube(at(0, 0, 1), 1.5, new Vec3(10, 20, 30))),
+                sheet(ball(0, 0, 0.5, 0.7)));
+    }
+
+    /** A matte floor under a sphere light, which the horizon cuts or not. */
+    static Known floor(double distance, double cosine) {
+        double sine = Math.sqrt(1 - cosine * cosine);
+        double irradiance = irradiance(distance, cosine);
+        Scene scene = Scene.builder()
+                .size(4, 4)
+                .camera(new Camera.Perspective(at(0, 1e-4, -1e-4), at(0, 0, 0), Vec3.Y, 1e-3))
+                .shading(PhysicalScenes.atMost(1, 0))
+                .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), matte(0.5, 0.25, 0))
+                .light(new Light.Sphere(
+                        at(10 * distance * sine, 10 * distance * cosine, 0),
+                        10,
+                        Rgb.WHITE,
+                        Emission.radiance(Rgb.gray(Math.PI / irradiance))))
+                .build();
+        return new Known("floor " + distance + " radii under a lamp, cosine " + cosine, scene, 0.5, 0.25, 0);
+    }
+
+    /** Of a ball of radius and radiance 1: J. Snyder, "Area light sources for real-time graphics" (1996). */
+    private static double irradiance(double h, double cosine) {
+        if (cosine >= 1 / h) {
+            return Math.PI * cosine / (h * h);
+        }
+        double sine = Math.sqrt(1 - cosine * cosine);
+        double x = Math.sqrt(h * h - 1);
+        double y = -x * cosine / sine;
+        double q = sine * Math.sqrt(1 - y * y);
+        return (cosine * Math.acos(y) - x * q) / (h * h) + Math.atan(q / x);
+    }
+
+    /** From nearly touching to as far as stars; the floor is bounded, so that a lamp may reach below the horizon. */
+    static List<Known> floors() {
+        double[][] places = {
+            {2, 0.2}, {2, 0}, {2, -0.3}, {1.1, 0.5}, {5, 0.1}, {5, -0.15}, {2, 0.6}, {1e3, 0.6}, {1e8, 0.3}
+        };
+        List<Known> all = new ArrayList<>();
+        for (double[] place : places) {
+            all.add(floor(place[0], place[1]));
+        }
+        all.add(floor(1e12, 0.9));
+        return all;
+    }
+
     static List<Known> all() {
-        List<Known> all = new java.util.ArrayList<>(furnaces());
+        List<Known> all = new ArrayList<>(furnaces());
         all.add(integratingSphere(0.5, 0.8));
         all.add(glowingBall(0.5));
         all.add(glowingBall(0.9));
@@ -212,6 +314,19 @@ final class ClosedForms {
         all.add(checkered());
         all.add(pointLight());
         all.add(seen());
+        all.add(mirrors());
+        return all;
+    }
+
+    /** What the naive tracer cannot do: small lights, other forms, walls that reflect nearly all. */
+    static List<Known> hard() {
+        List<Known> all = new ArrayList<>(insides());
+        all.addAll(floors());
+        all.addAll(sheets());
+        all.add(integratingSphere(0.15, 0.9));
+        all.add(integratingSphere(0.01, 0.5));
+        all.add(glowingBall(0.99));
+        all.add(glowingBox(0.99));
         return all;
     }
 }

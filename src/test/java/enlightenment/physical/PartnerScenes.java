@@ -58,6 +58,7 @@ final class PartnerScenes {
         glass(scenes);
         surroundings(scenes);
         limits(scenes);
+        MeetingScenes.addTo(scenes);
         Map<String, Scene> built = new TreeMap<>();
         scenes.forEach((name, scene) -> built.put(name, scene.name(name).build()));
         return built;

@@ -148,6 +148,9 @@ public final class CompiledScene {
         }
         cameraSolids = solidsThatOverlap(camera.startBounds());
         occluders = new OccluderSet(primitives, bodies, few);
+        if (physical != null && accelerator instanceof PrimitiveList all) {
+            physical.findOccluders(primitives, occluders, all);
+        }
         this.features = List.copyOf(features);
         this.absent = List.copyOf(absent);
     }

@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.PrimitiveList;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.LightPicker;
 import enlightenment.math.Vec3;
@@ -30,6 +31,12 @@ public final class PhysicalScene {
 
     /** Whether a medium absorbs. */
     public final boolean hasAbsorption;
+
+    /** Whether borders of media may be rough. */
+    public final boolean hasRoughGlass;
+
+    /** Whether a share of some glass is opaque. */
+    public final boolean hasPartialGlass;
 
     /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
     private final int[] firstFace;
@@ -63,6 +70,8 @@ public final class PhysicalScene {
             }
         }
         all.addAll(points);
+        hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
+        hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
         hasAbsorption = Arrays.stream(compiled.glassSolids())
                 .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
         lights = all.toArray(new PhysicalLight[0]);
@@ -83,6 +92,21 @@ public final class PhysicalScene {
         return material.glows
                 ? PhysicalLight.glowing(compiled.primitives()[id], id, face, material.glow(), material.glowsInside)
                 : null;
+    }
+
+    /** Finds for each light the few primitives that may occlude it. */
+    void findOccluders(Primitive[] primitives, OccluderSet set, PrimitiveList all) {
+        for (PhysicalLight light : lights) {
+            PrimitiveList some = all.empty();
+            int n = 0;
+            for (int id = 0; id < primitives.length; id++) {
+                if (!(id == light.id && light.hidesNothingOfItself) && set.mayOcclude(id, light, primitives)) {
+                    some.members()[n++] = id;
+                }
+            }
+            some.size(n);
+            light.occluders = some;
+        }
     }
 
     /** Finds for each light the faces that it lies on. */

@@ -186,7 +186,8 @@ public final class Tracer {
         judge.of(cone, starts, count);
         int left;
         if (leavesOpen || tileList != null) {
-            left = scene.accelerator.narrow(cone, judge, lightSamples, query);
+            Accelerator occluders = cone.light().occluders;
+            left = (occluders == null ? scene.accelerator : occluders).narrow(cone, judge, lightSamples, query);
         } else {
             if (decides == null) {
                 decides = scene.coneSearch();

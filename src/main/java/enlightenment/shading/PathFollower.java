@@ -1,6 +1,5 @@
 package enlightenment.shading;
 
-import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledLight;
 import enlightenment.compiled.CompiledScene;
@@ -168,7 +167,7 @@ final class PathFollower {
     }
 
     /**
-     * As {@link #scatter} at a Lambertian surface, whose colour is the weight.
+     * As {@link #scatter} at a Lambertian surface, whose colour is the weight. If the density is 0 the path ends.
      *
      * @return the direction, and its density
      */
@@ -176,7 +175,7 @@ final class PathFollower {
         scattering.nx = hit.nx * hit.side;
         scattering.ny = hit.ny * hit.side;
         scattering.nz = hit.nz * hit.side;
-        Lambert.INSTANCE.sample(scattering, u, v, 0);
+        scattering.sampleMatte(u, v);
         leave(ray, scattering);
         return scattering;
     }

@@ -51,8 +51,11 @@ public final class PathTracer implements Shader {
     /** Whether a direction was sampled from a lobe that is not a delta lobe. */
     private boolean scattered;
 
-    /** Whether the first event was of that kind. */
+    /** Whether that was the first event of the path. */
     private boolean scatteredFirst;
+
+    /** Whether there were events of delta lobes before. */
+    private boolean deltaFirst;
 
     /** Whether the last event was one of a delta lobe. */
     private boolean delta;
@@ -105,6 +108,7 @@ public final class PathTracer implements Shader {
         events = 0;
         scattered = false;
         scatteredFirst = false;
+        deltaFirst = false;
         delta = false;
         compression = 1;
         path.begin(ray);
@@ -158,7 +162,7 @@ public final class PathTracer implements Shader {
         }
     }
 
-    /** Of light that was reflected by a mirror or refracted on its way to a matter surface. */
+    /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
         return hasCausticPass && scatteredFirst ? 0 : 1;
     }
@@ -171,7 +175,7 @@ public final class PathTracer implements Shader {
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
         leave(false);
-        return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        return s.pdf > 0 && filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
@@ -200,12 +204,26 @@ public final class PathTracer implements Shader {
         if (!path.mayScatter()) {
             return false;
         }
-        sampler.pair(address++, Sampler.Purpose.CHOICE, pair);
-        path.glass.choose(pair[0]);
+        sampler.pair(address, Sampler.Purpose.CHOICE, pair);
+        double choice = pair[0];
+        if (physical.hasPartialGlass) {
+            int opaque = path.glass.opaque(pair[1]);
+            if (opaque >= 0) {
+                path.turnTo(opaque);
+                path.color(path.material(), surface);
+                return matte(ray, sampler);
+            }
+        }
+        if (physical.hasRoughGlass) {
+            sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
+        }
+        address++;
+        path.glass.choose(choice, pair);
         boolean through = path.cross(ray);
-        double r = 1;
-        double g = 1;
-        double b = 1;
+        double weight = path.glass.weight();
+        double r = weight;
+        double g = weight;
+        double b = weight;
         for (int k = 0; through && k < path.glass.surfaces(); k++) {
             if (path.glass.filters(k, true)) {
                 path.turnTo(k);
@@ -218,15 +236,22 @@ public final class PathTracer implements Shader {
         double n = path.glass.indexOfRefraction();
         compression = firstIndex * firstIndex / (n * n);
         leave(true);
+        if (path.glass.passedStraight()) {
+            // No event: a path may be cut into any number of pieces.
+            events--;
+            filter(r, g, b);
+            return path.goesOn();
+        }
         return filterAndSurvive(r, g, b, sampler) && path.goesOn();
     }
 
     /** Notes the kind of event that the path leaves behind. */
     private void leave(boolean isDelta) {
-        if (!isDelta) {
+        if (!isDelta && !scattered) {
             scattered = true;
-            scatteredFirst |= events == 0;
+            scatteredFirst = !deltaFirst;
         }
+        deltaFirst |= !scattered;
         delta = isDelta;
     }
 
@@ -236,17 +261,24 @@ public final class PathTracer implements Shader {
         blue = Math.fma(throughputB * compression, b, blue);
     }
 
+    private void filter(double r, double g, double b) {
+        throughputR *= r;
+        throughputG *= g;
+        throughputB *= b;
+    }
+
     /**
      * Multiplies the throughput by the weight of an event and plays roulette by it: by the event's own albedo, since what is left of the
      * path's throughput says little of what is to come.
      */
     private boolean filterAndSurvive(double r, double g, double b, Sampler sampler) {
-        throughputR *= r;
-        throughputG *= g;
-        throughputB *= b;
+        filter(r, g, b);
         double most = Math.max(throughputR, Math.max(throughputG, throughputB));
         if (events + 1 < ROULETTE_FROM && most >= FAINT) {
             return true;
+        }
+        if (!(most > 0)) {
+            return false;
         }
         double survival = Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
         if (!(sampler.unit(events, Sampler.Purpose.ROULETTE) < survival)) {

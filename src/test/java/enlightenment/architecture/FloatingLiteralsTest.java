@@ -179,6 +179,7 @@ class FloatingLiteralsTest {
             new Explained("film/PathDecay.java", "0.7", "power of a share, fitted"),
             new Explained("film/PathDecay.java", "1.15", "share or ratio of variances, fitted"),
             new Explained("film/PathDecay.java", "1.4", "power of a share, fitted"),
+            new Explained("film/PathDecay.java", "2.5", "share or ratio of variances, fitted"),
             new Explained("film/PathDecay.java", "4", "share or ratio of variances"),
             new Explained("film/VarianceDecay.java", "2.3", "share or ratio of variances, fitted"),
             new Explained("film/VarianceDecay.java", "2.6", "share or ratio of variances, fitted"),

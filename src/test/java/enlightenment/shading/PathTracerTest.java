@@ -17,6 +17,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
+import enlightenment.render.TestScenes;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
@@ -108,9 +109,7 @@ class PathTracerTest {
     void aPointLightLightsBySquareOfTheDistance() {
         Scene scene = scene().camera(
                         new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
-                .object(
-                        enlightenment.render.TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9),
-                        Material.Matte.of(grey(0.5)))
+                .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), Material.Matte.of(grey(0.5)))
                 .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))))
                 .build();
         assertEquals(0.5 / Math.PI * 7 * (4.0 / 5) / 25, render(scene, 1).value, 1e-8);
@@ -144,6 +143,59 @@ class PathTracerTest {
                 .build();
         Mean mean = render(scene, 64);
         assertTrue(Math.abs(mean.value - 1) < 4 * mean.error + 2e-3, mean::toString);
+    }
+
+    /** P05: all light that a pane reflects or lets pass comes from the same surroundings; what is opaque in part is matte there. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0.4})
+    void aPaneCannotBeSeenInAFurnaceEither(double transparency) {
+        Scene scene = seenFrom(0, 1, -4, 20)
+                .shading(IN_WHITE)
+                .object(
+                        TestScenes.rectangle(-9, -9, 0, -9, 9, 0, 9, 9, 0, 9, -9, 0),
+                        new Material.Glass(grey(1), 1.5, transparency, 0, true))
+                .build();
+        assertEquals(1, render(scene, 64).value, 1e-12);
+    }
+
+    /** Rough glass loses a little, and the more the rougher. */
+    @Test
+    void roughGlassLosesLittle() {
+        Scene scene = seenFrom(0, 0, -4, 20)
+                .shading(IN_WHITE)
+                .object(
+                        new Sphere(ExactPoint.of(0, 0, 0), 1, 0),
+                        Material.Glass.of(grey(1), 1.5).withRoughness(0.3))
+                .build();
+        double mean = render(scene, 64).value;
+        assertTrue(mean > 0.95 && mean < 1.001, () -> "mean " + mean);
+    }
+
+    /** Beer and Lambert: a ball of index 1 only absorbs, over the chord. */
+    @Test
+    void aMediumAbsorbsExponentially() {
+        Scene scene = scene().camera(
+                        new Camera.Orthographic(ExactPoint.of(0, 0, -8), ExactPoint.of(0, 0, 0), Vec3.Y, 1e-6))
+                .shading(IN_WHITE)
+                .object(
+                        new Sphere(ExactPoint.of(0, 0, 0), 3, 0),
+                        Material.Glass.of(grey(1), 1).withAbsorption(new Rgb(0.25, 0, 0)))
+                .build();
+        assertEquals(Math.exp(-0.25 * 6), render(scene, 1).value, 1e-12);
+    }
+
+    /** Direct light only, of a lamp whose upper half a screen hides from the floor or not, found by light sampling or by chance. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void aLampHidesAnother(int bounces) {
+        SceneBuilder builder = scene().camera(
+                        new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
+                .shading(new PhysicalShading(OptionalInt.of(bounces), Rgb.BLACK))
+                .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), Material.Matte.of(grey(0.5)))
+                .light(new Light.Sphere(ExactPoint.of(0, 9, 0), 1, DisplayRgb.WHITE))
+                .light(new Light.Sphere(ExactPoint.of(0, 4, 0), 1, DisplayRgb.WHITE));
+        // Seen from there the near lamp covers the far one: irradiance is that of the near one alone.
+        assertEquals(0.5 / 16, render(builder.build(), 4).value, 1e-12);
     }
 
     /** P05, from within: the eye is in the glass, where radiance is greater by the square of its index. */

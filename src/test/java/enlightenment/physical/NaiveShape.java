@@ -1,6 +1,7 @@
 package enlightenment.physical;
 
 import enlightenment.geometry.Box;
+import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
 import enlightenment.geometry.Rectangle;
@@ -51,6 +52,9 @@ abstract class NaiveShape {
         }
         if (shape instanceof Box b) {
             return new Bricks(at(b.min()), at(b.max()));
+        }
+        if (shape instanceof Cube c) {
+            return new Turned(at(c.center()), c.radius() / Math.sqrt(3), c.rotation());
         }
         if (shape instanceof Cylinder c) {
             return new Tube(at(c.base()), at(c.top()), c.radius(), c.capped());
@@ -237,6 +241,57 @@ abstract class NaiveShape {
         @Override
         double volume() {
             return (max[0] - min[0]) * (max[1] - min[1]) * (max[2] - min[2]);
+        }
+    }
+
+    /** A cube, turned about the x axis, then the y axis, then the z axis. */
+    static final class Turned extends NaiveShape {
+        private final Bricks upright;
+        private final Vec3 center;
+        private final Vec3[] axes = new Vec3[3];
+
+        Turned(Vec3 center, double half, Vec3 degrees) {
+            this.center = center;
+            upright = new Bricks(new Vec3(-half, -half, -half), new Vec3(half, half, half));
+            Vec3[] units = {Vec3.X, Vec3.Y, Vec3.Z};
+            for (int k = 0; k < 3; k++) {
+                axes[k] = turned(turned(turned(units[k], 0, degrees.x()), 1, degrees.y()), 2, degrees.z());
+            }
+        }
+
+        private static Vec3 turned(Vec3 v, int axis, double degrees) {
+            double c = Math.cos(Math.toRadians(degrees));
+            double s = Math.sin(Math.toRadians(degrees));
+            return switch (axis) {
+                case 0 -> new Vec3(v.x(), c * v.y() - s * v.z(), s * v.y() + c * v.z());
+                case 1 -> new Vec3(c * v.x() + s * v.z(), v.y(), c * v.z() - s * v.x());
+                default -> new Vec3(c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z());
+            };
+        }
+
+        private Vec3 local(Vec3 v) {
+            return new Vec3(axes[0].dot(v), axes[1].dot(v), axes[2].dot(v));
+        }
+
+        @Override
+        double hit(Vec3 o, Vec3 d, double from) {
+            return upright.hit(local(o.minus(center)), local(d), from);
+        }
+
+        @Override
+        Vec3 normal(Vec3 p) {
+            Vec3 n = upright.normal(local(p.minus(center)));
+            return axes[0].times(n.x()).plus(axes[1].times(n.y())).plus(axes[2].times(n.z()));
+        }
+
+        @Override
+        boolean contains(Vec3 p) {
+            return upright.contains(local(p.minus(center)));
+        }
+
+        @Override
+        double volume() {
+            return upright.volume();
         }
     }
 

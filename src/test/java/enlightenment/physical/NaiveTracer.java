@@ -3,6 +3,7 @@ package enlightenment.physical;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
+import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentHashMap;
@@ -23,7 +24,7 @@ final class NaiveTracer {
     private final NaiveScene scene;
 
     /** Metals of one colour have tables, which are made once. */
-    private final Map<Material, NaiveReflector> metals = new ConcurrentHashMap<>();
+    private final Map<List<Object>, NaiveReflector> metals = new ConcurrentHashMap<>();
 
     NaiveTracer(Scene scene) {
         this.scene = new NaiveScene(scene);
@@ -127,7 +128,9 @@ final class NaiveTracer {
 
     private NaiveReflector reflector(Material material, NaiveScene.Hit hit) {
         if (material instanceof Material.Glossy g) {
-            return metals.computeIfAbsent(g, any -> new NaiveReflector.Facets(color(hit), g));
+            double[] color = color(hit);
+            List<Object> key = List.of(g, color[0], color[1], color[2]);
+            return metals.computeIfAbsent(key, any -> new NaiveReflector.Facets(color, g));
         }
         double roughness = ((Material.Matte) material).roughness();
         return roughness > 0 ? new NaiveReflector.Rough(color(hit), roughness) : new NaiveReflector.Lambert(color(hit));
@@ -172,6 +175,8 @@ final class NaiveTracer {
         double rest = length;
         while (true) {
             NaiveScene.Hit hit = scene.nearest(o, d);
+            double way = hit == null ? rest : Math.min(rest, hit.distance());
+            left = NaiveColors.product(left, transmittance(o.plus(d.times(way / 2)), way));
             if (hit == null || hit.distance() >= rest) {
                 return left;
             }

@@ -59,6 +59,7 @@ final class PartnerScenes {
         surroundings(scenes);
         limits(scenes);
         MeetingScenes.addTo(scenes);
+        UnusualScenes.addTo(scenes);
         Map<String, Scene> built = new TreeMap<>();
         scenes.forEach((name, scene) -> built.put(name, scene.name(name).build()));
         return built;

@@ -17,8 +17,10 @@ import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
+import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.List;
 
 /** Scenes with something of all that physical light knows, for tests that what should not matter does not. */
@@ -59,6 +61,13 @@ public final class InvarianceScenes {
                     sphereLight(-0.6 + 0.6 * (k % 3), 1 + 0.4 * (k / 3 % 3), -0.6 + 0.6 * (k / 9), 0.05, 5 + k % 4));
         }
         return scene.build();
+    }
+
+    /** The methods that render physical light. */
+    public static List<Method> methods() {
+        return Method.all().stream()
+                .filter(method -> method.shadings().contains(Shading.Model.PHYSICAL))
+                .toList();
     }
 
     private static SceneBuilder furnished() {

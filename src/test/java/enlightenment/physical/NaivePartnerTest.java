@@ -12,10 +12,11 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The renderer and the naive path tracer make the same picture: Welch's test on the means of the four quarters and of the whole in
- * each band, at 1 % for all comparisons of a scene together by Šidák's formula.
+ * each band, at 1 % for all comparisons of all scenes together by Šidák's formula.
  */
 class NaivePartnerTest {
     private static final int HALF = 8;
@@ -29,10 +30,30 @@ class NaivePartnerTest {
         return SCENES.keySet().stream();
     }
 
+    /** The naive tracer's standard errors are 1 to 5 % here; what is wrong by a sixth of the light of a part is found. */
     @ParameterizedTest
-    @MethodSource("scenes")
+    @ValueSource(
+            strings = {
+                "at most 2",
+                "background and lights",
+                "checkered metal, mirror and glass",
+                "glowing disk and triangle",
+                "glowing tubes",
+                "half of glass",
+                "lights of all kinds",
+                "many lights of all kinds",
+                "metals",
+                "nested glass",
+                "pane",
+                "point light behind a pane",
+                "rough glass",
+                "rough matte",
+                "under water by a panel",
+                "window",
+                "within a light"
+            })
     void bothMakeTheSamePicture(String name) {
-        compare(SCENES.get(name), 3, 8, 8_000);
+        compare(SCENES.get(name), 2, 8, 3_000);
     }
 
     @Tag("full")
@@ -75,7 +96,7 @@ class NaivePartnerTest {
     }
 
     private static void assertSame(String name, List<double[]> ours, List<double[]> naive) {
-        double level = Welch.sidak(0.01, ours.size());
+        double level = Welch.sidak(0.01, ours.size() * SCENES.size());
         List<String> different = new ArrayList<>();
         for (int k = 0; k < ours.size(); k++) {
             Statistics a = Statistics.of(ours.get(k));

@@ -10,7 +10,6 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.physical.InvarianceScenes;
-import enlightenment.scene.Method;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
@@ -50,8 +49,7 @@ class PhysicalInvarianceTest {
 
     /** Each scene with each method that renders physical light. */
     static Stream<Arguments> pictures() {
-        return Stream.of(RADIANCE, POWER, MANY).flatMap(scene -> Method.all().stream()
-                .filter(method -> method.shadings().contains(Shading.Model.PHYSICAL))
+        return Stream.of(RADIANCE, POWER, MANY).flatMap(scene -> InvarianceScenes.methods().stream()
                 .map(method -> Arguments.of(scene, settings(scene).withMethod(method))));
     }
 

@@ -59,9 +59,9 @@ class UnitKindsTest {
                         .withAntialias(12),
                 8),
 
-        /** Tiles of linear light, the last not full, and what they are added to. */
+        /** Twelve tiles of linear light, some not full, and four batches of light paths that are added to them. */
         PHYSICAL(
-                PHYSICAL_ROOM, RenderSettings.of(PHYSICAL_ROOM).withAntialias(2).withTileSize(9), 12);
+                PHYSICAL_ROOM, RenderSettings.of(PHYSICAL_ROOM).withAntialias(2).withTileSize(9), 16);
 
         final Scene scene;
         final RenderSettings settings;

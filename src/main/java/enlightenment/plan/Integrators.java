@@ -9,6 +9,7 @@ import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.method.cluster.ClusterStatistics;
+import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClusterSettings;
@@ -95,14 +96,16 @@ public final class Integrators {
         return switch (method) {
             case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
             case CLUSTER ->
-                new ClusterMethod(
-                        scene,
-                        settings,
-                        counters,
-                        Distribution.of(ClusterSettings.of(settings).proposal()),
-                        plan.level(),
-                        plan.samples(),
-                        clusters);
+                scene.physical == null
+                        ? new ClusterMethod(
+                                scene,
+                                settings,
+                                counters,
+                                Distribution.of(ClusterSettings.of(settings).proposal()),
+                                plan.level(),
+                                plan.samples(),
+                                clusters)
+                        : new PhysicalClusterMethod(scene, settings, counters, plan.level(), plan.samples());
         };
     }
 

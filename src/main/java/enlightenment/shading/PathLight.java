@@ -73,6 +73,18 @@ final class PathLight {
     double green;
     double blue;
 
+    /** The part of it at a matte vertex that no random number has a part in. */
+    double certainRed;
+
+    double certainGreen;
+    double certainBlue;
+
+    /** What is known of the lights there: a digit to base three for each, hidden, in full view, or a matter of chance. */
+    long views;
+
+    /** Whether a random number has a part in what the last light gave. */
+    private boolean isByChance;
+
     PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
         physical = scene.physical;
         lights = physical.lights;
@@ -97,6 +109,10 @@ final class PathLight {
         red = 0;
         green = 0;
         blue = 0;
+        certainRed = 0;
+        certainGreen = 0;
+        certainBlue = 0;
+        views = 0;
         findStarts();
     }
 
@@ -124,13 +140,20 @@ final class PathLight {
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
         counters.lightSamples++;
+        isByChance = !tookAll;
         double e = l.isPoint ? ofPoint(l) : irradiance(l, tookAll ? index : -1, probability, sampler, address);
         if (e > 0) {
             double f = e / (Math.PI * probability);
             red = Math.fma(f, l.r, red);
             green = Math.fma(f, l.g, green);
             blue = Math.fma(f, l.b, blue);
+            if (!isByChance) {
+                certainRed = Math.fma(f, l.r, certainRed);
+                certainGreen = Math.fma(f, l.g, certainGreen);
+                certainBlue = Math.fma(f, l.b, certainBlue);
+            }
         }
+        views = 3 * views + (isByChance ? 2 : e > 0 ? 1 : 0);
     }
 
     private boolean choose(Sampler sampler, int address) {
@@ -179,6 +202,7 @@ final class PathLight {
     /** The irradiance of a ball of which a part may be hidden. */
     private double ofHiddenBall(PhysicalLight l, double e, int index, Sampler sampler, int address) {
         SphereLight ball = (SphereLight) l.form;
+        isByChance = true;
         lightPoint(index, sampler, address);
         if (ball.samplesByCosine(view, nx, ny, nz)) {
             ball.sampleByCosine(view, nx, ny, nz, pair[0], pair[1]);
@@ -192,6 +216,7 @@ final class PathLight {
     /** The same by a point of the light, weighted against directions by the cosine. */
     private double sampled(
             PhysicalLight l, int index, double probability, Sampler sampler, int address, Tracer.Visibility known) {
+        isByChance = true;
         lightPoint(index, sampler, address);
         sample(l.form);
         double cosine = nx * view.dx + ny * view.dy + nz * view.dz;

@@ -7,6 +7,7 @@ import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
 import java.util.function.BooleanSupplier;
 
@@ -41,6 +42,18 @@ public final class PathTracer implements Shader {
     private double red;
     private double green;
     private double blue;
+
+    /** Whether no random number has had a part in the path so far. */
+    private boolean certain;
+
+    /** What was added until then. */
+    private double certainRed;
+
+    private double certainGreen;
+    private double certainBlue;
+
+    /** What the path came to until then. */
+    private long certainKey;
 
     /** How many scattering events have used random numbers: the address of the next ones. */
     private int address;
@@ -95,6 +108,49 @@ public final class PathTracer implements Shader {
 
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
+        begin(ray);
+        while (step(ray, sampler)) {
+            events++;
+        }
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    /**
+     * Follows a path no further than {@link #certain} takes it, which tells the same after it as after {@link #shade}.
+     *
+     * @param ray the camera ray, within the tile; the path overwrites it
+     */
+    public void glimpse(Ray ray, Sampler sampler) {
+        begin(ray);
+        while (step(ray, sampler) && certain) {
+            events++;
+        }
+    }
+
+    /**
+     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first
+     * matte surface the light of lamps that nothing can hide there, or that are points. No random number has a part in it but the place
+     * on the film.
+     *
+     * @param out receives red, green and blue
+     * @return a hash of what was met on the way there, and of which lamps are hidden, in full view, or neither: two paths with the same
+     *     have met the same, but for one case in 2⁶⁴
+     */
+    public long certain(double[] out) {
+        out[0] = certainRed;
+        out[1] = certainGreen;
+        out[2] = certainBlue;
+        return certain ? path.key : certainKey;
+    }
+
+    /** How many scattering events the last path had. */
+    public int events() {
+        return events;
+    }
+
+    private void begin(Ray ray) {
         red = 0;
         green = 0;
         blue = 0;
@@ -107,14 +163,12 @@ public final class PathTracer implements Shader {
         scatteredFirst = false;
         delta = false;
         compression = 1;
+        certain = true;
+        certainRed = 0;
+        certainGreen = 0;
+        certainBlue = 0;
         path.begin(ray);
         firstIndex = path.glass.indexOfRefraction();
-        while (step(ray, sampler)) {
-            events++;
-        }
-        out[0] = red;
-        out[1] = green;
-        out[2] = blue;
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
@@ -123,6 +177,7 @@ public final class PathTracer implements Shader {
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
             add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
             return false;
         }
         if (medium != null && medium.absorbs) {
@@ -155,6 +210,7 @@ public final class PathTracer implements Shader {
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
+            addCertain(material.glowR, material.glowG, material.glowB);
         }
     }
 
@@ -167,6 +223,11 @@ public final class PathTracer implements Shader {
     private boolean matte(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !scattered);
         add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        if (certain) {
+            addCertain(
+                    surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
+            leaveToChance(light.views);
+        }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
@@ -182,6 +243,7 @@ public final class PathTracer implements Shader {
 
     /** Any other lobes. */
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        leaveToChance(0);
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
@@ -200,6 +262,7 @@ public final class PathTracer implements Shader {
         if (!path.mayScatter()) {
             return false;
         }
+        leaveToChance(0);
         sampler.pair(address++, Sampler.Purpose.CHOICE, pair);
         path.glass.choose(pair[0]);
         boolean through = path.cross(ray);
@@ -236,6 +299,22 @@ public final class PathTracer implements Shader {
         blue = Math.fma(throughputB * compression, b, blue);
     }
 
+    private void addCertain(double r, double g, double b) {
+        if (certain) {
+            certainRed = Math.fma(throughputR, r, certainRed);
+            certainGreen = Math.fma(throughputG, g, certainGreen);
+            certainBlue = Math.fma(throughputB, b, certainBlue);
+        }
+    }
+
+    /** From here on random numbers have a part in the path. */
+    private void leaveToChance(long views) {
+        if (certain) {
+            certain = false;
+            certainKey = Hash.mix(path.key + views);
+        }
+    }
+
     /**
      * Multiplies the throughput by the weight of an event and plays roulette by it: by the event's own albedo, since what is left of the
      * path's throughput says little of what is to come.
@@ -248,6 +327,7 @@ public final class PathTracer implements Shader {
         if (events + 1 < ROULETTE_FROM && most >= FAINT) {
             return true;
         }
+        leaveToChance(0);
         double survival = Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
         if (!(sampler.unit(events, Sampler.Purpose.ROULETTE) < survival)) {
             return false;

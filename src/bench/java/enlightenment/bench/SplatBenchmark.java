@@ -1,6 +1,6 @@
 package enlightenment.bench;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.DisplayCurve;
 import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatFilm;
 import enlightenment.film.SplatScale;
@@ -52,7 +52,7 @@ public class SplatBenchmark {
         }
         SplatScale scale = SplatScale.of(0.5, 1L << 40, pixels);
         batch = new SplatBatch(0, 0, width, height, scale);
-        film = new SplatFilm(0, 0, width, height, pixels, scale, Encoding.LINEAR);
+        film = new SplatFilm(0, 0, width, height, pixels, scale, DisplayCurve.SRGB);
         sums = batch();
         bytes = sums.toBytes();
     }

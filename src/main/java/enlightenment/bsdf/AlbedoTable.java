@@ -11,13 +11,20 @@ final class AlbedoTable {
     private static final int RINGS = 128;
 
     private static final int SECTORS = 64;
-    /** Parts of each panel between two nodes, in the mean. */
+    /** Rings of the hemisphere, even in sqrt(μ), in which samples of lost light are spread by their cosine. */
+    private static final int CELLS = 64;
+
+    /** Parts of each of these in the mean. */
     private static final int PARTS = 32;
 
     /** 1 − Ē. */
     final double meanLoss;
 
     private final double[] loss = new double[NODES + 1];
+    /** The share of lost light that is below each ring, and the density in it over the cosine. */
+    private final double[] below = new double[CELLS + 1];
+
+    private final double[] density = new double[CELLS];
     private final double alpha;
 
     AlbedoTable(Microfacets facets) {
@@ -31,6 +38,7 @@ final class AlbedoTable {
         }
         loss[NODES] = loss[NODES - 1];
         meanLoss = mean();
+        spread();
     }
 
     /** Where the k-th node is. */
@@ -50,43 +58,89 @@ final class AlbedoTable {
         return Math.fma(x - k, loss[k + 1] - loss[k], loss[k]);
     }
 
-    /** Over the visible normals of o, in polar coordinates of the disk: the mean of 1 − G2/G1, which is 1 where o is not reflected up. */
+    /**
+     * Over the visible normals of o, in polar coordinates of the disk: the mean of 1 − G2/G1, which is 1 where o is not reflected up. Rings
+     * are dense at the edge of the disk, 1 − r² = w⁴ with w even: there are the few steep normals that a smooth surface loses light by.
+     */
     private static double loss(Microfacets facets, double out, double[] cosines) {
         double sine = Math.sqrt((1 - out) * (1 + out));
-        double scale = 1 / Math.sqrt(Math.fma(facets.alpha * sine, facets.alpha * sine, out * out));
-        double x = facets.alpha * sine * scale;
+        double x = facets.alpha * sine;
+        double scale = 1 / Math.sqrt(Math.fma(x, x, out * out));
         double k = Math.fma(out, scale, 1);
         double total = 0;
         for (int i = 0; i < RINGS; i++) {
-            double r2 = (i + 0.5) / RINGS;
-            double q = Math.sqrt(k * Math.max(2 - r2 * k, 0) * r2);
-            double hz = k * (1 - r2);
+            double w = (i + 0.5) / RINGS;
+            double edge = w * w * w * w;
+            double q = Math.sqrt(k * Math.max(2 - (1 - edge) * k, 0) * (1 - edge));
+            double ring = 0;
             for (double c : cosines) {
-                double hx = facets.alpha * Math.fma(q, c, x);
-                double hy2 = facets.alpha * facets.alpha * q * q * (1 - c) * (1 + c);
-                double length2 = Math.fma(hx, hx, Math.fma(hz, hz, hy2));
-                double in = 2 * Math.fma(sine, hx, out * hz) * hz / length2 - out;
-                total += in > 0 ? facets.shadowed(Math.min(in, 1), out) : 1;
+                double in = reflected(facets.alpha, out, sine, x * scale + q * c, q * q * (1 - c) * (1 + c), k * edge);
+                ring += in > 0 ? facets.shadowed(Math.min(in, 1), out) : 1;
             }
+            total += 4 * w * w * w * ring;
         }
-        return total / (RINGS * cosines.length);
+        return Math.min(total / (RINGS * cosines.length), 1);
     }
 
-    /** 2∫(1 − E)μ dμ of the interpolated table, by Simpson's rule in sqrt(μ) between the nodes. */
+    /** The cosine of o's mirror image at the normal of slopes αx and αy over z, with y squared. */
+    private static double reflected(double alpha, double out, double sine, double x, double y2, double z) {
+        double hx = alpha * x;
+        double length2 = Math.fma(hx, hx, Math.fma(z, z, alpha * alpha * y2));
+        return 2 * Math.fma(sine, hx, out * z) * z / length2 - out;
+    }
+
+    /** 2∫(1 − E)μ dμ of the interpolated table, by Simpson's rule in sqrt(μ); leaves the sums up to each ring. */
     private double mean() {
         double total = 0;
-        for (int k = 0; k + 1 < NODES; k++) {
-            double from = Math.sqrt(cosine(k));
-            double step = (Math.sqrt(cosine(k + 1)) - from) / PARTS;
+        double step = 1.0 / (CELLS * PARTS);
+        for (int k = 0; k < CELLS; k++) {
             for (int j = 0; j < PARTS; j++) {
-                double v = Math.fma(j, step, from);
+                double v = (k * PARTS + j) * step;
                 total += step / 6 * (integrand(v) + 4 * integrand(v + 0.5 * step) + integrand(v + step));
             }
+            below[k + 1] = total;
         }
         return total;
     }
 
     private double integrand(double root) {
         return 4 * loss(Math.min(root * root, 1)) * root * root * root;
+    }
+
+    private void spread() {
+        for (int k = 0; k < CELLS; k++) {
+            density[k] = (below[k + 1] - below[k]) / (meanLoss * Math.PI * (edge2(k + 1) - edge2(k)));
+        }
+        for (int k = 0; k <= CELLS; k++) {
+            below[k] /= meanLoss;
+        }
+    }
+
+    /** The squared cosine at the lower edge of a ring. */
+    private static double edge2(int k) {
+        double root = (double) k / CELLS;
+        return root * root * root * root;
+    }
+
+    /** The density per solid angle, at a cosine, of directions that {@link #sample} chooses; nearly (1 − E(μ))μ/(π(1 − Ē)). */
+    double density(double cosine) {
+        return density[Math.min((int) (CELLS * Math.sqrt(cosine)), CELLS - 1)] * cosine;
+    }
+
+    /** The cosine of a direction in which lost light leaves, from a number that is uniform in 0..1. */
+    double sample(double number) {
+        int low = 0;
+        int high = CELLS;
+        while (high - low > 1) {
+            int middle = (low + high) >>> 1;
+            if (below[middle] <= number) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        double part = (number - below[low]) / (below[high] - below[low]);
+        double from = edge2(low);
+        return Math.sqrt(Math.min(Math.fma(part, edge2(high) - from, from), 1));
     }
 }

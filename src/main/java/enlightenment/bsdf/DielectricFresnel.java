@@ -20,6 +20,18 @@ final class DielectricFresnel {
     }
 
     /**
+     * The share that is refracted, from the cosines of arrival and refraction, both positive: one does not follow well from the other
+     * next to total reflection. The same from both sides.
+     */
+    static double transmittance(double c, double through, double eta) {
+        double perpendicular = 1 / Math.fma(eta, c, through);
+        double parallel = 1 / Math.fma(eta, through, c);
+        double s = c * perpendicular * (through * perpendicular);
+        double p = c * parallel * (through * parallel);
+        return 2 * eta * (s + p);
+    }
+
+    /**
      * The share of unpolarised light that a pane between two parallel faces reflects, with all that goes to and fro inside: each
      * polarisation for itself, 2R/(1 + R), because parallel faces do not mix them.
      */
@@ -40,15 +52,14 @@ final class DielectricFresnel {
 
     /** The reflectance of light that is polarised perpendicularly to the plane of incidence, at most 1. */
     private static double perpendicular(double c, double eta) {
+        if (eta == 1) {
+            return 0;
+        }
         double through2 = refracted2(c, eta);
         if (!(through2 >= 0)) {
             return 1;
         }
         double sum = Math.fma(eta, c, Math.sqrt(through2));
-        if (!(sum > 0)) {
-            // Along the surface; there is no border if the indices are equal.
-            return eta == 1 ? 0 : 1;
-        }
         double r = (eta - 1) * (eta + 1) / (sum * sum);
         return Math.min(r * r, 1);
     }

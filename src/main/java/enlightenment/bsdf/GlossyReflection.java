@@ -72,7 +72,7 @@ public final class GlossyReflection implements Bsdf {
         double moreR = multiple(r);
         double moreG = multiple(g);
         double moreB = multiple(b);
-        s.pdf = mixed(share(r + g + b, moreR + moreG + moreB, lost), visible(s, out), in);
+        s.pdf = mixed(s, share(r + g + b, moreR + moreG + moreB, lost), out, in);
         double more = lost * table.loss(in) * in / (Math.PI * table.meanLoss);
         fresnel.at(s.cosineFacet, s);
         s.value(
@@ -93,8 +93,8 @@ public final class GlossyReflection implements Bsdf {
         return both > 0 ? Math.max(single / both, LEAST_SHARE) : 1;
     }
 
-    private static double mixed(double share, double visible, double in) {
-        return Math.fma(share, visible, (1 - share) * in / Math.PI);
+    private double mixed(Scattering s, double share, double out, double in) {
+        return Math.fma(share, visible(s, out), (1 - share) * table.density(in));
     }
 
     @Override
@@ -105,8 +105,7 @@ public final class GlossyReflection implements Bsdf {
         }
         double out = s.cosineOutClamped();
         facets.at(s, s.ox + s.ix, s.oy + s.iy, s.oz + s.iz);
-        double visible = visible(s, out);
-        return table == null ? visible : mixed(share(s, out), visible, in);
+        return table == null ? visible(s, out) : mixed(s, share(s, out), out, in);
     }
 
     private double share(Scattering s, double out) {
@@ -121,7 +120,7 @@ public final class GlossyReflection implements Bsdf {
         s.transmitted = false;
         double out = s.cosineOutClamped();
         if (table != null && choice >= share(s, out)) {
-            s.sampleCosine(u, v);
+            sampleLost(s, u, v);
         } else if (facets.sampleVisible(s, u, v)) {
             s.reflectFrom(s.ix, s.iy, s.iz);
         } else {
@@ -129,5 +128,14 @@ public final class GlossyReflection implements Bsdf {
         }
         evaluate(s);
         return s.weigh();
+    }
+
+    /** Samples the broad lobe: by its own table, since at small α what is lost is lost along the surface. */
+    private void sampleLost(Scattering s, double u, double v) {
+        s.toDisk(u, v);
+        double z = table.sample(Math.min(s.disk2, 1));
+        double scale = s.disk2 > 0 ? Math.sqrt((1 - z) * (1 + z) / s.disk2) : 0;
+        s.turn();
+        s.directLocal(s.diskX * scale, s.diskY * scale, z);
     }
 }

@@ -3,7 +3,7 @@ package enlightenment.bsdf;
 /**
  * Frosted glass, a rough border of two media: {@link Microfacets} that reflect and refract by Fresnel's equations (Walter et al. 2007,
  * equations 20 and 21), sampled by the normals that are visible from o; {@code choice} selects which of the two. Light that hits it
- * more than once is lost: below 1 % up to α = 0.1, several per cent from α = 0.5 on. The surface's colour is no part of the value.
+ * more than once is lost: docs/bsdfs.md says how much. The surface's colour is no part of the value.
  *
  * <p>From both sides, for {@link Scattering#radiance} and importance: f(o, i) over the squared index on i's side is reciprocal for importance.
  * Where {@link Scattering#eta} is 1 there is no border and light passes straight, as by a delta lobe.
@@ -65,12 +65,12 @@ public final class RoughDielectric implements Bsdf {
         double hz = sign * Math.fma(s.eta, s.oz, s.iz);
         facets.at(s, hx, hy, hz);
         double length2 = hx * hx + hy * hy + hz * hz;
-        double there = -(hx * s.ix + hy * s.iy + hz * s.iz);
+        double there = -(hx * s.ix + hy * s.iy + hz * s.iz) / Math.sqrt(length2);
         if (!(s.facets > 0 && s.cosineFacet > 0 && there > 0)) {
             return 0;
         }
-        double share = 1 - DielectricFresnel.reflectance(s.cosineFacet, s.eta);
-        return 2 * share * s.facets * s.cosineFacet * (there / Math.sqrt(length2)) / length2;
+        double share = DielectricFresnel.transmittance(s.cosineFacet, there, s.eta);
+        return 2 * share * s.facets * s.cosineFacet * there / length2;
     }
 
     @Override

@@ -136,6 +136,22 @@ public final class Scattering {
         directLocal(diskX, diskY, Math.sqrt(Math.max(1 - disk2, 0)));
     }
 
+    /**
+     * Samples i and its density at a Lambertian surface: a unit vector up to rounding, which rays need not be told more exactly. The
+     * density may be 0.
+     */
+    public void sampleMatte(double u, double v) {
+        toDisk(u, v);
+        turn();
+        double z = Math.sqrt(Math.max(1 - disk2, 0));
+        ix = Math.fma(diskX, basis.ax, Math.fma(diskY, basis.bx, z * nx));
+        iy = Math.fma(diskX, basis.ay, Math.fma(diskY, basis.by, z * ny));
+        iz = Math.fma(diskX, basis.az, Math.fma(diskY, basis.bz, z * nz));
+        pdf = z / Math.PI;
+        delta = false;
+        transmitted = false;
+    }
+
     /** Samples i uniformly on the hemisphere: height is as evenly spread there as area is in a disk. */
     void sampleHemisphere(double u, double v) {
         toDisk(u, v);

@@ -48,16 +48,16 @@ final class ComparisonJson {
 
     private static void light(JsonGenerator json, LightError light) {
         json.writeObjectPropertyStart("light");
-        json.writeNumberProperty("relative", light.relative());
-        json.writeNumberProperty("rmse", light.rmse());
-        ratio(json, "red", light.red());
-        ratio(json, "green", light.green());
-        ratio(json, "blue", light.blue());
+        number(json, "relative", light.relative());
+        number(json, "rmse", light.rmse());
+        number(json, "red", light.red());
+        number(json, "green", light.green());
+        number(json, "blue", light.blue());
         json.writeEndObject();
     }
 
-    /** Left out where the reference is black. */
-    private static void ratio(JsonGenerator json, String key, double value) {
+    /** Left out where it is infinite or not known, since the reference is black. */
+    private static void number(JsonGenerator json, String key, double value) {
         if (Double.isFinite(value)) {
             json.writeNumberProperty(key, value);
         }

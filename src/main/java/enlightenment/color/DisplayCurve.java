@@ -90,7 +90,7 @@ public final class DisplayCurve {
     }
 
     /**
-     * The same to about 1e-7, much faster: for the estimate of errors, which asks often.
+     * The same to 1e-6, much faster: for the estimate of errors, which asks often.
      *
      * @param value finite or infinite; NaN becomes 0
      */

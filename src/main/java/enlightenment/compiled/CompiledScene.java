@@ -13,6 +13,7 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * A scene made ready for rendering: only what it requires, in flat arrays. Immutable, shared by all threads.
@@ -148,8 +149,16 @@ public final class CompiledScene {
         }
         cameraSolids = solidsThatOverlap(camera.startBounds());
         occluders = new OccluderSet(primitives, bodies, few);
-        this.features = List.copyOf(features);
-        this.absent = List.copyOf(absent);
+        if (physical != null && accelerator instanceof PrimitiveList all) {
+            physical.findOccluders(primitives, occluders, all);
+        }
+        PhysicalFeatures more = physical == null ? null : new PhysicalFeatures(physical, materials.distinct());
+        this.features = more == null ? List.copyOf(features) : joined(more.present, features);
+        this.absent = more == null ? List.copyOf(absent) : joined(more.absent, absent);
+    }
+
+    private static List<String> joined(List<String> some, List<String> more) {
+        return Stream.concat(some.stream(), more.stream()).toList();
     }
 
     private static CompiledLight[] visible(CompiledLight[] lights) {

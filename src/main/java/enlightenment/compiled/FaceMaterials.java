@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
+import java.util.function.Predicate;
 
 /** The materials of primitives by id and face: a primitive has one for all its faces or one for each. Immutable. */
 final class FaceMaterials {
@@ -25,6 +26,16 @@ final class FaceMaterials {
         }
         first = starts[n] == n ? null : starts;
         materials = Arrays.copyOf(all, starts[n]);
+    }
+
+    /** Each of the materials once. */
+    List<SurfaceMaterial> distinct() {
+        return Arrays.stream(materials).distinct().toList();
+    }
+
+    /** Whether some surface is of such a material. */
+    boolean any(Predicate<SurfaceMaterial> such) {
+        return Arrays.stream(materials).anyMatch(such);
     }
 
     /** The material of a face of a primitive. */

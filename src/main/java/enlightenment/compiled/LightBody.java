@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.Accelerator;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.EndFaces;
@@ -43,6 +44,9 @@ public class LightBody {
 
     /** By id: the {@link #sidesOf} flat primitives' planes that the light lies on; null if they are computed when needed. */
     byte[] sides;
+
+    /** The primitives that may occlude it from a point of the scene's surfaces; null if that is not known better than for all lights. */
+    Accelerator occluders;
 
     private final EndFaces lyingOn = new EndFaces();
 

@@ -59,6 +59,32 @@ final class OccluderSet {
         }
     }
 
+    /**
+     * Whether a primitive may occlude the light from any point of the scene's surfaces: not if it is flat, and all primitives and the
+     * light lie on one side of its plane, as the walls of a room do.
+     */
+    boolean mayOcclude(int id, LightBody light, Primitive[] primitives) {
+        int k = planeAt[id];
+        if (k == NO_PLANE) {
+            return true;
+        }
+        byte common = sidesOf(light, k);
+        for (Primitive p : primitives) {
+            Bounds box = p.bounds();
+            double least = -planes[k + 3];
+            double most = -planes[k + 3];
+            for (int c = 0; c < 3; c++) {
+                double a = planes[k + c] * box.min().component(c);
+                double b = planes[k + c] * box.max().component(c);
+                least += Math.min(a, b);
+                most += Math.max(a, b);
+            }
+            double error = PLANE_ERROR * (3 * box.maxAbs() + Math.abs(planes[k + 3]));
+            common &= (byte) ((least >= -error ? LightBody.ABOVE : 0) | (most <= error ? LightBody.BELOW : 0));
+        }
+        return common == 0;
+    }
+
     private void setPlane(Vec3 n, Vec3 point, int at) {
         planes[at] = n.x();
         planes[at + 1] = n.y();

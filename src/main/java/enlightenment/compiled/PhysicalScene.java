@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.PrimitiveList;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.LightPicker;
 import enlightenment.math.Vec3;
@@ -28,8 +29,17 @@ public final class PhysicalScene {
     /** The most scattering events of a path. */
     public final int maxBounces;
 
+    /** What paths from lights look for caustics with; null if there is no pass of them. */
+    public final CausticPass caustics;
+
     /** Whether a medium absorbs. */
     public final boolean hasAbsorption;
+
+    /** Whether borders of media may be rough. */
+    public final boolean hasRoughGlass;
+
+    /** Whether a share of some glass is opaque. */
+    public final boolean hasPartialGlass;
 
     /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
     private final int[] firstFace;
@@ -63,10 +73,13 @@ public final class PhysicalScene {
             }
         }
         all.addAll(points);
+        hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
+        hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
         hasAbsorption = Arrays.stream(compiled.glassSolids())
                 .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
+        caustics = CausticPass.of(lights, compiled, maxBounces);
         LightPicker.Builder builder = new LightPicker.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
@@ -85,6 +98,21 @@ public final class PhysicalScene {
                 : null;
     }
 
+    /** Finds for each light the few primitives that may occlude it. */
+    void findOccluders(Primitive[] primitives, OccluderSet set, PrimitiveList all) {
+        for (PhysicalLight light : lights) {
+            PrimitiveList some = all.empty();
+            int n = 0;
+            for (int id = 0; id < primitives.length; id++) {
+                if (!(id == light.id && light.hidesNothingOfItself) && set.mayOcclude(id, light, primitives)) {
+                    some.members()[n++] = id;
+                }
+            }
+            some.size(n);
+            light.occluders = some;
+        }
+    }
+
     /** Finds for each light the faces that it lies on. */
     void lieOn(Primitive[] primitives, boolean few) {
         for (PhysicalLight light : lights) {
@@ -100,6 +128,6 @@ public final class PhysicalScene {
 
     /** Whether caustics are the business of a pass of their own, so that paths from the eye leave them out. */
     public boolean hasCausticPass() {
-        return false;
+        return caustics != null;
     }
 }

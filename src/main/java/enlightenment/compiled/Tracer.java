@@ -186,7 +186,8 @@ public final class Tracer {
         judge.of(cone, starts, count);
         int left;
         if (leavesOpen || tileList != null) {
-            left = scene.accelerator.narrow(cone, judge, lightSamples, query);
+            Accelerator occluders = cone.light().occluders;
+            left = (occluders == null ? scene.accelerator : occluders).narrow(cone, judge, lightSamples, query);
         } else {
             if (decides == null) {
                 decides = scene.coneSearch();
@@ -202,6 +203,17 @@ public final class Tracer {
      */
     public boolean isHidden() {
         return leavesOpen && scene.accelerator.blocksAll(judge.cone(), judge, query);
+    }
+
+    /**
+     * Traces a shadow ray that ends in free space, as at the eye.
+     *
+     * @param ray it knows the surfaces that it starts on
+     * @param tMax the t at which it ends
+     */
+    public boolean occluded(Ray ray, double tMax) {
+        counters.shadowRays++;
+        return scene.accelerator.occluded(ray, tMax, query);
     }
 
     /**

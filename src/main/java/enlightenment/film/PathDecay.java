@@ -45,6 +45,9 @@ final class PathDecay {
     /** Of a pair the figure is a difference of greater ones; less than this share is taken for chance. */
     private static final double PAIR_LEAST_SHARE = 0.3;
 
+    /** The most of one to three samples; FITTED on the same pictures, but for those that such samples show only as black or white. */
+    private static final double FEW_MOST = 2.5;
+
     private PathDecay() {}
 
     /**
@@ -56,8 +59,8 @@ final class PathDecay {
     static double share(Curve curve, int level, double ratio) {
         if (level == 0 || level == 1) {
             double share = level == 0 ? 1 : Math.max(Math.min(ratio, 1), PAIR_LEAST_SHARE);
-            // Of one or two samples it cannot be told how far the screen has saturated.
-            return curve == Curve.LEAST ? LEAST * share : curve == Curve.MOST ? SATURATED : share;
+            // Of so few it cannot be told how far the screen has saturated.
+            return curve == Curve.LEAST ? LEAST * share : curve == Curve.MOST ? FEW_MOST : share;
         }
         if (ratio <= INDEPENDENT) {
             double share = Math.min(INDEPENDENT / Math.max(ratio, 1 / SATURATED), SATURATED);

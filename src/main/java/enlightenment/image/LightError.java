@@ -7,7 +7,8 @@ import enlightenment.color.Encoding;
  * of {@link Image#toDisplay}. Means run over all components of all pixels, row by row, with compensated sums.
  *
  * @param rmse root of the mean of (a − b)²
- * @param relative root of the mean of (a − b)²/(b² + (0.05 M)²), b being the reference and M the mean of its band
+ * @param relative root of the mean of (a − b)²/(b² + (0.05 M)²), b being the reference and M the mean of its band; infinite where
+ *     the reference's band is all black and the picture's is not
  * @param red mean of the picture's red over that of the reference; NaN where that is black
  * @param green the same of green
  * @param blue the same of blue
@@ -32,6 +33,7 @@ public record LightError(double rmse, double relative, double red, double green,
         double[] means = means(reference);
         CompensatedSum squares = new CompensatedSum();
         CompensatedSum relative = new CompensatedSum();
+        boolean infinite = false;
         for (int y = 0; y < test.height(); y++) {
             for (int x = 0; x < test.width(); x++) {
                 for (int c = 0; c < 3; c++) {
@@ -40,14 +42,16 @@ public record LightError(double rmse, double relative, double red, double green,
                     double square = difference * difference;
                     double floor = FLOOR * means[c];
                     squares.add(square);
-                    relative.add(square == 0 ? 0 : square / (b * b + floor * floor));
+                    double size = b * b + floor * floor;
+                    infinite |= square > 0 && size == 0;
+                    relative.add(size == 0 ? 0 : square / size);
                 }
             }
         }
         double count = 3.0 * test.width() * test.height();
         return new LightError(
                 Math.sqrt(squares.value() / count),
-                Math.sqrt(relative.value() / count),
+                infinite ? Double.POSITIVE_INFINITY : Math.sqrt(relative.value() / count),
                 ratio(own[0], means[0]),
                 ratio(own[1], means[1]),
                 ratio(own[2], means[2]));

@@ -49,7 +49,7 @@ public final class SobolSampler implements Sampler {
     public void pair(int bounce, Purpose purpose, double[] out) {
         long seed = seed(bounce, purpose);
         if (bounce >= STRATIFIED_BOUNCES) {
-            long h = Hash.of(seed, sample);
+            long h = Hash.of(~seed, sample);
             out[0] = (h >>> Integer.SIZE) * 0x1p-32;
             out[1] = (h & 0xFFFFFFFFL) * 0x1p-32;
             return;

@@ -48,7 +48,19 @@ final class GlassTracer {
     /** Which lobe of the border is chosen, 0..1. */
     private double choice;
 
+    /** Whether the last {@link #cross} ended the path. */
+    private boolean lost;
+
+    /** A point of the unit square: the direction within a lobe of the border. */
+    private double u;
+
+    private double v;
+
+    /** Whether panes reflect: in physical shading. */
+    private final boolean panesReflect;
+
     GlassTracer(CompiledScene scene, RayCounters counters) {
+        panesReflect = scene.physical != null;
         this.scene = scene;
         this.counters = counters;
         inside = new MediumStack(scene);
@@ -58,9 +70,14 @@ final class GlassTracer {
 
     /** Starts a camera ray: finds the solids that it starts in. */
     void begin(Ray ray) {
+        begin(ray, scene.cameraSolids);
+    }
+
+    /** Starts a ray that may start in some solids. */
+    void begin(Ray ray, int[] solids) {
         next = NONE;
         inside.clear();
-        for (int solid : scene.cameraSolids) {
+        for (int solid : solids) {
             double x = Math.fma(ray.tMin, ray.dx, ray.ox);
             double y = Math.fma(ray.tMin, ray.dy, ray.oy);
             double z = Math.fma(ray.tMin, ray.dz, ray.oz);
@@ -137,35 +154,107 @@ final class GlassTracer {
         boundary = before == after ? NONE : boundaryOf(before, after);
         double to = inside.indexOfRefraction();
         straight = boundary == NONE || from == to;
+        lost = false;
+        if (straight && panesReflect && isReflectedByPane(ray, hit)) {
+            straight = false;
+            stay();
+            counters.mirrorRays++;
+            startOnAll(ray, 1);
+            return false;
+        }
         if (straight) {
             Optics.pass(ray, hit);
             startOnAll(ray, -1);
             return true;
         }
-        scatter(ray, hit, coincident.id(boundary), coincident.hit(boundary).face, from / to);
+        lost = !scatter(ray, hit, coincident.id(boundary), coincident.hit(boundary).face, from / to);
         if (border.transmitted) {
             counters.refractedRays++;
             startOnAll(ray, -1);
             return true;
         }
-        inside.set(saved);
-        next = NONE;
+        stay();
         counters.mirrorRays++;
         startOnAll(ray, 1);
         return false;
     }
 
-    /** Lets a ray leave the border of two media as the material of a face of glass scatters it: that needs no random numbers. */
-    private void scatter(Ray ray, Hit hit, int solid, int face, double eta) {
+    /** Undoes the crossing of borders: the ray stays on its side. */
+    private void stay() {
+        inside.set(saved);
+        next = NONE;
+    }
+
+    private boolean isReflectedByPane(Ray ray, Hit hit) {
+        for (int k = 0; k < coincident.size(); k++) {
+            int pane = coincident.id(k);
+            if (isGlass(pane, coincident.hit(k)) && !scene.primitives[pane].isSolid()) {
+                Optics.arrive(border, ray, hit);
+                scene.material(pane, coincident.hit(k).face).pane.sample(border, 0, 0, choice);
+                if (border.transmitted) {
+                    return false;
+                }
+                Optics.leave(ray, hit, border);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Which of the surfaces of glass that {@link #arrive} found is opaque, where some are so in part: the ray does not cross it.
+     *
+     * @param number 0..1, chooses
+     * @return the index of the coincident surface, or -1 if all are clear
+     */
+    int opaque(double number) {
+        saved.set(inside);
+        int before = inside.current();
+        for (int k = 0; k < coincident.size(); k++) {
+            if (isGlassSolid(k)) {
+                change(coincident.id(k), coincident.hit(k).side);
+            }
+        }
+        int after = inside.current();
+        boundary = before == after ? NONE : boundaryOf(before, after);
+        inside.set(saved);
+        double left = number;
+        for (int k = 0; k < coincident.size(); k++) {
+            if (filters(k, true)) {
+                double clear = scene.material(coincident.id(k), coincident.hit(k).face).transparency;
+                if (left >= clear) {
+                    next = NONE;
+                    return k;
+                }
+                left /= clear;
+            }
+        }
+        return NONE;
+    }
+
+    /** What the value of the border's lobe is, over the probability of the direction. */
+    double weight() {
+        return straight ? 1 : lost ? 0 : border.valueR;
+    }
+
+    /**
+     * Lets a ray leave the border of two media as the material of a face of glass scatters it. Classic glass needs no random numbers.
+     *
+     * @return false if the light is lost there
+     */
+    private boolean scatter(Ray ray, Hit hit, int solid, int face, double eta) {
         Optics.arrive(border, ray, hit);
         border.eta = eta;
-        scene.material(solid, face).bsdf.sample(border, 0, 0, choice);
+        boolean scatters = scene.material(solid, face).bsdf.sample(border, u, v, choice);
         Optics.leave(ray, hit, border);
+        return scatters;
     }
 
     /** Sets the number that chooses between reflection and refraction next. */
-    void choose(double number) {
+    void choose(double number, double[] pair) {
         choice = number;
+        u = pair[0];
+        v = pair[1];
     }
 
     /** The index of refraction of the medium that the ray is in. */

@@ -1,6 +1,5 @@
 package enlightenment.shading;
 
-import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledLight;
 import enlightenment.compiled.CompiledScene;
@@ -82,8 +81,22 @@ final class PathFollower {
     void begin(Ray ray) {
         counters.cameraRays++;
         glass.begin(ray);
+        begin(0);
+    }
+
+    /**
+     * Starts a path with a ray that leaves a light.
+     *
+     * @param solids of glass that it may start in
+     */
+    void beginAtLight(Ray ray, int[] solids) {
+        glass.begin(ray, solids);
+        begin(1);
+    }
+
+    private void begin(int left) {
         key = 0;
-        surfaces = 0;
+        surfaces = left;
         bounces = 0;
         straight = 0;
         passedStraight = false;
@@ -168,7 +181,7 @@ final class PathFollower {
     }
 
     /**
-     * As {@link #scatter} at a Lambertian surface, whose colour is the weight.
+     * As {@link #scatter} at a Lambertian surface, whose colour is the weight. If the density is 0 the path ends.
      *
      * @return the direction, and its density
      */
@@ -176,7 +189,7 @@ final class PathFollower {
         scattering.nx = hit.nx * hit.side;
         scattering.ny = hit.ny * hit.side;
         scattering.nz = hit.nz * hit.side;
-        Lambert.INSTANCE.sample(scattering, u, v, 0);
+        scattering.sampleMatte(u, v);
         leave(ray, scattering);
         return scattering;
     }
@@ -195,6 +208,11 @@ final class PathFollower {
     /** Whether the path may have one more scattering event. */
     boolean mayScatter() {
         return bounces < maxBounces;
+    }
+
+    /** Whether it may have two more. */
+    boolean mayScatterTwice() {
+        return bounces < maxBounces - 1;
     }
 
     /**

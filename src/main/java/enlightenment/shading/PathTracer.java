@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
@@ -20,21 +21,30 @@ import java.util.function.BooleanSupplier;
  */
 public final class PathTracer implements Shader {
     /** From this scattering event on roulette may end a path. */
-    private static final int ROULETTE_FROM = 5;
+    static final int ROULETTE_FROM = 5;
 
     /** Sooner, if less than this is left of a path's throughput. */
-    private static final double FAINT = 0.05;
+    static final double FAINT = 0.05;
 
     /** Paths of a closed white room must end, too. */
-    private static final double LARGEST_SURVIVAL = 0.99;
+    static final double LARGEST_SURVIVAL = 0.99;
 
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
     private final boolean absorbs;
     private final boolean hasCausticPass;
+
+    /** What finds caustics that are seen in mirrors; null if nothing does. */
+    private final MirrorCaustics mirrors;
+
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
+
+    private final PathParts parts = new PathParts();
+
+    /** The number of vertices so far that were not those of delta lobes. */
+    private int vertices;
 
     private double throughputR;
     private double throughputG;
@@ -64,8 +74,11 @@ public final class PathTracer implements Shader {
     /** Whether a direction was sampled from a lobe that is not a delta lobe. */
     private boolean scattered;
 
-    /** Whether the first event was of that kind. */
+    /** Whether that was the first event of the path. */
     private boolean scatteredFirst;
+
+    /** Whether there were events of delta lobes before. */
+    private boolean deltaFirst;
 
     /** Whether the last event was one of a delta lobe. */
     private boolean delta;
@@ -83,12 +96,18 @@ public final class PathTracer implements Shader {
      * @param counters what this thread counts
      */
     public PathTracer(CompiledScene scene, RayCounters counters) {
+        this(scene, counters, scene.physical.hasCausticPass());
+    }
+
+    /** @param leavesOut whether what a pass of caustics makes is left out, and what it cannot make is sought in its own way */
+    PathTracer(CompiledScene scene, RayCounters counters, boolean leavesOut) {
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
         absorbs = physical.hasAbsorption;
-        hasCausticPass = physical.hasCausticPass();
+        hasCausticPass = leavesOut;
+        mirrors = leavesOut ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
     @Override
@@ -104,6 +123,11 @@ public final class PathTracer implements Shader {
     @Override
     public void stopWhen(BooleanSupplier condition) {
         path.poll.stopWhen(condition);
+    }
+
+    /** Of what the last path consists; the same object for all of them. */
+    public PathParts parts() {
+        return parts;
     }
 
     @Override
@@ -157,16 +181,22 @@ public final class PathTracer implements Shader {
         throughputR = 1;
         throughputG = 1;
         throughputB = 1;
+        parts.clear();
+        vertices = 0;
         address = 0;
         events = 0;
         scattered = false;
         scatteredFirst = false;
+        deltaFirst = false;
         delta = false;
         compression = 1;
         certain = true;
         certainRed = 0;
         certainGreen = 0;
         certainBlue = 0;
+        if (mirrors != null) {
+            mirrors.begin();
+        }
         path.begin(ray);
         firstIndex = path.glass.indexOfRefraction();
     }
@@ -211,12 +241,29 @@ public final class PathTracer implements Shader {
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
             addCertain(material.glowR, material.glowG, material.glowB);
+            if (vertices == 0 || vertices == 1 && !delta) {
+                parts.direct(red, green, blue);
+            }
         }
     }
 
-    /** Of light that was reflected by a mirror or refracted on its way to a matter surface. */
+    /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        return hasCausticPass && scatteredFirst ? 0 : 1;
+        if (hasCausticPass && scatteredFirst) {
+            return 0;
+        }
+        return mirrors != null && mirrors.covers(physical.lightOf(path.id, path.hit.face)) ? 0 : 1;
+    }
+
+    /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
+    private boolean isSeenByMirrors() {
+        return mirrors != null && events > 0 && !scatteredFirst;
+    }
+
+    /** Adds light that balls reflect to the surface. */
+    private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
+        mirrors.gather(bsdf, s, sampler, address);
+        add(mirrors.red, mirrors.green, mirrors.blue);
     }
 
     /** Lambert's law: direct light has closed forms. */
@@ -228,14 +275,28 @@ public final class PathTracer implements Shader {
                     surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             leaveToChance(light.views);
         }
+        if (vertices++ == 0) {
+            parts.albedo(surface);
+            parts.direct(red, green, blue);
+        }
+        boolean seen = isSeenByMirrors();
+        if (seen) {
+            gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
+        }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
+        if (seen) {
+            mirrors.left(s.ix, s.iy, s.iz);
+        }
         leave(false);
-        return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        return s.pdf > 0 && filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        if (mirrors != null) {
+            mirrors.reflected(path.id);
+        }
         path.scatter(ray, material, surface, 0, 0, 0);
         leave(true);
         return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
@@ -247,11 +308,24 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
+        if (vertices++ == 0) {
+            parts.albedo(surface);
+            parts.direct(red, green, blue);
+        }
+        boolean seen = isSeenByMirrors();
+        if (seen) {
+            gatherMirrored(material.bsdf, s, sampler);
+        }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
         }
         light.left(s.pdf);
+        if (seen && s.delta) {
+            mirrors.begin();
+        } else if (seen) {
+            mirrors.left(s.ix, s.iy, s.iz);
+        }
         path.leave(ray, s);
         leave(s.delta);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
@@ -263,12 +337,26 @@ public final class PathTracer implements Shader {
             return false;
         }
         leaveToChance(0);
-        sampler.pair(address++, Sampler.Purpose.CHOICE, pair);
-        path.glass.choose(pair[0]);
+        sampler.pair(address, Sampler.Purpose.CHOICE, pair);
+        double choice = pair[0];
+        if (physical.hasPartialGlass) {
+            int opaque = path.glass.opaque(pair[1]);
+            if (opaque >= 0) {
+                path.turnTo(opaque);
+                path.color(path.material(), surface);
+                return matte(ray, sampler);
+            }
+        }
+        if (physical.hasRoughGlass) {
+            sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
+        }
+        address++;
+        path.glass.choose(choice, pair);
         boolean through = path.cross(ray);
-        double r = 1;
-        double g = 1;
-        double b = 1;
+        double weight = path.glass.weight();
+        double r = weight;
+        double g = weight;
+        double b = weight;
         for (int k = 0; through && k < path.glass.surfaces(); k++) {
             if (path.glass.filters(k, true)) {
                 path.turnTo(k);
@@ -278,18 +366,28 @@ public final class PathTracer implements Shader {
                 b *= surface[2];
             }
         }
+        if (mirrors != null) {
+            mirrors.begin();
+        }
         double n = path.glass.indexOfRefraction();
         compression = firstIndex * firstIndex / (n * n);
         leave(true);
+        if (path.glass.passedStraight()) {
+            // No event: a path may be cut into any number of pieces.
+            events--;
+            filter(r, g, b);
+            return path.goesOn();
+        }
         return filterAndSurvive(r, g, b, sampler) && path.goesOn();
     }
 
     /** Notes the kind of event that the path leaves behind. */
     private void leave(boolean isDelta) {
-        if (!isDelta) {
+        if (!isDelta && !scattered) {
             scattered = true;
-            scatteredFirst |= events == 0;
+            scatteredFirst = !deltaFirst;
         }
+        deltaFirst |= !scattered;
         delta = isDelta;
     }
 
@@ -315,19 +413,26 @@ public final class PathTracer implements Shader {
         }
     }
 
+    private void filter(double r, double g, double b) {
+        throughputR *= r;
+        throughputG *= g;
+        throughputB *= b;
+    }
+
     /**
      * Multiplies the throughput by the weight of an event and plays roulette by it: by the event's own albedo, since what is left of the
      * path's throughput says little of what is to come.
      */
     private boolean filterAndSurvive(double r, double g, double b, Sampler sampler) {
-        throughputR *= r;
-        throughputG *= g;
-        throughputB *= b;
+        filter(r, g, b);
         double most = Math.max(throughputR, Math.max(throughputG, throughputB));
         if (events + 1 < ROULETTE_FROM && most >= FAINT) {
             return true;
         }
         leaveToChance(0);
+        if (!(most > 0)) {
+            return false;
+        }
         double survival = Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
         if (!(sampler.unit(events, Sampler.Purpose.ROULETTE) < survival)) {
             return false;

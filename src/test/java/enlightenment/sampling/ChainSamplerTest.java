@@ -18,7 +18,7 @@ class ChainSamplerTest {
 
     /** All that paths of three bounces ask for. */
     private static double[] numbers(ChainSampler chain) {
-        double[] all = new double[3 * 9 + 2];
+        double[] all = new double[3 * (3 + 2 * Purpose.values().length) + 2];
         double[] point = new double[2];
         int n = 0;
         all[n++] = chain.filmX();

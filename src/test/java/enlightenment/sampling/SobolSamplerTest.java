@@ -26,7 +26,7 @@ class SobolSamplerTest {
     }
 
     @Test
-    void theSamplesOfAPixelAreStratifiedForEveryPurpose() {
+    void theSamplesOfAPixelAreStratifiedForEveryPurposeOfTheFirstBounces() {
         for (int pixel = 0; pixel < 20; pixel++) {
             sampler.pixel(3, pixel, 7);
             double[][] film = new double[16][];
@@ -35,7 +35,7 @@ class SobolSamplerTest {
             for (int s = 0; s < 16; s++) {
                 sampler.sample(s);
                 film[s] = new double[] {sampler.filmX(), sampler.filmY()};
-                sampler.pair(pixel, Purpose.DIRECTION, point);
+                sampler.pair(pixel % 2, Purpose.DIRECTION, point);
                 directions[s] = point.clone();
                 sampler.lightPoints(1, pixel, 4);
                 for (int k = 0; k < 4; k++) {

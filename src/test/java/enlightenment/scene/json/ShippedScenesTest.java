@@ -22,6 +22,7 @@ import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.List;
@@ -188,6 +189,60 @@ class ShippedScenesTest {
         double x = seenAt.dot(right) / right.dot(right);
         double y = seenAt.dot(up) / up.dot(up);
         assertTrue(x > 0 && x < 1 && y > 0 && y < 1, "the line of sight passes through the window");
+    }
+
+    @Test
+    void fireAndIceIsTheSameRoomInBothShadings() {
+        Scene classic = read("fire-and-ice.json");
+        Scene physical = read("fire-and-ice-physical.json");
+        assertEquals(classic.camera(), physical.camera());
+        assertEquals(classic.textures(), physical.textures());
+        for (int i = 0; i < classic.objects().size(); i++) {
+            assertEquals(
+                    classic.objects().get(i).shape(), physical.objects().get(i).shape());
+            Material of = classic.objects().get(i).material();
+            assertEquals(of.color(), physical.objects().get(i).material().color());
+            assertEquals(of.type(), physical.objects().get(i).material().type());
+        }
+        Light.Sphere lamp = (Light.Sphere) physical.lights().get(0);
+        assertEquals(classic.lights(), List.of(new Light.Sphere(lamp.center(), lamp.radius(), lamp.color())));
+    }
+
+    @Test
+    void scenesOfPhysicalLightShowWhatTheirNamesSay() {
+        for (String name : List.of(
+                "cornell-box",
+                "caustics",
+                "metals",
+                "glass-physical",
+                "furnace",
+                "lamp-room",
+                "fire-and-ice-physical")) {
+            assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
+        }
+        assertEquals(
+                Set.of(0.1, 0.3, 0.5, 0.8),
+                read("metals.json").materials().values().stream()
+                        .filter(m -> m instanceof Material.Glossy)
+                        .map(m -> ((Material.Glossy) m).roughness())
+                        .collect(Collectors.toSet()));
+        List<Material.Glass> glass = read("glass-physical.json").materials().values().stream()
+                .filter(m -> m instanceof Material.Glass)
+                .map(m -> (Material.Glass) m)
+                .toList();
+        assertTrue(glass.stream().anyMatch(g -> g.roughness() > 0));
+        assertTrue(glass.stream().anyMatch(g -> g.absorption().max() > 0));
+        assertTrue(glass.stream().anyMatch(g -> g.priority() > 0));
+        Scene room = read("lamp-room.json");
+        assertEquals(
+                Set.copyOf(Lights.FAMILY.types()),
+                room.lights().stream().map(Light::type).collect(Collectors.toSet()));
+        assertEquals(
+                Set.of("sphere", "disk", "rectangle", "triangle"),
+                room.objects().stream()
+                        .filter(o -> o.material().radiance().max() > 0)
+                        .map(o -> o.shape().type())
+                        .collect(Collectors.toSet()));
     }
 
     @Test

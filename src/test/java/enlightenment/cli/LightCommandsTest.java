@@ -1,0 +1,149 @@
+package enlightenment.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Encoding;
+import enlightenment.color.Tone;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.PngOptions;
+import enlightenment.picture.Exposure;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What the command line does with pictures of linear light. */
+class LightCommandsTest {
+    private static final Path CORNELL = Path.of("src/test/resources/physical/cornell.json");
+
+    @TempDir
+    Path folder;
+
+    private Path map;
+    private Path png;
+
+    @BeforeEach
+    void names() {
+        map = folder.resolve("out.pfm");
+        png = folder.resolve("out.png");
+    }
+
+    private static CliRun render(Path out, Object... more) {
+        Object[] args = new Object[8 + more.length];
+        Object[] first = {"render", CORNELL, "-o", out, "--size", "16x16", "--samples", "8"};
+        System.arraycopy(first, 0, args, 0, first.length);
+        System.arraycopy(more, 0, args, first.length, more.length);
+        return CliRun.of(args);
+    }
+
+    private static Image shown(Path png) throws IOException {
+        return ImageFiles.read(png);
+    }
+
+    private static Image asPng(Image light, DisplayCurve curve, Path file) throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ImageFiles.toPng(light.withCurve(curve), out, PngOptions.DEFAULT);
+        Files.write(file, out.toByteArray());
+        return ImageFiles.read(file);
+    }
+
+    @Test
+    void aFloatMapHoldsTheLightThatThePngFileShows() throws IOException {
+        assertEquals(0, render(map).code());
+        assertEquals(0, render(png).code());
+        Image light = ImageFiles.read(map, Encoding.LINEAR);
+        assertArrayEquals(
+                asPng(light, DisplayCurve.SRGB, folder.resolve("again.png")).toArray(),
+                shown(png).toArray());
+    }
+
+    @Test
+    void anExposureIsAViewAndAutomaticSaysWhichItWas() throws IOException {
+        assertEquals(0, render(map).code());
+        Image light = ImageFiles.read(map, Encoding.LINEAR);
+        assertEquals(0, render(png, "--exposure", "1.5").code());
+        assertArrayEquals(
+                asPng(light, DisplayCurve.of(1.5, Tone.CLIP), folder.resolve("a.png"))
+                        .toArray(),
+                shown(png).toArray());
+        CliRun run = render(png, "--exposure", "auto");
+        double stops = Exposure.automatic(light);
+        assertTrue(run.err().contains("exposure: " + DecimalNumber.plain(stops)), run.err());
+        assertArrayEquals(
+                asPng(light, DisplayCurve.of(stops, Tone.CLIP), folder.resolve("b.png"))
+                        .toArray(),
+                shown(png).toArray());
+        assertEquals(2, render(map, "--exposure", "1").code());
+        assertEquals(2, render(png, "--exposure", "bright").code());
+    }
+
+    @Test
+    void classicPicturesHaveNoExposure() {
+        CliRun run = CliRun.of("render", "scenes/cube.json", "-o", png, "--size", "8x8", "--exposure", "1");
+        assertEquals(2, run.code());
+        assertTrue(run.err().contains("classic shading"), run.err());
+        assertFalse(Files.exists(png));
+    }
+
+    @Test
+    void aDarkPictureGetsAHintUnlessItIsExposed() throws IOException {
+        Path dark = folder.resolve("dark.json");
+        Files.writeString(dark, Files.readString(CORNELL).replace("[17, 12, 4]", "[0.01, 0.01, 0.01]"));
+        Object[] args = {"render", dark, "-o", png, "--size", "16x16", "--samples", "8", "--exposure", "auto"};
+        assertFalse(CliRun.of(args).err().contains("hint"));
+        Object[] plain = java.util.Arrays.copyOf(args, 8);
+        assertTrue(CliRun.of(plain).err().contains("hint: the picture is dark"));
+    }
+
+    @Test
+    void theReportHasTheErrorOfLight() throws IOException {
+        Path report = folder.resolve("report.json");
+        CliRun run = render(png, "--report", report, "--stats");
+        assertTrue(run.out().contains("of linear light"), run.out());
+        String json = Files.readString(report);
+        for (String key : new String[] {"relativeError", "kurtosis", "heavyTail", "lostSamples"}) {
+            assertTrue(json.contains("\"" + key + "\""), json);
+        }
+    }
+
+    @Test
+    void partsMakeThePictureOfOneMachineAndAreShownAsIsAskedFor() throws IOException {
+        assertEquals(0, render(png, "--exposure", "0.5").code());
+        Path one = folder.resolve("1.film");
+        Path two = folder.resolve("2.film");
+        assertEquals(0, render(one, "--part", "1/2").code());
+        assertEquals(0, render(two, "--part", "2/2").code());
+        Path merged = folder.resolve("merged.png");
+        assertEquals(
+                0,
+                CliRun.of("merge", one, two, "-o", merged, "--exposure", "0.5").code());
+        assertArrayEquals(Files.readAllBytes(png), Files.readAllBytes(merged));
+        assertEquals(2, render(one, "--part", "1/2", "--exposure", "1").code());
+    }
+
+    @Test
+    void floatMapsOfLightAreComparedAsShownAndAsLight() throws IOException {
+        Path a = folder.resolve("a.pfm");
+        Path b = folder.resolve("b.pfm");
+        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 2, 4}, Encoding.LINEAR), a);
+        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 1, 4}, Encoding.LINEAR), b);
+        CliRun run = CliRun.of("compare", "--linear", a, b);
+        assertEquals(0, run.code(), run.err());
+        // A screen shows both as white.
+        assertTrue(run.out().contains("RMSE:                0\n"), run.out());
+        assertTrue(run.out().contains("RMSE of light:       0.577350"), run.out());
+        assertTrue(run.out().contains("1.00000 red, 2.00000 green, 1.00000 blue"), run.out());
+        CliRun darker = CliRun.of("compare", "--linear", "--exposure", "-2", "--tone", "filmic", a, b);
+        assertFalse(darker.out().contains("RMSE:                0\n"), darker.out());
+        assertEquals(2, CliRun.of("compare", "--exposure", "1", a, b).code());
+        assertTrue(CliRun.of("compare", "--linear", "--json", a, b).out().contains("\"light\""));
+    }
+}

@@ -16,9 +16,9 @@ final class EffortLevels implements Levels {
     private static final int COST_BLOCKS = 512;
 
     /** Of physical light, where first paths are followed in them: a share of the picture, but at least so many. */
-    private static final int PATH_SHARE = 16;
+    private static final int PATH_SHARE = 32;
 
-    private static final int LEAST_PATH_BLOCKS = 64;
+    private static final int LEAST_PATH_BLOCKS = 32;
 
     private static final double PIXELS_OF_BLOCK = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 

@@ -39,6 +39,16 @@ public final class Integrators {
     /** Paths of a pass of caustics per camera sample: more gain nothing, less cost nothing less. Measured on fire and ice. */
     private static final double CAUSTIC_PATHS = 1.0 / 16;
 
+    /**
+     * The same for physical light: its survey tells little of paths, and with few samples the first paths of each pixel are few. Measured:
+     * docs/cluster-sampler.md.
+     */
+    private static final double FEWEST_OF_PHYSICAL_CLUSTER = 8;
+
+    private static final double MOST_WITHOUT_PHYSICAL_SURVEY = 7.99;
+
+    private static final double FIRST_OF_PHYSICAL_CLUSTER = 8;
+
     private Integrators() {}
 
     /** What has to be known of a method before there is a scene. */
@@ -58,6 +68,20 @@ public final class Integrators {
                         MOST_WITHOUT_SURVEY,
                         FIRST_OF_CLUSTER);
         };
+    }
+
+    /** The same for scenes of a shading. */
+    static MethodTraits traits(Method method, boolean isPhysical) {
+        MethodTraits traits = traits(method);
+        return method == BuiltInMethod.CLUSTER && isPhysical
+                ? new MethodTraits(
+                        traits.areBatches(),
+                        traits.dividesIntoPasses(),
+                        traits.below(),
+                        FEWEST_OF_PHYSICAL_CLUSTER,
+                        MOST_WITHOUT_PHYSICAL_SURVEY,
+                        FIRST_OF_PHYSICAL_CLUSTER)
+                : traits;
     }
 
     /** Whether level 0 of a method means antialias² samples per pixel, each pixel exactly so many. */

@@ -87,6 +87,11 @@ final class GlassTracer {
         }
     }
 
+    /** Whether the last {@link #arrive} found nothing but an opaque surface, from empty space. */
+    boolean isPlain() {
+        return coincident.size() == 0 && inside.size() == 0;
+    }
+
     /** The opaque surface that the ray meets at the point where it just left glass, or -1 if the ray must be traced. */
     int takeNext(Hit hit) {
         int taken = next;

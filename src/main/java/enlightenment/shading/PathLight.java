@@ -79,6 +79,9 @@ final class PathLight {
     double certainGreen;
     double certainBlue;
 
+    /** How many lights there are left to chance. */
+    private int chances;
+
     /** What is known of the lights there: a digit to base three for each, hidden, in full view, or a matter of chance. */
     long views;
 
@@ -113,6 +116,7 @@ final class PathLight {
         certainGreen = 0;
         certainBlue = 0;
         views = 0;
+        chances = 0;
         findStarts();
     }
 
@@ -137,6 +141,11 @@ final class PathLight {
         }
     }
 
+    /** Whether no light that was gathered at a matte vertex was left to chance. */
+    boolean isCertain() {
+        return chances == 0;
+    }
+
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
         counters.lightSamples++;
@@ -153,6 +162,7 @@ final class PathLight {
                 certainBlue = Math.fma(f, l.b, certainBlue);
             }
         }
+        chances += isByChance ? 1 : 0;
         views = 3 * views + (isByChance ? 2 : e > 0 ? 1 : 0);
     }
 

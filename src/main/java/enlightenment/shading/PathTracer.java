@@ -7,6 +7,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
@@ -39,6 +40,7 @@ public final class PathTracer implements Shader {
     private final MirrorCaustics mirrors;
 
     private final double[] surface = new double[3];
+    private final Ray shareRay = new Ray();
     private final double[] pair = new double[2];
 
     private final PathParts parts = new PathParts();
@@ -53,6 +55,9 @@ public final class PathTracer implements Shader {
     private double green;
     private double blue;
 
+    /** Where the path is cut; null for a path that is whole. */
+    private PathCut cut;
+
     /** Whether no random number has had a part in the path so far. */
     private boolean certain;
 
@@ -61,6 +66,9 @@ public final class PathTracer implements Shader {
 
     private double certainGreen;
     private double certainBlue;
+
+    /** Whether that ended at a matte surface of which the lights are certain. */
+    private boolean lightIsCertain;
 
     /** What the path came to until then. */
     private long certainKey;
@@ -169,6 +177,92 @@ public final class PathTracer implements Shader {
         return certain ? path.key : certainKey;
     }
 
+    /**
+     * As {@link #shade}, for a path that may be shared.
+     *
+     * @param out receives the path: its value is what {@link #connect} makes of it
+     */
+    public void shade(Ray ray, Sampler sampler, PathCut out) {
+        cut = out;
+        cut.clear();
+        begin(ray);
+        while (step(ray, sampler)) {
+            events++;
+        }
+        if (cut.gives) {
+            cut.given[0] = red;
+            cut.given[1] = green;
+            cut.given[2] = blue;
+        } else {
+            cut.own[0] = red;
+            cut.own[1] = green;
+            cut.own[2] = blue;
+        }
+        cut = null;
+    }
+
+    /** Notes the first vertex: others may give to it if it is sure that its path goes on. */
+    private void noteFirst() {
+        cut.takes = path.glass.isPlain()
+                && PathCut.isOpen(path.hit)
+                && Math.max(surface[0], Math.max(surface[1], surface[2])) >= FAINT;
+        if (cut.takes) {
+            cut.first.set(path.hit);
+            System.arraycopy(surface, 0, cut.albedo, 0, 3);
+        }
+    }
+
+    /** Cuts the path at its second vertex: from here on it is worth what leaves this. */
+    private void cutHere() {
+        cut.gives = cut.takes && path.glass.isPlain() && path.hit.primitive.isFlat();
+        if (cut.gives) {
+            cut.second.set(path.hit);
+            cut.own[0] = red;
+            cut.own[1] = green;
+            cut.own[2] = blue;
+            red = 0;
+            green = 0;
+            blue = 0;
+            throughputR = 1;
+            throughputG = 1;
+            throughputB = 1;
+        }
+    }
+
+    /**
+     * How much of what the second vertex of a path gives goes to the first vertex of another, in proportion to others; 0 if that does not see
+     * it. It is the density per area, but for a factor, with which paths from there would have found it.
+     */
+    public double connect(PathCut from, PathCut to) {
+        if (!from.takes || !to.gives) {
+            return 0;
+        }
+        Hit a = from.first;
+        Hit b = to.second;
+        double dx = b.px - a.px;
+        double dy = b.py - a.py;
+        double dz = b.pz - a.pz;
+        double dd = dx * dx + dy * dy + dz * dz;
+        double leaving = (a.nx * dx + a.ny * dy + a.nz * dz) * a.side;
+        double arriving = -(b.nx * dx + b.ny * dy + b.nz * dz) * b.side;
+        if (!(leaving > 0 && arriving > 0)) {
+            return 0;
+        }
+        if (from != to) {
+            shareRay.set(a.px, a.py, a.pz, dx, dy, dz, 0).from(a.primitive, a.side);
+            shareRay.alsoFrom(b.primitive, b.side);
+            if (path.tracer.occluded(shareRay, 1)) {
+                return 0;
+            }
+        }
+        return leaving / dd * (arriving / dd);
+    }
+
+    /** Whether the last path began at a matte surface at which no lamp's light is left to chance. */
+    public boolean isLightCertain() {
+        return lightIsCertain;
+    }
+
     /** How many scattering events the last path had. */
     public int events() {
         return events;
@@ -191,6 +285,7 @@ public final class PathTracer implements Shader {
         delta = false;
         compression = 1;
         certain = true;
+        lightIsCertain = false;
         certainRed = 0;
         certainGreen = 0;
         certainBlue = 0;
@@ -268,12 +363,20 @@ public final class PathTracer implements Shader {
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
+        // Counted with panes, which are no events: what is shared has come straight.
+        if (cut != null && path.surfaces < 2) {
+            if (path.surfaces == 0) {
+                noteFirst();
+            } else {
+                cutHere();
+            }
+        }
         light.gatherMatte(sampler, address, !scattered);
         add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
         if (certain) {
-            addCertain(
-                    surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
+            addCertain(surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             leaveToChance(light.views);
+            lightIsCertain = light.isCertain();
         }
         if (vertices++ == 0) {
             parts.albedo(surface);

@@ -11,8 +11,8 @@ import java.util.Arrays;
  *
  * <p>Paths are clustered by what is certain of them ({@link Corners#keys}): the surface that they met first, and which lamps are hidden
  * there, in full view, or neither. The rest of a path's value, beside what is certain, is taken for a sample of its cluster. Its deviation
- * counts as a screen would show it in the mean of the pixel's samples: little on dark ground counts more than on bright ground,
- * nothing counts where all is white, and a single bright path no more than white.
+ * counts as a screen would show it, were it that of the pixel's mean: on dark ground it counts more than on bright ground, and nothing
+ * where all is white.
  */
 final class PathNoise {
     private static final int PIXELS = Block.SIDE * Block.SIDE;
@@ -23,13 +23,10 @@ final class PathNoise {
     private static final int OTHERS = MOST_CLUSTERS - 1;
 
     /** How much more a touching pixel tells than one that is further away. */
-    private static final double NEAR = Double.parseDouble(System.getProperty("near","8"));
+    private static final double NEAR = 2;
 
     /** The block counts in a cluster like this many paths. */
-    private static final double OF_BLOCK = Double.parseDouble(System.getProperty("ob","8"));
-
-    private static final boolean SQ = Boolean.getBoolean("sq");
-    private static final double POW = Double.parseDouble(System.getProperty("pw","1"));
+    private static final double OF_BLOCK = 8;
 
     private final DisplayCurve curve;
     private final Corners corners;
@@ -72,8 +69,8 @@ final class PathNoise {
     private final double[] shownLevel = new double[3];
     private final double[] corner = new double[3];
 
-    /** How many samples the pixels' means are of, in the mean. */
-    private double samples;
+    /** The root of the number of samples that the pixels' means are of. */
+    private double root;
 
     PathNoise(DisplayCurve curve, Corners corners) {
         this.curve = curve;
@@ -89,7 +86,7 @@ final class PathNoise {
     void begin(Block target, int paths, double samplesPerPixel) {
         block = target;
         perPixel = paths;
-        samples = samplesPerPixel;
+        root = Math.sqrt(samplesPerPixel);
         clusters = 0;
         int n = PIXELS * paths;
         if (clusterOfPath.length < n) {
@@ -231,9 +228,8 @@ final class PathNoise {
                 double d = shown(rest[3 * n + c] - sums[3 * k + c], c);
                 square += d * d;
             }
-            double t = POW == 1 ? square / 3 : Math.pow(square / 3, POW);
-            squares[k] += t;
-            sum += t;
+            squares[k] += square / 3;
+            sum += square / 3;
         }
         ofPixel[pixel] = sum;
     }
@@ -261,10 +257,9 @@ final class PathNoise {
         }
     }
 
-    /** What a deviation of one of a pixel's samples changes in what is shown, times their number. */
+    /** What a deviation of a sample shows, as large as that of the mean of the pixel's samples: multiplied by the root of their number again. */
     private double shown(double deviation, int c) {
-        double q = SQ ? Math.sqrt(samples) : samples;
-        return q * (curve.nearly(level[c] + deviation / q) - shownLevel[c]);
+        return root * (curve.nearly(level[c] + deviation / root) - shownLevel[c]);
     }
 
     /** The variance, as shown, of one of a pixel's samples, as far as it does not come from its place among the corners. */
@@ -295,9 +290,8 @@ final class PathNoise {
     /** The mean square of a cluster, in which some paths have told more. */
     private double of(int field, int cluster, double near, int nearPaths) {
         int k = MOST_CLUSTERS * field + cluster;
-        double r = ((NEAR - 1) * near + squares[k] + OF_BLOCK * meanSquare[field])
+        return ((NEAR - 1) * near + squares[k] + OF_BLOCK * meanSquare[field])
                 / ((NEAR - 1) * nearPaths + counts[k] + OF_BLOCK);
-        return POW == 1 ? r : Math.pow(r, 1 / POW);
     }
 
     /** What a path through a pixel costs, in the unit in which it was told. */

@@ -20,8 +20,11 @@ final class PhysicalAllocation {
 
     private static final double SMOOTHED = 0.125;
 
-    /** The share of the samples that goes everywhere. */
-    private static final double EVERYWHERE = Double.parseDouble(System.getProperty("ev","0.25"));
+    /**
+     * The share of the samples that goes everywhere, and shows how much paths vary: light of many bounces has rare bright paths, so
+     * that less than this tells too little.
+     */
+    private static final double EVERYWHERE = 0.5;
 
     private final double need;
     private final int least;

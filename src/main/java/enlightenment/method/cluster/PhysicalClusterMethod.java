@@ -10,7 +10,9 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
+import enlightenment.shading.PathCut;
 import enlightenment.shading.PathTracer;
+import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -22,6 +24,13 @@ import java.util.function.BooleanSupplier;
  */
 public final class PhysicalClusterMethod implements TileIntegrator {
     private static final int PIXELS = Block.SIDE * Block.SIDE;
+
+    /** Groups of a block; and the most members of one: every other pixel of every other row, and those between. */
+    private static final int GROUPS = 8;
+
+    private static final int MOST_MEMBERS = PIXELS / GROUPS;
+
+    private static final int STEP = 4;
 
     /** Binary logarithm of the largest number of first paths; more would tell little more. */
     private static final int MOST_FIRST = 4;
@@ -38,9 +47,20 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final Interpolation interpolation = new Interpolation();
     private final Ray ray = new Ray();
     private final SobolSampler sampler = new SobolSampler();
-    private final SampleSpread spread = new SampleSpread();
-    private final double[] color = new double[3];
-    private final double[] certain = new double[3];
+
+    private int members;
+    private final int[] column = new int[MOST_MEMBERS];
+    private final int[] row = new int[MOST_MEMBERS];
+    private final int[] count = new int[MOST_MEMBERS];
+    private final long[] keys = new long[MOST_MEMBERS];
+    private final int[] events = new int[MOST_MEMBERS];
+    private final double[] placeX = new double[MOST_MEMBERS];
+    private final double[] placeY = new double[MOST_MEMBERS];
+    private final double[] shares = new double[MOST_MEMBERS];
+    private final double[][] colors = new double[MOST_MEMBERS][3];
+    private final double[][] certain = new double[MOST_MEMBERS][3];
+    private final PathCut[] paths = new PathCut[MOST_MEMBERS];
+    private final SampleSpread[] spreads = new SampleSpread[MOST_MEMBERS];
 
     /** Binary logarithm of the number of first paths of each pixel; and their colours, one after another. */
     private final int firstSamples;
@@ -49,9 +69,6 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     /** How many samples a pixel's mean is of, about. */
     private final double spreadOver;
-
-    /** Whether the pixel that was turned to has a known part. */
-    private boolean isQuiet;
 
     /**
      * @param scene of physical shading
@@ -69,6 +86,10 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         tracer = new PathTracer(scene, counters);
         survey = new PhysicalSurvey(scene, settings, tracer);
         noise = new PathNoise(scene.display, survey);
+        for (int m = 0; m < MOST_MEMBERS; m++) {
+            paths[m] = new PathCut();
+            spreads[m] = new SampleSpread();
+        }
     }
 
     @Override
@@ -97,13 +118,101 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private void render(Block block, FilmTile tile) {
         look(block, settings.seed());
         tile.addSurveyRays(survey.rays());
-        for (int j = 0; j < block.height(); j++) {
-            for (int i = 0; i < block.width(); i++) {
-                if (tile.contains(block.x() + i, block.y() + j)) {
-                    renderPixel(block, i, j, tile);
+        for (int group = 0; group < GROUPS; group++) {
+            gather(block, group);
+            if (isWanted(block, tile)) {
+                renderGroup(block, tile);
+            }
+        }
+    }
+
+    /** Finds the members of a group. */
+    private void gather(Block block, int group) {
+        members = 0;
+        for (int j = group / STEP; j < block.height(); j += STEP / 2) {
+            int shift = (j - group / STEP) % STEP;
+            for (int i = (group + shift) % STEP; i < block.width(); i += STEP) {
+                column[members] = i;
+                row[members++] = j;
+            }
+        }
+    }
+
+    private boolean isWanted(Block block, FilmTile tile) {
+        for (int m = 0; m < members; m++) {
+            if (tile.contains(block.x() + column[m], block.y() + row[m])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void renderGroup(Block block, FilmTile tile) {
+        int most = 0;
+        for (int m = 0; m < members; m++) {
+            int i = column[m];
+            int j = row[m];
+            count[m] = 1
+                    << allocation.samples(
+                            noise.variance(i, j),
+                            noise.edge(i, j),
+                            noise.cost(i, j),
+                            Dither.at(block.x() + i, block.y() + j));
+            most = Math.max(most, count[m]);
+            spreads[m].begin(count[m]);
+        }
+        int done = 1 << firstSamples;
+        for (int s = 0; s < most; s++) {
+            if (s >= done) {
+                sample(block, s, settings.seed());
+            }
+            for (int m = 0; m < members; m++) {
+                if (s < count[m]) {
+                    add(block, m, s, tile);
                 }
             }
         }
+        for (int m = 0; m < members; m++) {
+            finish(block, m, tile);
+        }
+    }
+
+    private void add(Block block, int m, int s, FilmTile tile) {
+        int x = block.x() + column[m];
+        int y = block.y() + row[m];
+        if (!tile.contains(x, y)) {
+            return;
+        }
+        double[] from = colors[m];
+        int at = 0;
+        if (s < 1 << firstSamples) {
+            from = first;
+            at = 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s);
+            if (s < 2) {
+                sampler.pixel(settings.seed(), x, y);
+                sampler.sample(s);
+                spreads[m].at(sampler.filmX(), sampler.filmY());
+            }
+        } else {
+            spreads[m].at(0, 0);
+        }
+        tile.add(x, y, from[at], from[at + 1], from[at + 2]);
+        spreads[m].add(from[at], from[at + 1], from[at + 2]);
+    }
+
+    private void finish(Block block, int m, FilmTile tile) {
+        int x = block.x() + column[m];
+        int y = block.y() + row[m];
+        if (!tile.contains(x, y)) {
+            return;
+        }
+        if (noise.isQuiet(column[m], row[m])) {
+            interpolation.between(survey, column[m], row[m]);
+            tile.known(x, y, interpolation.mean(0), interpolation.mean(1), interpolation.mean(2), 0);
+        } else {
+            tile.known(x, y, 0, 0, 0, 0);
+        }
+        tile.spread(x, y, spreads[m]);
     }
 
     /** Surveys the block and takes the first samples of its pixels. */
@@ -118,33 +227,37 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         survey.take(block);
         int count = 1 << firstSamples;
         noise.begin(block, count, spreadOver);
-        for (int j = 0; j < block.height(); j++) {
-            for (int i = 0; i < block.width(); i++) {
-                turn(block, i, j, seed);
-                int from = 3 * (Block.SIDE * j + i) << firstSamples;
-                for (int s = 0; s < count; s++) {
-                    sample(block.x() + i, block.y() + j, s);
-                    System.arraycopy(color, 0, first, from + 3 * s, 3);
-                    tell(i, j, s);
+        for (int group = 0; group < GROUPS; group++) {
+            gather(block, group);
+            Arrays.fill(this.count, 0, members, count);
+            for (int s = 0; s < count; s++) {
+                sample(block, s, seed);
+                for (int m = 0; m < members; m++) {
+                    System.arraycopy(
+                            colors[m], 0, first, 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s), 3);
+                    tell(m, s);
                 }
             }
         }
         noise.finish();
     }
 
-    /** Tells of the last sample. */
-    private void tell(int i, int j, int s) {
-        long key = tracer.certain(certain);
-        double known = isQuiet ? 0 : 1;
+    /** Tells of a member's last sample. */
+    private void tell(int m, int s) {
+        int i = column[m];
+        int j = row[m];
+        double known = noise.isQuiet(i, j) ? 0 : 1;
+        double[] color = colors[m];
+        double[] c = certain[m];
         noise.tell(
                 i,
                 j,
                 s,
-                key,
-                2 + tracer.events(),
-                color[0] - known * certain[0],
-                color[1] - known * certain[1],
-                color[2] - known * certain[2]);
+                keys[m],
+                2 + events[m],
+                color[0] - known * c[0],
+                color[1] - known * c[1],
+                color[2] - known * c[2]);
     }
 
     /** How many rays the last survey took. */
@@ -167,53 +280,56 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         return noise.cost(i, j);
     }
 
-    private void turn(Block block, int i, int j, long seed) {
-        sampler.pixel(seed, block.x() + i, block.y() + j);
-        isQuiet = noise.isQuiet(i, j);
-        if (isQuiet) {
-            interpolation.between(survey, i, j);
-        }
-    }
-
-    private void renderPixel(Block block, int i, int j, FilmTile tile) {
-        int x = block.x() + i;
-        int y = block.y() + j;
-        turn(block, i, j, settings.seed());
-        int samples = 1
-                << allocation.samples(
-                        noise.variance(i, j), noise.edge(i, j), noise.cost(i, j), Dither.at(x, y));
-        int done = 1 << firstSamples;
-        int from = 3 * (Block.SIDE * j + i) << firstSamples;
-        spread.begin(samples);
-        for (int s = 0; s < samples; s++) {
-            if (s < done) {
-                sampler.sample(s);
-                spread.at(sampler.filmX(), sampler.filmY());
-                System.arraycopy(first, from + 3 * s, color, 0, 3);
-            } else {
-                sample(x, y, s);
+    /** Takes a sample of each member of the group that has so many. */
+    private void sample(Block block, int index, long seed) {
+        for (int m = 0; m < members; m++) {
+            if (index >= count[m]) {
+                continue;
             }
-            tile.add(x, y, color[0], color[1], color[2]);
-            spread.add(color[0], color[1], color[2]);
+            int x = block.x() + column[m];
+            int y = block.y() + row[m];
+            sampler.pixel(seed, x, y);
+            sampler.sample(index);
+            placeX[m] = sampler.filmX();
+            placeY[m] = sampler.filmY();
+            scene.camera.ray((x + placeX[m]) / settings.width(), (y + placeY[m]) / settings.height(), ray);
+            if (survey.isIndirect(column[m], row[m])) {
+                tracer.shade(ray, sampler, paths[m]);
+                paths[m].own(colors[m]);
+            } else {
+                tracer.shade(ray, sampler, colors[m]);
+                paths[m].clear();
+            }
+            keys[m] = tracer.certain(certain[m]);
+            events[m] = tracer.events();
         }
-        if (isQuiet) {
-            tile.known(x, y, interpolation.mean(0), interpolation.mean(1), interpolation.mean(2), 0);
-        } else {
-            tile.known(x, y, 0, 0, 0, 0);
+        share(index);
+        for (int m = 0; m < members; m++) {
+            if (index < count[m] && noise.isQuiet(column[m], row[m])) {
+                interpolation.between(survey, column[m], row[m]);
+                interpolation.subtract(placeX[m], placeY[m], colors[m]);
+            }
         }
-        tile.spread(x, y, spread);
     }
 
-    /** Sets the value of a sample, less the control variate. */
-    private void sample(int x, int y, int index) {
-        sampler.sample(index);
-        double dx = sampler.filmX();
-        double dy = sampler.filmY();
-        spread.at(dx, dy);
-        scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
-        tracer.shade(ray, sampler, color);
-        if (isQuiet) {
-            interpolation.subtract(dx, dy, color);
+    /** Shares what the second vertices of the group's paths give among all first vertices that see them. */
+    private void share(int index) {
+        for (int q = 0; q < members; q++) {
+            if (index >= count[q] || !paths[q].gives()) {
+                continue;
+            }
+            double sum = 0;
+            for (int p = 0; p < members; p++) {
+                shares[p] = index < count[p] ? tracer.connect(paths[p], paths[q]) : 0;
+                sum += shares[p];
+            }
+            for (int p = 0; p < members; p++) {
+                if (shares[p] > 0) {
+                    for (int c = 0; c < 3; c++) {
+                        colors[p][c] += paths[p].brings(paths[q], shares[p] / sum, c);
+                    }
+                }
+            }
         }
     }
 }

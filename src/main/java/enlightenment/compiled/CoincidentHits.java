@@ -145,6 +145,18 @@ public final class CoincidentHits {
         return size;
     }
 
+    /** The index of the surface of the medium that is entered; if none is entered, of the one that is left. */
+    public int ofMedium(int entered, int left) {
+        int found = 0;
+        for (int k = 0; k < size; k++) {
+            if (ids[k] == entered) {
+                return k;
+            }
+            found = ids[k] == left ? k : found;
+        }
+        return found;
+    }
+
     /** The id of the primitive that surface k belongs to. */
     public int id(int k) {
         return ids[k];

@@ -193,7 +193,7 @@ final class GlassTracer {
             }
         }
         int after = inside.current();
-        boundary = before == after ? NONE : boundaryOf(before, after);
+        boundary = before == after ? NONE : coincident.ofMedium(after, before);
     }
 
     /**
@@ -321,18 +321,6 @@ final class GlassTracer {
     /** Whether the last {@link #cross} did not turn the ray: it passed a pane, or between media of equal index. */
     boolean passedStraight() {
         return straight;
-    }
-
-    /** The index of the surface of the medium that is entered; if none is entered, of the one that is left. */
-    private int boundaryOf(int before, int after) {
-        int found = 0;
-        for (int k = 0; k < coincident.size(); k++) {
-            if (coincident.id(k) == after) {
-                return k;
-            }
-            found = coincident.id(k) == before ? k : found;
-        }
-        return found;
     }
 
     /** Starts a ray that leaves a rough border on all surfaces there. */

@@ -8,7 +8,6 @@ import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.Tracer;
-import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.LightChoice;
 import enlightenment.emitter.LightPicker;
 import enlightenment.emitter.LightSample;
@@ -36,8 +35,9 @@ final class PathLight {
     private final PathFollower path;
     private final ShadowRays shadow;
     private final Hit hit;
-    private final LightCone cone = new LightCone();
-    private final LightSample view = new LightSample(cone);
+    private final LightView view = new LightView();
+    private final LightCone cone = view.cone;
+    private final LightSample sample = view.sample;
     private final LightChoice choice = new LightChoice();
     private final double[] pair = new double[2];
 
@@ -194,23 +194,15 @@ final class PathLight {
     }
 
     private double ofPoint(PhysicalLight l) {
-        aimAtPoint(l);
+        view.aimAtPoint(l, x, y, z);
         double cosine = nx * cone.wx + ny * cone.wy + nz * cone.wz;
         return cosine > 0 && isVisible(l) ? cosine / (cone.distance * cone.distance) : 0;
     }
 
-    private void aimAtPoint(PhysicalLight l) {
-        cone.aim(l, x, y, z);
-        view.dx = cone.wx;
-        view.dy = cone.wy;
-        view.dz = cone.wz;
-        view.length = cone.distance;
-    }
-
     /** The irradiance, estimated, of a light of radiance 1: the part of it that is not left to chance. */
     private double irradiance(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
-        aim(l);
-        double e = irradiance(l.form);
+        view.aim(l, x, y, z);
+        double e = view.irradiance(l.form, nx, ny, nz);
         if (e == 0) {
             counters.lightSamplesWithoutRay++;
             return 0;
@@ -234,29 +226,29 @@ final class PathLight {
     private double ofHiddenBall(PhysicalLight l, double e, int index, Sampler sampler, int address) {
         SphereLight ball = (SphereLight) l.form;
         isByChance = true;
-        lightPoint(index, sampler, address);
-        if (ball.samplesByCosine(view, nx, ny, nz)) {
-            ball.sampleByCosine(view, nx, ny, nz, pair[0], pair[1]);
-            return shadow.isBlocked(l, view) ? 0 : e;
+        view.draw(index, sampler, address);
+        if (ball.samplesByCosine(sample, nx, ny, nz)) {
+            view.sampleByCosine(ball, nx, ny, nz);
+            return shadow.isBlocked(l, sample) ? 0 : e;
         }
-        ball.sample(view, pair[0], pair[1]);
-        double cosine = nx * view.dx + ny * view.dy + nz * view.dz;
-        return cosine > 0 && view.pdf > 0 && !shadow.isBlocked(l, view) ? cosine / view.pdf : 0;
+        view.sample(ball);
+        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        return cosine > 0 && sample.pdf > 0 && !shadow.isBlocked(l, sample) ? cosine / sample.pdf : 0;
     }
 
     /** The same by a point of the light, weighted against directions by the cosine. */
     private double sampled(
             PhysicalLight l, int index, double probability, Sampler sampler, int address, Tracer.Visibility known) {
         isByChance = true;
-        lightPoint(index, sampler, address);
-        sample(l.form);
-        double cosine = nx * view.dx + ny * view.dy + nz * view.dz;
-        if (!(view.pdf > 0) || !(cosine > 0)) {
+        view.draw(index, sampler, address);
+        view.sample(l.form);
+        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        if (!(sample.pdf > 0) || !(cosine > 0)) {
             counters.lightSamplesWithoutRay++;
             return 0;
         }
-        double weighed = cosine / view.pdf * weight(cosine / Math.PI, probability * view.pdf);
-        return known == Tracer.Visibility.ALL || !shadow.isBlocked(l, view) ? weighed : 0;
+        double weighed = cosine / sample.pdf * weight(cosine / Math.PI, probability * sample.pdf);
+        return known == Tracer.Visibility.ALL || !shadow.isBlocked(l, sample) ? weighed : 0;
     }
 
     /** Gathers the light at the surface that the path is at, whatever its lobes. */
@@ -299,20 +291,20 @@ final class PathLight {
         counters.lightSamples++;
         double density;
         if (l.isPoint) {
-            aimAtPoint(l);
+            view.aimAtPoint(l, x, y, z);
             density = cone.distance * cone.distance;
         } else {
-            aim(l);
-            lightPoint(tookAll ? index : -1, sampler, address);
-            sample(l.form);
-            density = view.pdf;
+            view.aim(l, x, y, z);
+            view.draw(tookAll ? index : -1, sampler, address);
+            view.sample(l.form);
+            density = sample.pdf;
         }
         if (!(density > 0)) {
             return;
         }
-        s.ix = view.dx;
-        s.iy = view.dy;
-        s.iz = view.dz;
+        s.ix = sample.dx;
+        s.iy = sample.dy;
+        s.iz = sample.dz;
         bsdf.evaluate(s);
         if (through != null) {
             turn(s);
@@ -342,7 +334,7 @@ final class PathLight {
             return 1;
         }
         PhysicalLight l = lights[index];
-        aim(l);
+        view.aim(l, x, y, z);
         if (isMatte && isClosed(l)) {
             return 0;
         }
@@ -352,7 +344,7 @@ final class PathLight {
         double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
         double scale = 1 / Math.sqrt(ray.dd);
         double cosine = -(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz) * scale;
-        double density = l.form.pdf(view, ray.dx * scale, ray.dy * scale, ray.dz * scale, distance, cosine);
+        double density = l.form.pdf(sample, ray.dx * scale, ray.dy * scale, ray.dz * scale, distance, cosine);
         if (!(density > 0)) {
             return 1;
         }
@@ -362,7 +354,7 @@ final class PathLight {
 
     /** Whether the vertex, a matte one, has all of the light from its closed form. */
     private boolean isClosed(PhysicalLight l) {
-        double e = irradiance(l.form);
+        double e = view.irradiance(l.form, nx, ny, nz);
         if (!(e > 0)) {
             return false;
         }
@@ -375,46 +367,12 @@ final class PathLight {
         return 1 / (1 + ratio * ratio);
     }
 
-    private void aim(PhysicalLight l) {
-        if (l.form instanceof SphereLight ball) {
-            ball.aim(view, x, y, z);
-        } else {
-            l.form.aim(view, x, y, z);
-        }
-        cone.around(l);
-    }
-
-    // Asking for the common form first lets the just-in-time compiler inline it.
-
-    private double irradiance(AreaLight form) {
-        return form instanceof SphereLight ball ? ball.irradiance(view, nx, ny, nz) : form.irradiance(view, nx, ny, nz);
-    }
-
-    private void sample(AreaLight form) {
-        if (form instanceof SphereLight ball) {
-            ball.sample(view, pair[0], pair[1]);
-        } else {
-            form.sample(view, pair[0], pair[1]);
-        }
-    }
-
-    /** Sets the pair to the numbers of a point of a light: of the one that was chosen, or of each of several. */
-    private void lightPoint(int index, Sampler sampler, int address) {
-        if (index <= 0) {
-            sampler.pair(address, Sampler.Purpose.LIGHT, pair);
-        } else {
-            sampler.lightPoints(index, address, 1);
-            pair[0] = sampler.lightX(0);
-            pair[1] = sampler.lightY(0);
-        }
-    }
-
     private boolean isVisible(PhysicalLight l) {
         Tracer.Visibility visibility = shadow.visibility(l);
         if (visibility != Tracer.Visibility.UNKNOWN) {
             counters.lightSamplesWithoutRay++;
             return visibility == Tracer.Visibility.ALL;
         }
-        return !shadow.isBlocked(l, view);
+        return !shadow.isBlocked(l, sample);
     }
 }

@@ -1,0 +1,75 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.LightCone;
+import enlightenment.compiled.PhysicalLight;
+import enlightenment.emitter.AreaLight;
+import enlightenment.emitter.LightSample;
+import enlightenment.emitter.SphereLight;
+import enlightenment.sampling.Sampler;
+
+/** A light as a vertex sees it: the directions to it, and a point of it that is sampled. One per thread. */
+final class LightView {
+    final LightCone cone = new LightCone();
+
+    /** The direction to the light, and what is known of the point of it that it leads to. */
+    final LightSample sample = new LightSample(cone);
+
+    private final double[] pair = new double[2];
+
+    /** Looks from a vertex at a light with extent. */
+    void aim(PhysicalLight l, double x, double y, double z) {
+        if (l.form instanceof SphereLight ball) {
+            ball.aim(sample, x, y, z);
+        } else {
+            l.form.aim(sample, x, y, z);
+        }
+        cone.around(l);
+    }
+
+    /** Looks from a vertex at a light that is a point: {@link #sample} leads to it. */
+    void aimAtPoint(PhysicalLight l, double x, double y, double z) {
+        cone.aim(l, x, y, z);
+        sample.dx = cone.wx;
+        sample.dy = cone.wy;
+        sample.dz = cone.wz;
+        sample.length = cone.distance;
+    }
+
+    /**
+     * Draws the numbers of a point of the light.
+     *
+     * @param index of the light where several lights are sampled; at most 0 for the only one
+     */
+    void draw(int index, Sampler sampler, int address) {
+        if (index <= 0) {
+            sampler.pair(address, Sampler.Purpose.LIGHT, pair);
+        } else {
+            sampler.lightPoints(index, address, 1);
+            pair[0] = sampler.lightX(0);
+            pair[1] = sampler.lightY(0);
+        }
+    }
+
+    // Asking for the common form first lets the just-in-time compiler inline it.
+
+    /** The closed form of the irradiance of a light of radiance 1; not a number if there is none. */
+    double irradiance(AreaLight form, double nx, double ny, double nz) {
+        return form instanceof SphereLight ball
+                ? ball.irradiance(sample, nx, ny, nz)
+                : form.irradiance(sample, nx, ny, nz);
+    }
+
+    /** Samples the point of the light that was drawn. */
+    void sample(AreaLight form) {
+        if (form instanceof SphereLight ball) {
+            ball.sample(sample, pair[0], pair[1]);
+        } else {
+            form.sample(sample, pair[0], pair[1]);
+        }
+    }
+
+    /** The same by the cosine at the vertex, where {@link SphereLight#samplesByCosine} says that it can be done. */
+    void sampleByCosine(SphereLight ball, double nx, double ny, double nz) {
+        ball.sampleByCosine(sample, nx, ny, nz, pair[0], pair[1]);
+    }
+}

@@ -1,0 +1,38 @@
+package enlightenment.shading;
+
+/** Of what kinds the events of a path from the eye were: that decides which technique finds the light that it comes to. */
+final class PathHistory {
+    /** Whether a direction was sampled from a lobe that is not a delta lobe. */
+    boolean scattered;
+
+    /** Whether that was the first event of the path. */
+    boolean scatteredFirst;
+
+    /** Whether there were events of delta lobes before. */
+    boolean deltaFirst;
+
+    /** Whether light was gathered at the last vertex, so that light that the path runs into is weighted. */
+    boolean gathered;
+
+    void begin() {
+        scattered = false;
+        scatteredFirst = false;
+        deltaFirst = false;
+        gathered = false;
+    }
+
+    /** Notes the kind of event that the path leaves behind. */
+    void leave(boolean isDelta) {
+        if (!isDelta && !scattered) {
+            scattered = true;
+            scatteredFirst = !deltaFirst;
+        }
+        deltaFirst |= !scattered;
+        gathered = !isDelta;
+    }
+
+    /** Notes surfaces that the path passed straight: no event, and the last vertex stays what it was. */
+    void pass() {
+        deltaFirst |= !scattered;
+    }
+}

@@ -1,0 +1,150 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.sampling.Hash;
+import enlightenment.sampling.Sampler;
+
+/**
+ * What a path from the eye has gathered, and how much of what is still to come counts: its throughput. Of both, the part that is not left
+ * to chance is told apart. Mutable, one per thread.
+ */
+final class PathValue {
+    /** From this scattering event on roulette may end a path. */
+    static final int ROULETTE_FROM = 5;
+
+    /** Sooner, if less than this is left of a path's throughput. */
+    static final double FAINT = 0.05;
+
+    /** Paths of a closed white room must end, too. */
+    static final double LARGEST_SURVIVAL = 0.99;
+
+    /** What was gathered. */
+    double red;
+
+    double green;
+    double blue;
+
+    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
+    double compression;
+
+    /** Whether no random number has had a part in the path so far. */
+    boolean certain;
+
+    /** What was gathered until then. */
+    private double certainRed;
+
+    private double certainGreen;
+    private double certainBlue;
+
+    /** What the path came to until then. */
+    private long certainKey;
+
+    private double throughputR;
+    private double throughputG;
+    private double throughputB;
+
+    void begin() {
+        beginPart();
+        compression = 1;
+        certain = true;
+        certainRed = 0;
+        certainGreen = 0;
+        certainBlue = 0;
+    }
+
+    /** Forgets what was gathered, for what comes from here on to be worth what it is here. */
+    void beginPart() {
+        red = 0;
+        green = 0;
+        blue = 0;
+        throughputR = 1;
+        throughputG = 1;
+        throughputB = 1;
+    }
+
+    /** Adds radiance that leaves what the path is at towards where it came from. */
+    void add(double r, double g, double b) {
+        red = Math.fma(throughputR * compression, r, red);
+        green = Math.fma(throughputG * compression, g, green);
+        blue = Math.fma(throughputB * compression, b, blue);
+    }
+
+    /** Notes the part of what is added that no random number has a part in. */
+    void addCertain(double r, double g, double b) {
+        if (certain) {
+            certainRed = Math.fma(throughputR, r, certainRed);
+            certainGreen = Math.fma(throughputG, g, certainGreen);
+            certainBlue = Math.fma(throughputB, b, certainBlue);
+        }
+    }
+
+    /**
+     * From here on random numbers have a part in the path.
+     *
+     * @param key what it came to until now, as a hash
+     */
+    void leaveToChance(long key) {
+        if (certain) {
+            certain = false;
+            certainKey = Hash.mix(key);
+        }
+    }
+
+    /**
+     * Writes the part that is not left to chance.
+     *
+     * @param key what the path has come to now, as a hash
+     * @return what it had come to when chance began; the key if all is certain
+     */
+    long certain(double[] out, long key) {
+        out[0] = certainRed;
+        out[1] = certainGreen;
+        out[2] = certainBlue;
+        return certain ? key : certainKey;
+    }
+
+    /** Writes what was gathered. */
+    void get(double[] out) {
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    /** Multiplies the throughput. */
+    void filter(double r, double g, double b) {
+        throughputR *= r;
+        throughputG *= g;
+        throughputB *= b;
+    }
+
+    /** The same by Beer and Lambert's law, on the way to what the path has come to. */
+    void absorb(SurfaceMaterial medium, double length) {
+        throughputR *= StrictMath.exp(-medium.absorptionR * length);
+        throughputG *= StrictMath.exp(-medium.absorptionG * length);
+        throughputB *= StrictMath.exp(-medium.absorptionB * length);
+    }
+
+    /** Whether a path that has had so many events goes on without roulette. */
+    boolean isSafe(int events) {
+        return events < ROULETTE_FROM && Math.max(throughputR, Math.max(throughputG, throughputB)) >= FAINT;
+    }
+
+    /**
+     * Plays roulette by the weight of an event, which was filtered by: by the event's own albedo, since what is left of the path's
+     * throughput says little of what is to come.
+     *
+     * @param event the number of that event, counted from 0
+     */
+    boolean survives(double r, double g, double b, Sampler sampler, int event) {
+        if (!(Math.max(throughputR, Math.max(throughputG, throughputB)) > 0)) {
+            return false;
+        }
+        double survival = Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
+        if (!(sampler.unit(event, Sampler.Purpose.ROULETTE) < survival)) {
+            return false;
+        }
+        double scale = 1 / survival;
+        filter(scale, scale, scale);
+        return true;
+    }
+}

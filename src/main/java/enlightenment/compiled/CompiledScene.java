@@ -11,6 +11,7 @@ import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
@@ -87,6 +88,9 @@ public final class CompiledScene {
     /** The number of objects in the scene's list, including duplicates of which only one became a primitive. */
     public final int objects;
 
+    /** Images of lights that can be aimed at; null if there are none. */
+    public final MirrorBalls mirrorBalls;
+
     private ConeSearch coneSearch;
     private final List<String> features;
     private final List<String> absent;
@@ -151,8 +155,17 @@ public final class CompiledScene {
         if (physical != null && accelerator instanceof PrimitiveList all) {
             physical.findOccluders(primitives, occluders, all);
         }
-        this.features = List.copyOf(features);
+        mirrorBalls = physical == null ? null : MirrorBalls.of(this, physical);
+        this.features = withMirrors(features);
         this.absent = List.copyOf(absent);
+    }
+
+    private List<String> withMirrors(List<String> all) {
+        List<String> with = new ArrayList<>(all);
+        if (mirrorBalls != null) {
+            with.add(mirrorBalls.feature());
+        }
+        return List.copyOf(with);
     }
 
     private static CompiledLight[] visible(CompiledLight[] lights) {

@@ -196,6 +196,11 @@ final class PathFollower {
         return bounces < maxBounces;
     }
 
+    /** Whether it may have two more. */
+    boolean mayScatterTwice() {
+        return bounces < maxBounces - 1;
+    }
+
     /**
      * Lets the ray pass, be refracted or be reflected at the surfaces of glass that it came to.
      *

@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
@@ -30,6 +31,10 @@ public final class PathTracer implements Shader {
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
+
+    /** Caustics that no pass from the lights makes; null if the scene has no mirrors for them. */
+    private final MirrorCaustics mirrors;
+
     private final boolean absorbs;
     private final boolean hasCausticPass;
     private final double[] surface = new double[3];
@@ -77,6 +82,7 @@ public final class PathTracer implements Shader {
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
+        mirrors = MirrorCaustics.of(scene, counters, path);
         absorbs = physical.hasAbsorption;
         hasCausticPass = physical.hasCausticPass();
     }
@@ -113,6 +119,9 @@ public final class PathTracer implements Shader {
         compression = 1;
         path.begin(ray);
         firstIndex = path.glass.indexOfRefraction();
+        if (mirrors != null) {
+            mirrors.reset();
+        }
         while (step(ray, sampler)) {
             events++;
         }
@@ -164,22 +173,43 @@ public final class PathTracer implements Shader {
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        return hasCausticPass && scatteredFirst ? 0 : 1;
+        if (hasCausticPass && scatteredFirst) {
+            return 0;
+        }
+        return mirrors == null ? 1 : mirrors.weight();
+    }
+
+    /** Adds the caustics of mirrors at a surface that scatters, unless they are the business of a pass of their own. */
+    private void addCaustics(Ray ray, Bsdf bsdf, Sampler sampler) {
+        mirrors.reset();
+        if (!(hasCausticPass && (scattered ? scatteredFirst : !deltaFirst))) {
+            mirrors.gather(bsdf, path.arrive(ray, surface), sampler, address);
+            add(mirrors.red, mirrors.green, mirrors.blue);
+        }
     }
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !scattered);
         add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        if (mirrors != null) {
+            addCaustics(ray, Lambert.INSTANCE, sampler);
+        }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
+        if (mirrors != null) {
+            mirrors.left(s);
+        }
         leave(false);
         return s.pdf > 0 && filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
         path.scatter(ray, material, surface, 0, 0, 0);
+        if (mirrors != null) {
+            mirrors.reflected(path.id);
+        }
         leave(true);
         return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
@@ -189,11 +219,17 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
+        if (mirrors != null) {
+            addCaustics(ray, material.bsdf, sampler);
+        }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
         }
         light.left(s.pdf);
+        if (mirrors != null) {
+            mirrors.left(s);
+        }
         path.leave(ray, s);
         leave(s.delta);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
@@ -219,6 +255,9 @@ public final class PathTracer implements Shader {
         }
         address++;
         path.glass.choose(choice, pair);
+        if (mirrors != null) {
+            mirrors.reset();
+        }
         boolean through = path.cross(ray);
         double weight = path.glass.weight();
         double r = weight;

@@ -1,0 +1,193 @@
+package enlightenment.shading;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.geometry.Sphere;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.Ray;
+import enlightenment.render.TestScenes;
+import enlightenment.sampling.SobolSampler;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import java.util.List;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Caustics of mirror balls that are themselves seen in a mirror, against paths that find them by chance: of a mirror with a texture, of
+ * the same colour everywhere, no images are known.
+ */
+class MirrorCausticsTest {
+    private static final Texture SILVER = Texture.of(new Rgb(0.9, 0.8, 0.7));
+    private static final Texture SAME = new Texture.Checker(List.of(new Rgb(0.9, 0.8, 0.7), new Rgb(0.9, 0.8, 0.7)), 2);
+    private static final int SIZE = 8;
+
+    /** What stands where the floor is, seen in a mirror, and how many events a path may have. */
+    private static Scene scene(Texture ball, Material floor, double lamp, PhysicalShading shading, double scale) {
+        SceneBuilder scene = Scene.builder()
+                .size(SIZE, SIZE)
+                .shading(shading)
+                .camera(new Camera.Perspective(at(scale, 0, 2, 0), at(scale, 0, 4, 0.25), Vec3.Z, 50))
+                .object(
+                        rectangle(scale, -9, 4, -9, -9, 4, 9, 9, 4, 9, 9, 4, -9),
+                        Material.Mirror.of(Texture.of(new Rgb(1, 1, 1))))
+                .object(rectangle(scale, -9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), floor)
+                .object(new Sphere(at(scale, 1.5, 1, 1), length(scale, 1), 0), Material.Mirror.of(ball))
+                .object(new Sphere(at(scale, -1.5, 0.75, 1), length(scale, 0.75), 0), Material.Glossy.of(ball, 0));
+        return scene.light(new Light.Sphere(
+                        at(scale, 0, 2.5, 2),
+                        length(scale, lamp),
+                        DisplayRgb.WHITE,
+                        Emission.radiance(new Rgb(9, 7, 5))))
+                .build();
+    }
+
+    private static double length(double scale, double x) {
+        return scale * x;
+    }
+
+    private static ExactPoint at(double scale, double x, double y, double z) {
+        return ExactPoint.of(scale * x, scale * y, scale * z);
+    }
+
+    private static enlightenment.geometry.Shape rectangle(double scale, double... c) {
+        for (int i = 0; i < c.length; i++) {
+            c[i] *= scale;
+        }
+        return TestScenes.rectangle(c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10], c[11]);
+    }
+
+    private static final Material GREY = Material.Matte.of(Texture.of(new Rgb(0.6, 0.6, 0.6)));
+
+    /** Mean and variance of the red band's samples by pixel. */
+    private record Picture(double[] mean, double[] variance) {
+        double sum() {
+            double sum = 0;
+            for (double m : mean) {
+                sum += m;
+            }
+            return sum / mean.length;
+        }
+
+        double variances() {
+            double sum = 0;
+            for (double v : variance) {
+                sum += v;
+            }
+            return sum / mean.length;
+        }
+    }
+
+    private static CompiledScene compiled(Scene scene) {
+        return SceneCompiler.compile(scene, RenderSettings.of(scene));
+    }
+
+    private static Picture render(Scene scene, int samples, long seed) {
+        CompiledScene compiled = compiled(scene);
+        PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()));
+        tracer.beginTile(0, 0, 1, 1);
+        SobolSampler sampler = new SobolSampler();
+        Ray ray = new Ray();
+        double[] out = new double[3];
+        Picture picture = new Picture(new double[SIZE * SIZE], new double[SIZE * SIZE]);
+        for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
+            sampler.pixel(seed, pixel % SIZE, pixel / SIZE);
+            double sum = 0;
+            double squares = 0;
+            for (int s = 0; s < samples; s++) {
+                sampler.sample(s);
+                compiled.camera.ray(
+                        (pixel % SIZE + sampler.filmX()) / SIZE, (pixel / SIZE + sampler.filmY()) / SIZE, ray);
+                tracer.shade(ray, sampler, out);
+                sum += out[0];
+                squares += out[0] * out[0];
+            }
+            picture.mean[pixel] = sum / samples;
+            picture.variance[pixel] = Math.max(squares / samples - sum * sum / samples / samples, 0) / samples;
+        }
+        return picture;
+    }
+
+    private static void agree(Scene solved, Scene plain, int samples) {
+        assertNotNull(compiled(solved).mirrorBalls);
+        assertNull(compiled(plain).mirrorBalls);
+        Picture a = render(solved, samples, 3);
+        Picture b = render(plain, 2 * samples, 4);
+        double error = Math.sqrt((a.variances() + b.variances()) / (SIZE * SIZE));
+        assertTrue(Math.abs(a.sum() - b.sum()) < 4 * error, () -> a.sum() + ", not " + b.sum() + ", within " + error);
+        System.out.println("MEAN " + a.sum() + " plain " + b.sum() + " z " + (a.sum() - b.sum()) / error + " var "
+                + a.variances() * samples + " plain " + b.variances() * 2 * samples);
+        double square = 0;
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            double d = a.mean[i] - b.mean[i];
+            square += d * d / Math.max(a.variance[i] + b.variance[i], 1e-300);
+        }
+        double chi = square / (SIZE * SIZE);
+        System.out.println("CHI " + chi);
+        assertTrue(chi < 1 + 5 * Math.sqrt(2.0 / (SIZE * SIZE)), () -> "chi squared " + chi);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.5, 1})
+    void imagesAndChanceAgree(double roughness) {
+        Material floor = ((Material.Matte) GREY).withRoughness(roughness);
+        agree(
+                scene(SILVER, floor, 0.4, PhysicalShading.DEFAULT, 1),
+                scene(SAME, floor, 0.4, PhysicalShading.DEFAULT, 1),
+                Integer.getInteger("n", 2048));
+    }
+
+    @Test
+    void imagesAndChanceAgreeOnRoughMetal() {
+        Material floor = Material.Glossy.of(Texture.of(new Rgb(0.9, 0.8, 0.7)), 0.5);
+        agree(
+                scene(SILVER, floor, 0.4, PhysicalShading.DEFAULT, 1),
+                scene(SAME, floor, 0.4, PhysicalShading.DEFAULT, 1),
+                Integer.getInteger("n", 2048));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4})
+    void imagesAndChanceAgreeWherePathsEndSoon(int bounces) {
+        PhysicalShading shading = new PhysicalShading(OptionalInt.of(bounces), Rgb.BLACK);
+        agree(scene(SILVER, GREY, 0.4, shading, 1), scene(SAME, GREY, 0.4, shading, 1), Integer.getInteger("n", 2048));
+    }
+
+    @Test
+    void ofASmallLampNextToNothingIsLeftToChance() {
+        Scene solved = scene(SILVER, GREY, 0.05, PhysicalShading.DEFAULT, 1);
+        Scene plain = scene(SAME, GREY, 0.05, PhysicalShading.DEFAULT, 1);
+        double variance = render(solved, 1024, 3).variances();
+        double byChance = render(plain, 1024, 3).variances();
+        System.out.println("SMALL " + variance + " " + byChance);
+        assertTrue(variance < 0.1 * byChance, () -> variance + " of " + byChance);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-40, 3, 50})
+    void aSceneOfAnotherSizeLooksTheSame(int exponent) {
+        Picture a = render(scene(SILVER, GREY, 0.4, PhysicalShading.DEFAULT, 1), 16, 3);
+        Picture b = render(scene(SILVER, GREY, 0.4, PhysicalShading.DEFAULT, Math.scalb(1.0, exponent)), 16, 3);
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            assertEquals(a.mean[i], b.mean[i]);
+        }
+    }
+}

@@ -11,9 +11,9 @@ import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * A scene made ready for rendering: only what it requires, in flat arrays. Immutable, shared by all threads.
@@ -156,16 +156,14 @@ public final class CompiledScene {
             physical.findOccluders(primitives, occluders, all);
         }
         mirrorBalls = physical == null ? null : MirrorBalls.of(this, physical);
-        this.features = withMirrors(features);
-        this.absent = List.copyOf(absent);
+        PhysicalFeatures more =
+                physical == null ? null : new PhysicalFeatures(physical, materials.distinct(), mirrorBalls);
+        this.features = more == null ? List.copyOf(features) : joined(more.present, features);
+        this.absent = more == null ? List.copyOf(absent) : joined(more.absent, absent);
     }
 
-    private List<String> withMirrors(List<String> all) {
-        List<String> with = new ArrayList<>(all);
-        if (mirrorBalls != null) {
-            with.add(mirrorBalls.feature());
-        }
-        return List.copyOf(with);
+    private static List<String> joined(List<String> some, List<String> more) {
+        return Stream.concat(some.stream(), more.stream()).toList();
     }
 
     private static CompiledLight[] visible(CompiledLight[] lights) {

@@ -28,6 +28,11 @@ final class FaceMaterials {
         materials = Arrays.copyOf(all, starts[n]);
     }
 
+    /** Each of the materials once. */
+    List<SurfaceMaterial> distinct() {
+        return Arrays.stream(materials).distinct().toList();
+    }
+
     /** Whether some surface is of such a material. */
     boolean any(Predicate<SurfaceMaterial> such) {
         return Arrays.stream(materials).anyMatch(such);

@@ -17,7 +17,10 @@ public final class LightCone extends BallCone {
 
     /** Tells which light the cone, which somebody else set, is around. */
     public void around(LightBody body) {
-        light = body;
+        // Mostly it is the same one, and the collector of garbage has work with each reference that is stored.
+        if (light != body) {
+            light = body;
+        }
     }
 
     /** The light that the cone is around. */

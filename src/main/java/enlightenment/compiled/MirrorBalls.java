@@ -3,15 +3,13 @@ package enlightenment.compiled;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.SpherePrimitive;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
 /**
  * The mirrors of a scene that are spheres, each with a light that it may reflect: their images of lights can be aimed at. Immutable.
  *
- * <p>Only of mirrors of one colour, and of surfaces that coincide with no others: what a line meets first is then the surface itself. Of
- * more pairs than a few those count through which most light goes; the rest is left to chance.
+ * <p>Only of surfaces that coincide with no others: what a line meets first is then the surface itself. Of more pairs than a few those count through which most light goes; the rest is left to chance.
  */
 public final class MirrorBalls {
     private static final int MOST_PAIRS = 8;
@@ -64,7 +62,7 @@ public final class MirrorBalls {
             return false;
         }
         SurfaceMaterial m = scene.material(id, 0);
-        return m.isDelta && !m.isGlass && !m.isTextured() && !m.isBlack;
+        return m.isDelta && !m.isGlass && !m.isBlack;
     }
 
     private static void keepBest(List<Pair> pairs) {
@@ -88,12 +86,5 @@ public final class MirrorBalls {
     /** The number of pairs. */
     public int pairs() {
         return id.length;
-    }
-
-    /** Tells in plain words what is done. */
-    String feature() {
-        long mirrors = Arrays.stream(id).distinct().count();
-        return "caustics of " + mirrors + (mirrors == 1 ? " mirror ball" : " mirror balls")
-                + " seen in mirrors and glass";
     }
 }

@@ -29,6 +29,9 @@ public final class PhysicalScene {
     /** The most scattering events of a path. */
     public final int maxBounces;
 
+    /** What paths from lights look for caustics with; null if there is no pass of them. */
+    public final CausticPass caustics;
+
     /** Whether a medium absorbs. */
     public final boolean hasAbsorption;
 
@@ -76,6 +79,7 @@ public final class PhysicalScene {
                 .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
+        caustics = CausticPass.of(lights, compiled, maxBounces);
         LightPicker.Builder builder = new LightPicker.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
@@ -124,6 +128,6 @@ public final class PhysicalScene {
 
     /** Whether caustics are the business of a pass of their own, so that paths from the eye leave them out. */
     public boolean hasCausticPass() {
-        return false;
+        return caustics != null;
     }
 }

@@ -222,6 +222,16 @@ public final class SceneCompiler {
         private final List<String> absent = new ArrayList<>();
 
         Features(Scene scene, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
+            if (scene.shading() instanceof ClassicShading shading) {
+                addClassic(scene, shading, surfaces);
+            }
+            add(
+                    withBvh,
+                    "bounding volume hierarchy over " + scene.objects().size() + " primitives",
+                    "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
+        }
+
+        private void addClassic(Scene scene, ClassicShading shading, Iterable<SurfaceMaterial> surfaces) {
             boolean mirrors = false;
             boolean glass = false;
             boolean textures = false;
@@ -232,14 +242,10 @@ public final class SceneCompiler {
             }
             int lights = scene.lights().size();
             add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
-            add(lights > 0 && !(scene.shading() instanceof ClassicShading c && c.shadow() == 1), "shadows", "shadows");
+            add(lights > 0 && shading.shadow() < 1, "shadows", "shadows");
             add(mirrors, "mirrors", "mirrors");
             add(glass, "refraction", "refraction");
             add(textures, "image textures", "image textures");
-            add(
-                    withBvh,
-                    "bounding volume hierarchy over " + scene.objects().size() + " primitives",
-                    "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
         }
 
         private void add(boolean required, String there, String notThere) {

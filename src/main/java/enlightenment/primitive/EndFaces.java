@@ -1,5 +1,6 @@
 package enlightenment.primitive;
 
+import enlightenment.math.Vec3;
 import java.util.Arrays;
 
 /**
@@ -53,6 +54,22 @@ public final class EndFaces {
             }
         }
         return false;
+    }
+
+    /**
+     * Lets a ray that leaves the light start on these faces as well.
+     *
+     * @param side the side of the light's own surface that it travels on
+     */
+    public void startOn(Ray ray, int side) {
+        for (int k = 0; k < ids.length; k++) {
+            int there = side;
+            if (primitives[k].support(faces[k]) instanceof SupportSurface.Plane plane) {
+                Vec3 n = plane.unitNormal();
+                there = n.x() * ray.dx + n.y() * ray.dy + n.z() * ray.dz > 0 ? Ray.OUTSIDE : Ray.INSIDE;
+            }
+            ray.alsoFrom(primitives[k], there);
+        }
     }
 
     /** Whether any face of the primitive is one of these. */

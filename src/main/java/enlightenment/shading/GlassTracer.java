@@ -70,9 +70,14 @@ final class GlassTracer {
 
     /** Starts a camera ray: finds the solids that it starts in. */
     void begin(Ray ray) {
+        begin(ray, scene.cameraSolids);
+    }
+
+    /** Starts a ray that may start in some solids. */
+    void begin(Ray ray, int[] solids) {
         next = NONE;
         inside.clear();
-        for (int solid : scene.cameraSolids) {
+        for (int solid : solids) {
             double x = Math.fma(ray.tMin, ray.dx, ray.ox);
             double y = Math.fma(ray.tMin, ray.dy, ray.oy);
             double z = Math.fma(ray.tMin, ray.dz, ray.oz);

@@ -78,8 +78,8 @@ final class MirrorCaustics {
         return scene.mirrorBalls == null ? null : new MirrorCaustics(scene, counters, path);
     }
 
-    /** Tells that the path is at another place than behind a mirror that it came to from a vertex. */
-    void reset() {
+    /** Forgets what the path has left behind. */
+    void begin() {
         state = NONE;
         found = false;
     }
@@ -90,7 +90,7 @@ final class MirrorCaustics {
      * @param s the surface, with its colour
      */
     void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address) {
-        reset();
+        begin();
         red = 0;
         green = 0;
         blue = 0;
@@ -145,7 +145,10 @@ final class MirrorCaustics {
         }
         SurfaceMaterial material = scene.material(balls.id[k], met.face);
         Optics.arrive(event, ray, met);
-        material.color(color);
+        if (material.isTextured()) {
+            met.primitive.textureCoordinates(met);
+        }
+        material.color(met.u, met.v, true, color);
         event.red = color[0];
         event.green = color[1];
         event.blue = color[2];

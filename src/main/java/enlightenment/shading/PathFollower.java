@@ -81,8 +81,22 @@ final class PathFollower {
     void begin(Ray ray) {
         counters.cameraRays++;
         glass.begin(ray);
+        begin(0);
+    }
+
+    /**
+     * Starts a path with a ray that leaves a light.
+     *
+     * @param solids of glass that it may start in
+     */
+    void beginAtLight(Ray ray, int[] solids) {
+        glass.begin(ray, solids);
+        begin(1);
+    }
+
+    private void begin(int left) {
         key = 0;
-        surfaces = 0;
+        surfaces = left;
         bounces = 0;
         straight = 0;
         passedStraight = false;

@@ -20,25 +20,30 @@ import java.util.function.BooleanSupplier;
  */
 public final class PathTracer implements Shader {
     /** From this scattering event on roulette may end a path. */
-    private static final int ROULETTE_FROM = 5;
+    static final int ROULETTE_FROM = 5;
 
     /** Sooner, if less than this is left of a path's throughput. */
-    private static final double FAINT = 0.05;
+    static final double FAINT = 0.05;
 
     /** Paths of a closed white room must end, too. */
-    private static final double LARGEST_SURVIVAL = 0.99;
+    static final double LARGEST_SURVIVAL = 0.99;
 
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
-
-    /** Caustics that no pass from the lights makes; null if the scene has no mirrors for them. */
-    private final MirrorCaustics mirrors;
-
     private final boolean absorbs;
     private final boolean hasCausticPass;
+
+    /** What finds caustics that are seen in mirrors; null if nothing does. */
+    private final MirrorCaustics mirrors;
+
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
+
+    private final PathParts parts = new PathParts();
+
+    /** The number of vertices so far that were not those of delta lobes. */
+    private int vertices;
 
     private double throughputR;
     private double throughputG;
@@ -78,13 +83,18 @@ public final class PathTracer implements Shader {
      * @param counters what this thread counts
      */
     public PathTracer(CompiledScene scene, RayCounters counters) {
+        this(scene, counters, scene.physical.hasCausticPass());
+    }
+
+    /** @param leavesOut whether what a pass of caustics makes is left out, and what it cannot make is sought in its own way */
+    PathTracer(CompiledScene scene, RayCounters counters, boolean leavesOut) {
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
-        mirrors = MirrorCaustics.of(scene, counters, path);
         absorbs = physical.hasAbsorption;
-        hasCausticPass = physical.hasCausticPass();
+        hasCausticPass = leavesOut;
+        mirrors = leavesOut ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
     @Override
@@ -102,6 +112,11 @@ public final class PathTracer implements Shader {
         path.poll.stopWhen(condition);
     }
 
+    /** Of what the last path consists; the same object for all of them. */
+    public PathParts parts() {
+        return parts;
+    }
+
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
         red = 0;
@@ -110,6 +125,8 @@ public final class PathTracer implements Shader {
         throughputR = 1;
         throughputG = 1;
         throughputB = 1;
+        parts.clear();
+        vertices = 0;
         address = 0;
         events = 0;
         scattered = false;
@@ -117,11 +134,11 @@ public final class PathTracer implements Shader {
         deltaFirst = false;
         delta = false;
         compression = 1;
+        if (mirrors != null) {
+            mirrors.begin();
+        }
         path.begin(ray);
         firstIndex = path.glass.indexOfRefraction();
-        if (mirrors != null) {
-            mirrors.reset();
-        }
         while (step(ray, sampler)) {
             events++;
         }
@@ -168,6 +185,9 @@ public final class PathTracer implements Shader {
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
+            if (vertices == 0 || vertices == 1 && !delta) {
+                parts.direct(red, green, blue);
+            }
         }
     }
 
@@ -179,26 +199,33 @@ public final class PathTracer implements Shader {
         return mirrors == null ? 1 : mirrors.weight();
     }
 
-    /** Adds the caustics of mirrors at a surface that scatters, unless they are the business of a pass of their own. */
-    private void addCaustics(Ray ray, Bsdf bsdf, Sampler sampler) {
-        mirrors.reset();
-        if (!(hasCausticPass && (scattered ? scatteredFirst : !deltaFirst))) {
-            mirrors.gather(bsdf, path.arrive(ray, surface), sampler, address);
-            add(mirrors.red, mirrors.green, mirrors.blue);
-        }
+    /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
+    private boolean isSeenByMirrors() {
+        return mirrors != null && (scattered ? !scatteredFirst : deltaFirst);
+    }
+
+    /** Adds light that balls reflect to the surface. */
+    private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
+        mirrors.gather(bsdf, s, sampler, address);
+        add(mirrors.red, mirrors.green, mirrors.blue);
     }
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !scattered);
         add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
-        if (mirrors != null) {
-            addCaustics(ray, Lambert.INSTANCE, sampler);
+        if (vertices++ == 0) {
+            parts.albedo(surface);
+            parts.direct(red, green, blue);
+        }
+        boolean seen = isSeenByMirrors();
+        if (seen) {
+            gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
         }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
-        if (mirrors != null) {
+        if (seen) {
             mirrors.left(s);
         }
         leave(false);
@@ -206,10 +233,10 @@ public final class PathTracer implements Shader {
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
-        path.scatter(ray, material, surface, 0, 0, 0);
         if (mirrors != null) {
             mirrors.reflected(path.id);
         }
+        path.scatter(ray, material, surface, 0, 0, 0);
         leave(true);
         return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
@@ -219,15 +246,20 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
-        if (mirrors != null) {
-            addCaustics(ray, material.bsdf, sampler);
+        if (vertices++ == 0) {
+            parts.albedo(surface);
+            parts.direct(red, green, blue);
+        }
+        boolean seen = isSeenByMirrors();
+        if (seen) {
+            gatherMirrored(material.bsdf, s, sampler);
         }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
         }
         light.left(s.pdf);
-        if (mirrors != null) {
+        if (seen) {
             mirrors.left(s);
         }
         path.leave(ray, s);
@@ -255,9 +287,6 @@ public final class PathTracer implements Shader {
         }
         address++;
         path.glass.choose(choice, pair);
-        if (mirrors != null) {
-            mirrors.reset();
-        }
         boolean through = path.cross(ray);
         double weight = path.glass.weight();
         double r = weight;
@@ -271,6 +300,9 @@ public final class PathTracer implements Shader {
                 g *= surface[1];
                 b *= surface[2];
             }
+        }
+        if (mirrors != null) {
+            mirrors.begin();
         }
         double n = path.glass.indexOfRefraction();
         compression = firstIndex * firstIndex / (n * n);

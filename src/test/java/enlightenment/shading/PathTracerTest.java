@@ -9,6 +9,9 @@ import enlightenment.color.Rgb;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.compiled.Tracer;
+import enlightenment.geometry.Cube;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
@@ -16,6 +19,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.render.TestScenes;
 import enlightenment.sampling.SobolSampler;
@@ -25,6 +29,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -207,5 +212,95 @@ class PathTracerTest {
                 .build();
         Mean mean = render(scene, 256);
         mean.agreesWith(2.25);
+    }
+
+    /** The partner of all that is clever: directions are drawn by rejection, and light counts where it is met. */
+    private static double naive(CompiledScene scene, Tracer tracer, Ray ray, SplittableRandom random, int depth) {
+        Hit hit = new Hit();
+        if (!tracer.trace(ray, hit)) {
+            return scene.physical.backgroundR;
+        }
+        SurfaceMaterial material = scene.material(tracer.id, hit.face);
+        double light = material.glows && material.glowsTo(hit.side) ? material.glowR : 0;
+        double[] albedo = new double[3];
+        material.color(albedo);
+        if (depth == 0 || albedo[0] == 0) {
+            return light;
+        }
+        Vec3 n = hit.normal().times(hit.side);
+        Vec3 d;
+        do {
+            d = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+        } while (d.lengthSquared() > 1 || d.lengthSquared() == 0);
+        // A point of the unit sphere that touches the surface is distributed by the cosine.
+        d = d.normalized().plus(n);
+        Ray on = Ray.leaving(hit.point(), d, hit.primitive, hit.side);
+        return light + albedo[0] * naive(scene, tracer, on, random, depth - 1);
+    }
+
+    /** A box of matte walls with a ball, a rectangle that shines to one side, a disk that glows and something in their way. */
+    private static Scene room(int bounces) {
+        SceneBuilder b = scene().camera(
+                        new Camera.Perspective(ExactPoint.of(0, 0, -0.95), ExactPoint.of(0, -0.2, 1), Vec3.Y, 70))
+                .shading(new PhysicalShading(OptionalInt.of(bounces), Rgb.BLACK))
+                .object(new Cube(ExactPoint.of(0, 0, 0), Math.sqrt(3), Vec3.ZERO), Material.Matte.of(grey(0.6)))
+                .object(new Sphere(ExactPoint.of(0.3, -0.5, 0.3), 0.3, 0), Material.Matte.of(grey(0.8)))
+                .object(
+                        TestScenes.rectangle(0.9, -0.5, -0.5, 0.9, 0.5, -0.5, 0.9, 0.5, 0.5, 0.9, -0.5, 0.5),
+                        Material.Matte.of(grey(0.3)).withRadiance(new Rgb(0.5, 0.5, 0.5)))
+                .light(new Light.Sphere(ExactPoint.of(-0.4, 0.3, 0.2), 0.25, DisplayRgb.WHITE));
+        return b.light(new Light.Rectangle(
+                        ExactPoint.of(-0.5, 0.95, 0.5),
+                        ExactPoint.of(-0.5, 0.95, -0.5),
+                        ExactPoint.of(0.5, 0.95, -0.5),
+                        ExactPoint.of(0.5, 0.95, 0.5),
+                        DisplayRgb.WHITE,
+                        false,
+                        Emission.radiance(new Rgb(2, 2, 2))))
+                .build();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3})
+    void theNaivePathTracerAgrees(int bounces) {
+        Scene scene = room(bounces);
+        CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
+        Tracer tracer = new Tracer(compiled, new RayCounters(compiled.kindNames.size()));
+        SplittableRandom random = new SplittableRandom(9);
+        Ray ray = new Ray();
+        double sum = 0;
+        double squares = 0;
+        int n = 200_000;
+        for (int k = 0; k < n; k++) {
+            compiled.camera.ray(random.nextDouble(), random.nextDouble(), ray);
+            double l = naive(compiled, tracer, ray, random, bounces);
+            sum += l;
+            squares += l * l;
+        }
+        double mean = sum / n;
+        double error = Math.sqrt((squares / n - mean * mean) / n);
+        double own = render(scene, 256).value;
+        assertTrue(Math.abs(own - mean) < 4 * error, () -> own + ", naive " + mean + " ± " + error);
+    }
+
+    /** Of the same paths, what is direct does not depend on how many bounces follow; the rest of one bounce is 0. */
+    @Test
+    void withOneBounceAllLightIsDirect() {
+        for (int bounces = 0; bounces < 2; bounces++) {
+            Scene scene = room(bounces);
+            CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
+            PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()));
+            tracer.beginTile(0, 0, 1, 1);
+            SobolSampler sampler = new SobolSampler();
+            Ray ray = new Ray();
+            double[] out = new double[3];
+            for (int k = 0; k < 2000; k++) {
+                sampler.pixel(1, k, 0);
+                sampler.sample(0);
+                compiled.camera.ray(sampler.filmX(), sampler.filmY(), ray);
+                tracer.shade(ray, sampler, out);
+                assertEquals(out[0], tracer.parts().directR);
+            }
+        }
     }
 }

@@ -9,7 +9,7 @@ import java.util.function.BooleanSupplier;
 
 /**
  * The caustics of a picture of which tiles make the rest: paths from lights that are aimed at mirrors and smooth glass
- * (docs/physical-light.md).
+ * (docs/caustics.md).
  */
 public final class CausticPaths implements SplatIntegrator {
     /** Paths that tell how bright their light is in the picture. */

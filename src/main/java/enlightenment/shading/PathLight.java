@@ -7,6 +7,7 @@ import enlightenment.compiled.LightCone;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.compiled.Tracer;
 import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.LightChoice;
@@ -35,6 +36,7 @@ final class PathLight {
     private final LightPicker picker;
     private final RayCounters counters;
     private final PathFollower path;
+    private final boolean absorbs;
     private final Hit hit;
     private final GlassTracer glass;
     private final Tracer tracer;
@@ -58,6 +60,9 @@ final class PathLight {
     private double ny;
     private double nz;
 
+    /** The medium that it lies in, if that absorbs; else null. */
+    private SurfaceMaterial medium;
+
     /** Whether it is Lambertian. */
     private boolean isMatte;
 
@@ -79,6 +84,7 @@ final class PathLight {
         picker = physical.picker;
         this.counters = counters;
         this.path = path;
+        absorbs = physical.hasAbsorption;
         hit = path.hit;
         glass = path.glass;
         tracer = path.tracer;
@@ -94,10 +100,15 @@ final class PathLight {
         nx = hit.nx * facing;
         ny = hit.ny * facing;
         nz = hit.nz * facing;
+        medium = absorbs ? absorbing(path.medium()) : null;
         red = 0;
         green = 0;
         blue = 0;
         findStarts();
+    }
+
+    private static SurfaceMaterial absorbing(SurfaceMaterial material) {
+        return material != null && material.absorbs ? material : null;
     }
 
     /** Tells the density per solid angle of the direction in which the path leaves the vertex. */
@@ -123,14 +134,40 @@ final class PathLight {
 
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
+        if (isIn(l)) {
+            return;
+        }
         counters.lightSamples++;
         double e = l.isPoint ? ofPoint(l) : irradiance(l, tookAll ? index : -1, probability, sampler, address);
         if (e > 0) {
             double f = e / (Math.PI * probability);
-            red = Math.fma(f, l.r, red);
-            green = Math.fma(f, l.g, green);
-            blue = Math.fma(f, l.b, blue);
+            add(l, f, f, f);
         }
+    }
+
+    /** Adds what arrives of a light's radiance or intensity, if nothing absorbs, times these. */
+    private void add(PhysicalLight l, double r, double g, double b) {
+        double filterR = 1;
+        double filterG = 1;
+        double filterB = 1;
+        if (medium != null) {
+            filterR = StrictMath.exp(-medium.absorptionR * view.length);
+            filterG = StrictMath.exp(-medium.absorptionG * view.length);
+            filterB = StrictMath.exp(-medium.absorptionB * view.length);
+        }
+        red = Math.fma(r * filterR, l.r, red);
+        green = Math.fma(g * filterG, l.g, green);
+        blue = Math.fma(b * filterB, l.b, blue);
+    }
+
+    /**
+     * Whether the vertex lies in the plane of a flat light, or of a part of it. Rounding puts it above or below: the light would fill half of
+     * its sky.
+     */
+    private boolean isIn(PhysicalLight l) {
+        return l.isFlat
+                && (l.id == path.id && l.face == hit.face
+                        || !l.lyingOn().isEmpty() && l.lyingOn().has(path.id, hit.face));
     }
 
     private boolean choose(Sampler sampler, int address) {
@@ -217,6 +254,9 @@ final class PathLight {
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
+        if (isIn(l)) {
+            return;
+        }
         counters.lightSamples++;
         double density;
         if (l.isPoint) {
@@ -237,9 +277,7 @@ final class PathLight {
         bsdf.evaluate(s);
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double f = (l.isPoint ? 1 : weight(s.pdf, probability * density)) / (probability * density);
-            red = Math.fma(f * s.valueR, l.r, red);
-            green = Math.fma(f * s.valueG, l.g, green);
-            blue = Math.fma(f * s.valueB, l.b, blue);
+            add(l, f * s.valueR, f * s.valueG, f * s.valueB);
         }
     }
 
@@ -344,7 +382,9 @@ final class PathLight {
         if (l.hidesNothingOfItself) {
             starts[count++] = l.id;
         }
-        return tracer.prepareShadows(cone, starts, count, 1);
+        Tracer.Visibility known = tracer.prepareShadows(cone, starts, count, 1);
+        // What is absorbed depends on the way, so that there are no closed forms.
+        return medium != null && known == Tracer.Visibility.ALL ? Tracer.Visibility.UNKNOWN : known;
     }
 
     /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */

@@ -59,6 +59,10 @@ class CausticTest {
             """;
 
     private static CompiledScene scene(String camera, String lights, String... objects) {
+        return scene("", camera, lights, objects);
+    }
+
+    private static CompiledScene scene(String limit, String camera, String lights, String[] objects) {
         String text = "{ \"image\": { \"width\": 8, \"height\": 8 }, \"shading\": { \"model\": \"physical\" }, "
                 + camera + "\"lights\": [" + lights + "], \"objects\": [" + String.join(", ", objects) + "] }";
         Scene scene = SceneReader.readString(text, Path.of(""), "");
@@ -220,6 +224,46 @@ class CausticTest {
                 """;
         String ball = MIRROR.replace("[0.6, 0.7, 0.3]", "[0.3, 0.7, -0.2]");
         assertSame(scene(camera, LAMP, FLOOR, ball, wall), 512, 8_192);
+    }
+
+    /** What a flat mirror sends of a point light is that of its mirror image; no path from the eye finds it. */
+    @Test
+    void aPointLightInAFlatMirrorIsASecondOne() {
+        String camera =
+                """
+                "camera": { "type": "orthographic", "eye": [0, 5, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "height": 1 },
+                """;
+        String light = "{ \"type\": \"point\", \"position\": [0, 1, 0.5], \"color\": \"#ffffff\", \"intensity\": 2 }";
+        String wall =
+                """
+                { "type": "rectangle", "corners": [[-9, 0, 1.5], [-9, 9, 1.5], [9, 9, 1.5], [9, 0, 1.5]],
+                  "material": { "type": "mirror", "color": { "linear": [0.9, 0.9, 0.9] } } }
+                """;
+        // By the middles of pixels: off by less than a five-hundredth.
+        double expected = 0;
+        for (int pixel = 0; pixel < PIXELS; pixel++) {
+            double x = (pixel % SIDE + 0.5) / SIDE - 0.5;
+            double z = (pixel / SIDE + 0.5) / SIDE - 0.5;
+            double dd = x * x + 1 + (z - 2.5) * (z - 2.5);
+            expected += 0.6 / Math.PI * 2 * 0.9 / (dd * Math.sqrt(dd)) / PIXELS;
+        }
+        CompiledScene scene = scene(", \"maxBounces\": 2", camera, light, new String[] {FLOOR, wall});
+        double[] means = new double[SEEDS];
+        for (int i = 0; i < SEEDS; i++) {
+            double[] rgb = new double[3 * PIXELS];
+            fromLights(scene, i, 65_536, rgb);
+            for (int k = 0; k < rgb.length; k += 3) {
+                means[i] += rgb[k] / PIXELS;
+            }
+        }
+        double sum = 0;
+        double squares = 0;
+        for (double mean : means) {
+            sum += mean / SEEDS;
+            squares += mean * mean / SEEDS;
+        }
+        double error = Math.sqrt((squares - sum * sum) / (SEEDS - 1));
+        assertTrue(Math.abs(sum - expected) < 5 * error + 0.002 * expected, sum + " ± " + error + ", not " + expected);
     }
 
     @Test

@@ -91,9 +91,28 @@ public final class EndFaces {
     boolean isEnd(Ray ray, Hit hit) {
         for (int k = 0; k < faces.length; k++) {
             if (primitives[k] == hit.primitive && faces[k] == hit.face) {
-                // A line meets a plane once, and this one in the light; it may meet a curved face earlier as well.
-                double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
-                return isFlat[k] || (ray.tEnd - hit.t) * across <= tolerances[k];
+                return isEnd(k, ray, hit, ray.tEnd - hit.t);
+            }
+        }
+        return false;
+    }
+
+    private boolean isEnd(int k, Ray ray, Hit hit, double left) {
+        // A line meets a plane once, and this one in the light; it may meet a curved face earlier as well.
+        double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
+        return isFlat[k] || left * across <= tolerances[k];
+    }
+
+    /**
+     * Whether a hit is where a ray that goes to the light ends.
+     *
+     * @param id the number of the primitive that it hits
+     * @param left how far behind the hit the light is, in lengths of the ray's direction
+     */
+    public boolean isEnd(Ray ray, int id, Hit hit, double left) {
+        for (int k = 0; k < ids.length; k++) {
+            if (ids[k] == id && faces[k] == hit.face) {
+                return isEnd(k, ray, hit, left);
             }
         }
         return false;

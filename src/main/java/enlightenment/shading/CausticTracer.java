@@ -12,6 +12,7 @@ import enlightenment.film.SplatBatch;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;
+import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -232,34 +233,25 @@ public final class CausticTracer {
                 return isAimed && scatter(Lambert.INSTANCE);
             }
         }
-        isAimed = true;
         if (physical.hasRoughGlass) {
             pair[0] = unit(1);
             pair[1] = unit(2);
         }
         path.glass.choose(unit(3), pair);
         boolean through = path.cross(ray);
-        double weight = path.glass.weight();
-        double r = weight;
-        double g = weight;
-        double b = weight;
-        for (int k = 0; through && k < path.glass.surfaces(); k++) {
-            if (path.glass.filters(k, true)) {
-                path.turnTo(k);
-                path.color(path.material(), surface);
-                r *= surface[0];
-                g *= surface[1];
-                b *= surface[2];
-            }
+        Arrays.fill(surface, path.glass.weight());
+        if (through) {
+            path.filter(surface);
         }
         if (path.glass.passedStraight()) {
-            // No event: a path may be cut into any number of pieces.
+            // No event: a path may be cut into any number of pieces. Paths from the eye find such light by shadow rays.
             events--;
             pieces++;
-            filter(r, g, b);
+            filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
-        return filterAndSurvive(r, g, b) && path.goesOn();
+        isAimed = true;
+        return filterAndSurvive(surface[0], surface[1], surface[2]) && path.goesOn();
     }
 
     private void filter(double r, double g, double b) {

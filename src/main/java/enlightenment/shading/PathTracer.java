@@ -9,6 +9,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
+import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -269,9 +270,6 @@ public final class PathTracer implements Shader {
 
     /** At a border of glass, or at a pane. */
     private boolean glass(Ray ray, Sampler sampler) {
-        if (!path.mayScatter()) {
-            return false;
-        }
         sampler.pair(address, Sampler.Purpose.CHOICE, pair);
         double choice = pair[0];
         if (physical.hasPartialGlass) {
@@ -279,7 +277,7 @@ public final class PathTracer implements Shader {
             if (opaque >= 0) {
                 path.turnTo(opaque);
                 path.color(path.material(), surface);
-                return matte(ray, sampler);
+                return path.mayScatter() && matte(ray, sampler);
             }
         }
         if (physical.hasRoughGlass) {
@@ -288,32 +286,25 @@ public final class PathTracer implements Shader {
         address++;
         path.glass.choose(choice, pair);
         boolean through = path.cross(ray);
-        double weight = path.glass.weight();
-        double r = weight;
-        double g = weight;
-        double b = weight;
-        for (int k = 0; through && k < path.glass.surfaces(); k++) {
-            if (path.glass.filters(k, true)) {
-                path.turnTo(k);
-                path.color(path.material(), surface);
-                r *= surface[0];
-                g *= surface[1];
-                b *= surface[2];
-            }
+        Arrays.fill(surface, path.glass.weight());
+        if (through) {
+            path.filter(surface);
         }
         if (mirrors != null) {
             mirrors.begin();
         }
         double n = path.glass.indexOfRefraction();
         compression = firstIndex * firstIndex / (n * n);
-        leave(true);
         if (path.glass.passedStraight()) {
-            // No event: a path may be cut into any number of pieces.
+            // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
+            // stays what it was.
             events--;
-            filter(r, g, b);
+            deltaFirst |= !scattered;
+            filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
-        return filterAndSurvive(r, g, b, sampler) && path.goesOn();
+        leave(true);
+        return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
     /** Notes the kind of event that the path leaves behind. */

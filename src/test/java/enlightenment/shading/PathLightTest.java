@@ -2,6 +2,7 @@ package enlightenment.shading;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.bsdf.ThinDielectric;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
@@ -125,5 +126,89 @@ class PathLightTest {
                         ExactPoint.of(1, 3, 1),
                         DisplayRgb.WHITE));
         PathTracerTest.render(scene.build(), 256).agreesWith(dimmedRectangle());
+    }
+
+    private static final double TINT = 0.8;
+
+    /** A pane between the floor and what is above 2. */
+    private static SceneBuilder underPane(int bounces) {
+        return floor(bounces)
+                .object(
+                        TestScenes.rectangle(-9, 2, -9, -9, 2, 9, 9, 2, 9, 9, 2, -9),
+                        Material.Glass.of(PathTracerTest.grey(TINT), 1.5));
+    }
+
+    private static double passes(double cosine) {
+        return TINT * new ThinDielectric(1.5).transmittance(cosine);
+    }
+
+    @Test
+    void aPointLightShinesThroughAPane() {
+        SceneBuilder scene = underPane(1)
+                .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
+        double expected = 0.5 / Math.PI * 7 * (4.0 / 5) / 25 * passes(0.8);
+        assertEquals(expected, PathTracerTest.render(scene.build(), 1).value(), 1e-8);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void aBallShinesThroughAPane(int bounces) {
+        double irradiance = 0;
+        int n = 100_000;
+        for (int k = 0; k < n; k++) {
+            double sine2 = (k + 0.5) / n * 0.25;
+            irradiance += Math.PI * 0.25 / n * passes(Math.sqrt(1 - sine2));
+        }
+        SceneBuilder scene = underPane(bounces).light(new Light.Sphere(ExactPoint.of(0, 4, 0), 2, DisplayRgb.WHITE));
+        PathTracerTest.render(scene.build(), 256).agreesWith(0.5 / Math.PI * irradiance);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void aRectangleShinesThroughAPane(int bounces) {
+        double irradiance = 0;
+        int n = 1000;
+        for (int i = 0; i < n; i++) {
+            for (int k = 0; k < n; k++) {
+                double x = -1 + 2 * (i + 0.5) / n;
+                double z = -1 + 2 * (k + 0.5) / n;
+                double d2 = x * x + 9 + z * z;
+                irradiance += 4.0 / n / n * 9 / (d2 * d2) * passes(3 / Math.sqrt(d2));
+            }
+        }
+        SceneBuilder scene = underPane(bounces)
+                .light(new Light.Rectangle(
+                        ExactPoint.of(-1, 3, 1),
+                        ExactPoint.of(-1, 3, -1),
+                        ExactPoint.of(1, 3, -1),
+                        ExactPoint.of(1, 3, 1),
+                        DisplayRgb.WHITE));
+        PathTracerTest.render(scene.build(), 256).agreesWith(0.5 / Math.PI * irradiance);
+    }
+
+    /** A ball of index 1 absorbs along a diameter, and another lies behind the light. */
+    @Test
+    void aShadowRayPassesMediaThatDoNotTurnIt() {
+        Material mist = Material.Glass.of(PathTracerTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0));
+        SceneBuilder scene = floor(1).object(new Sphere(ExactPoint.of(1.5, 2, 0), 0.5, 0), mist)
+                .object(new Sphere(ExactPoint.of(6, 8, 0), 0.5, 0), mist)
+                .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
+        double expected = 0.5 / Math.PI * 7 * (4.0 / 5) / 25 * Math.exp(-SIGMA);
+        assertEquals(expected, PathTracerTest.render(scene.build(), 1).value(), 1e-8);
+    }
+
+    /** A pane is no scattering event. */
+    @Test
+    void aLampIsSeenThroughAPaneWithoutAnyBounce() {
+        SceneBuilder scene = PathTracerTest.scene()
+                .camera(new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 4, 0), Vec3.Z, 1e-6))
+                .shading(new PhysicalShading(OptionalInt.of(0), Rgb.BLACK))
+                .object(
+                        TestScenes.rectangle(-9, 2, -9, -9, 2, 9, 9, 2, 9, 9, 2, -9),
+                        Material.Glass.of(PathTracerTest.grey(1), 1.5))
+                .light(new Light.Sphere(ExactPoint.of(0, 4, 0), 1, DisplayRgb.WHITE));
+        double expected = new ThinDielectric(1.5).transmittance(1);
+        double mean = PathTracerTest.render(scene.build(), 1024).value();
+        assertEquals(expected, mean, 0.005);
     }
 }

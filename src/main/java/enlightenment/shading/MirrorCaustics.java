@@ -95,7 +95,7 @@ final class MirrorCaustics {
         green = 0;
         blue = 0;
         // In a medium absorption counts as well: left to chance.
-        if (!path.mayScatterTwice() || path.glass.medium() >= 0) {
+        if (!path.mayScatterTwice() || path.medium() != null) {
             return;
         }
         found = true;

@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
@@ -35,10 +36,10 @@ public final class PathTracer implements Shader {
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
 
-    private final PathParts parts = new PathParts();
+    private final boolean isAlbedo;
 
-    /** The number of vertices so far that were not those of delta lobes. */
-    private int vertices;
+    /** Whether a path ends where light has come to its first vertex straight. */
+    private final boolean endsSoon;
 
     private double throughputR;
     private double throughputG;
@@ -71,13 +72,21 @@ public final class PathTracer implements Shader {
     /** Radiance at the eye per radiance here, where the index of refraction is another one. */
     private double compression;
 
+    /** A path tracer for one thread that follows whole paths. */
+    public PathTracer(CompiledScene scene, RayCounters counters) {
+        this(scene, counters, PathPart.WHOLE);
+    }
+
     /**
      * A path tracer for one thread.
      *
      * @param scene a scene of physical shading
      * @param counters what this thread counts
+     * @param part what is wanted of each path
      */
-    public PathTracer(CompiledScene scene, RayCounters counters) {
+    public PathTracer(CompiledScene scene, RayCounters counters, PathPart part) {
+        isAlbedo = part == PathPart.ALBEDO;
+        endsSoon = part != PathPart.WHOLE;
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
@@ -101,11 +110,6 @@ public final class PathTracer implements Shader {
         path.poll.stopWhen(condition);
     }
 
-    /** Of what the last path consists; the same object for all of them. */
-    public PathParts parts() {
-        return parts;
-    }
-
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
         red = 0;
@@ -114,8 +118,6 @@ public final class PathTracer implements Shader {
         throughputR = 1;
         throughputG = 1;
         throughputB = 1;
-        parts.clear();
-        vertices = 0;
         address = 0;
         events = 0;
         scattered = false;
@@ -138,7 +140,9 @@ public final class PathTracer implements Shader {
         SurfaceMaterial medium = absorbs ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
-            add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            if (!isAlbedo) {
+                add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            }
             return false;
         }
         if (medium != null && medium.absorbs) {
@@ -150,13 +154,16 @@ public final class PathTracer implements Shader {
     /** At an opaque surface. */
     private boolean surface(Ray ray, Sampler sampler) {
         SurfaceMaterial material = path.material();
-        if (material.glows) {
+        if (material.glows && !isAlbedo) {
             glow(ray, material);
         }
-        if (material.isBlack || !path.mayScatter()) {
+        if (material.isBlack || !path.mayScatter() || endsSoon && scattered) {
             return false;
         }
         path.color(material, surface);
+        if (isAlbedo && !material.isDelta) {
+            return albedo(ray, material);
+        }
         if (material.bsdf == Lambert.INSTANCE) {
             return matte(ray, sampler);
         }
@@ -171,9 +178,6 @@ public final class PathTracer implements Shader {
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
-            if (vertices == 0 || vertices == 1 && !delta) {
-                parts.direct(red, green, blue);
-            }
         }
     }
 
@@ -182,14 +186,25 @@ public final class PathTracer implements Shader {
         return hasCausticPass && scatteredFirst ? 0 : 1;
     }
 
+    /** Ends the path with the reflectance of the surface that it is at, whose colour is known. */
+    private boolean albedo(Ray ray, SurfaceMaterial material) {
+        if (material.bsdf instanceof GlossyReflection metal) {
+            Scattering s = path.arrive(ray, surface);
+            metal.reflectAtNormal(s);
+            surface[0] = s.valueR;
+            surface[1] = s.valueG;
+            surface[2] = s.valueB;
+        }
+        red = throughputR * surface[0];
+        green = throughputG * surface[1];
+        blue = throughputB * surface[2];
+        return false;
+    }
+
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !scattered);
         add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
-        if (vertices++ == 0) {
-            parts.albedo(surface);
-            parts.direct(red, green, blue);
-        }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
@@ -208,10 +223,6 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
-        if (vertices++ == 0) {
-            parts.albedo(surface);
-            parts.direct(red, green, blue);
-        }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
@@ -224,7 +235,7 @@ public final class PathTracer implements Shader {
 
     /** At a border of glass, or at a pane. */
     private boolean glass(Ray ray, Sampler sampler) {
-        if (!path.mayScatter()) {
+        if (!path.mayScatter() || endsSoon && scattered) {
             return false;
         }
         sampler.pair(address, Sampler.Purpose.CHOICE, pair);
@@ -234,7 +245,7 @@ public final class PathTracer implements Shader {
             if (opaque >= 0) {
                 path.turnTo(opaque);
                 path.color(path.material(), surface);
-                return matte(ray, sampler);
+                return isAlbedo ? albedo(ray, path.material()) : matte(ray, sampler);
             }
         }
         if (physical.hasRoughGlass) {

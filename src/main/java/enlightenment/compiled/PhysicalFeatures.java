@@ -29,6 +29,7 @@ final class PhysicalFeatures {
                 "multiple importance sampling of lights and directions",
                 "multiple importance sampling (direct light has closed forms)");
         add(hasBackground, "constant surroundings", "surroundings");
+        add(any(surfaces, m -> !m.isGlass && m.isDelta), "mirrors", "mirrors");
         add(any(surfaces, m -> m.isGlass), "refraction by Fresnel's equations, nested media", "refraction");
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");
         add(scene.hasAbsorption, "absorption in media", "absorption in media");

@@ -76,7 +76,7 @@ class TradeTest {
     @Test
     void aFolderIsReadAsItWasMeasured() throws IOException {
         TradeResult result = run(settings, false).orElseThrow();
-        TradeResult read = Trade.read(settings, folder);
+        TradeResult read = Trade.read(scene, settings, folder);
         assertEquals(result.runs(), read.runs());
         assertEquals(result.reference().variance(), read.reference().variance());
         assertEquals(result.conditions(), read.conditions());

@@ -154,4 +154,56 @@ public final class CoincidentHits {
     public Hit hit(int k) {
         return hits[k];
     }
+
+    /** Whether surface k is one of glass. */
+    public boolean isGlass(int k) {
+        return scene.isGlass(ids[k], hits[k].face);
+    }
+
+    /** Whether it is the border of a solid of glass. */
+    public boolean isGlassSolid(int k) {
+        return scene.primitives[ids[k]].isSolid() && isGlass(k);
+    }
+
+    /** Whether it is a pane: glass that encloses no volume. */
+    public boolean isPane(int k) {
+        return !scene.primitives[ids[k]].isSolid() && isGlass(k);
+    }
+
+    /** The first pane among the surfaces, or -1: of several that coincide one reflects. */
+    public int pane() {
+        for (int k = 0; k < size; k++) {
+            if (isPane(k)) {
+                return k;
+            }
+        }
+        return -1;
+    }
+
+    /**
+     * Starts a ray that leaves the first surface on all others of glass as well, and, if it stays on its side, on opaque ones.
+     *
+     * @param sign 1 if it stays, -1 if it passes
+     */
+    public void startOn(Ray ray, int sign) {
+        for (int k = 1; k < size; k++) {
+            if (sign > 0 || isGlass(k)) {
+                ray.alsoFrom(scene.primitives[ids[k]], sign * hits[k].side);
+            }
+        }
+    }
+
+    /**
+     * Starts a ray that leaves one of the surfaces, on the side that it came from, on all others.
+     *
+     * @param glassSolids whether borders of glass solids are among them
+     */
+    public void startOn(Ray ray, boolean glassSolids) {
+        for (int k = 0; k < size; k++) {
+            Primitive p = scene.primitives[ids[k]];
+            if (p != ray.start && (glassSolids || !isGlassSolid(k))) {
+                ray.alsoFrom(p, hits[k].side);
+            }
+        }
+    }
 }

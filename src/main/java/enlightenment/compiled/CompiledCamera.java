@@ -16,13 +16,13 @@ public final class CompiledCamera {
     /** Rays of the isometric view start this far behind the picture's plane: every coordinate of the frame is below 2. */
     private static final double BEHIND_EVERYTHING = -16;
 
-    private final Vec3 origin;
-    private final Vec3 originX;
-    private final Vec3 originY;
-    private final Vec3 direction;
-    private final Vec3 directionX;
-    private final Vec3 directionY;
-    private final double tMin;
+    final Vec3 origin;
+    final Vec3 originX;
+    final Vec3 originY;
+    final Vec3 direction;
+    final Vec3 directionX;
+    final Vec3 directionY;
+    final double tMin;
 
     private CompiledCamera(
             Vec3 origin, Vec3 originX, Vec3 originY, Vec3 direction, Vec3 directionX, Vec3 directionY, double tMin) {

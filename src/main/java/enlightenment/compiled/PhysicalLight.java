@@ -32,6 +32,9 @@ public final class PhysicalLight extends LightBody {
     /** Whether it is a ball: then direct light of matte surfaces always has a closed form. */
     public final boolean isBall;
 
+    /** Whether it is flat: then no point in its plane has light from it. */
+    public final boolean isFlat;
+
     /** Radiance, or the intensity of a point: linear, by band. */
     public final double r;
 
@@ -48,6 +51,7 @@ public final class PhysicalLight extends LightBody {
         this.face = face;
         isPoint = surface == null;
         isBall = form instanceof SphereLight;
+        isFlat = surface != null && surface.support(face).isFlat();
         r = glow.r();
         g = glow.g();
         b = glow.b();

@@ -29,6 +29,9 @@ public final class PhysicalScene {
     /** The most scattering events of a path. */
     public final int maxBounces;
 
+    /** What paths from lights look for caustics with; null if there is no pass of them. */
+    public final CausticPass caustics;
+
     /** Whether a medium absorbs. */
     public final boolean hasAbsorption;
 
@@ -37,6 +40,9 @@ public final class PhysicalScene {
 
     /** Whether a share of some glass is opaque. */
     public final boolean hasPartialGlass;
+
+    /** Whether shadow rays may pass glass that does not turn them: panes, and borders of media of equal index. */
+    public final boolean hasStraightGlass;
 
     /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
     private final int[] firstFace;
@@ -74,8 +80,10 @@ public final class PhysicalScene {
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
         hasAbsorption = Arrays.stream(compiled.glassSolids())
                 .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
+        hasStraightGlass = hasPanes(compiled) || hasEqualIndices(compiled);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
+        caustics = CausticPass.of(lights, compiled, maxBounces);
         LightPicker.Builder builder = new LightPicker.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
@@ -92,6 +100,34 @@ public final class PhysicalScene {
         return material.glows
                 ? PhysicalLight.glowing(compiled.primitives()[id], id, face, material.glow(), material.glowsInside)
                 : null;
+    }
+
+    private static boolean hasPanes(CompiledPrimitives compiled) {
+        for (int id = 0; id < compiled.primitives().length; id++) {
+            Primitive p = compiled.primitives()[id];
+            for (int face = 0; !p.isSolid() && face < p.faceCount(); face++) {
+                if (compiled.materials().of(id, face).isGlass) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether there are two media of the same index of refraction, one of which may be empty space. */
+    private static boolean hasEqualIndices(CompiledPrimitives compiled) {
+        double[] indices = Arrays.stream(compiled.glassSolids())
+                .mapToDouble(id -> compiled.materials().of(id, 0).indexOfRefraction)
+                .sorted()
+                .toArray();
+        double last = 1;
+        for (double index : indices) {
+            if (index == last || index == 1) {
+                return true;
+            }
+            last = index;
+        }
+        return false;
     }
 
     /** Finds for each light the few primitives that may occlude it. */
@@ -124,6 +160,6 @@ public final class PhysicalScene {
 
     /** Whether caustics are the business of a pass of their own, so that paths from the eye leave them out. */
     public boolean hasCausticPass() {
-        return false;
+        return caustics != null;
     }
 }

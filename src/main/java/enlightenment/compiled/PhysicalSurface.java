@@ -26,13 +26,13 @@ import enlightenment.numeric.Scale;
  * @param absorption how much a solid of it absorbs, per unit of length of the frame
  * @param look all this as a text that is equal for materials that look the same
  */
-record PhysicalSurface(Bsdf bsdf, Bsdf pane, Rgb glow, boolean glowsInside, Rgb absorption, String look) {
+record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsInside, Rgb absorption, String look) {
     /** That of a material of classic shading. */
     static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, "");
 
     static PhysicalSurface of(Material material, SceneFrame frame) {
         Rgb absorption = Rgb.BLACK;
-        Bsdf pane = null;
+        ThinDielectric pane = null;
         String look = material.radiance().toString();
         if (material instanceof Material.Glass glass) {
             pane = new ThinDielectric(glass.indexOfRefraction());

@@ -4,6 +4,7 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.ClassicDielectric;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.SpecularReflection;
+import enlightenment.bsdf.ThinDielectric;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
@@ -60,7 +61,7 @@ public final class SurfaceMaterial {
     public final double absorptionB;
 
     /** What a pane of it, which encloses no volume, does with light; null unless it is glass of physical shading. */
-    public final Bsdf pane;
+    public final ThinDielectric pane;
 
     private final Material description;
 

@@ -206,6 +206,17 @@ public final class Tracer {
     }
 
     /**
+     * Traces a shadow ray that ends in free space, as at the eye.
+     *
+     * @param ray it knows the surfaces that it starts on
+     * @param tMax the t at which it ends
+     */
+    public boolean occluded(Ray ray, double tMax) {
+        counters.shadowRays++;
+        return scene.accelerator.occluded(ray, tMax, query);
+    }
+
+    /**
      * Traces a shadow ray: whether anything occludes a point of a light.
      *
      * @param ray the shadow ray; it knows the surfaces that it starts on

@@ -19,7 +19,7 @@ final class BatchForm extends ResultForm {
         super(units, kinds);
         this.pixels = pixels;
         // Each of the four groups of units has a sum of its own.
-        brightest = Long.MAX_VALUE / ((units.count() + 3) / 4);
+        brightest = Long.MAX_VALUE / ((units.batches() + 3) / 4);
     }
 
     @Override

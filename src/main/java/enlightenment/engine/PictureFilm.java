@@ -32,7 +32,16 @@ public abstract class PictureFilm {
 
     /** @param isKept whether units can be taken out again */
     static PictureFilm of(WorkUnits units, RenderOutline outline, boolean isKept) {
-        return units.areBatches() ? new SplatPicture(units, outline) : new TilePicture(units, outline, isKept);
+        if (!units.haveTiles()) {
+            return new SplatPicture(units, outline);
+        }
+        TilePicture tiles = new TilePicture(units, outline, isKept);
+        return units.batches() == 0 ? tiles : new MixedPicture(units, tiles, new SplatPicture(units, outline), outline);
+    }
+
+    /** That of which a unit is a part: this, or one of two pictures that are added. */
+    PictureFilm part(int unit) {
+        return this;
     }
 
     /**
@@ -73,12 +82,12 @@ public abstract class PictureFilm {
     }
 
     /** Whether a unit is there. */
-    public final synchronized boolean has(int unit) {
+    public synchronized boolean has(int unit) {
         return done.get(unit);
     }
 
     /** Number of units that are there. */
-    public final synchronized int done() {
+    public synchronized int done() {
         return number;
     }
 
@@ -123,4 +132,9 @@ public abstract class PictureFilm {
 
     /** The picture so far; what is missing is black. */
     public abstract Image image();
+
+    /** A stand-in for tiles that are missing, with what paths have brought so far that may end anywhere. */
+    public Image completed(Image tiles) {
+        return tiles;
+    }
 }

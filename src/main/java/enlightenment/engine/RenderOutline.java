@@ -19,7 +19,7 @@ import java.util.List;
  * @param features what is modelled, in plain words
  * @param kinds the kinds of primitives in the scene, in the order of their counters
  * @param display what pixels are, and how they become what a screen takes
- * @param splatScale the unit in which contributions of paths are summed; of no meaning where units are tiles
+ * @param splatScale the unit in which contributions of paths are summed; of no meaning where no units are batches of paths
  */
 public record RenderOutline(
         String sceneName,
@@ -47,18 +47,13 @@ public record RenderOutline(
         RenderOutline outline = new RenderOutline(sceneName, settings, plan, scene.features(), scene.kindNames)
                 .withDisplay(scene.display);
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
-        if (!outline.areBatches()
-                || !(Integrators.of(plan, scene, settings, nobodys) instanceof SplatIntegrator integrator)) {
+        WorkUnits units = WorkUnits.forMachines(settings, plan);
+        if (units.batches() == 0) {
             return outline;
         }
+        SplatIntegrator integrator = Integrators.splats(plan, scene, settings, nobodys);
         long pixels = (long) settings.width() * settings.height();
-        long paths = WorkUnits.forMachines(settings, plan).paths();
-        return outline.withSplatScale(SplatScale.of(integrator.expectedContribution(), paths, pixels));
-    }
-
-    /** Whether the units are batches of paths. */
-    public boolean areBatches() {
-        return Integrators.traits(plan.method()).areBatches();
+        return outline.withSplatScale(SplatScale.of(integrator.expectedContribution(), units.paths(), pixels));
     }
 
     /** The same outline with another scale. */

@@ -18,13 +18,15 @@ abstract class ResultForm {
     /** The form for the units of this render. */
     static ResultForm of(WorkUnits units, RenderOutline outline) {
         int kinds = outline.kinds().size();
-        if (units.areBatches()) {
-            RenderSettings.Crop region = outline.settings().region();
-            return new BatchForm(units, kinds, Math.multiplyExact(region.width(), region.height()));
-        }
-        return units.passes() > 1
+        ResultForm tiles = units.passes() > 1
                 ? new PassForm(units, kinds, outline.display())
                 : new TileForm(units, kinds, outline.display());
+        if (units.batches() == 0) {
+            return tiles;
+        }
+        RenderSettings.Crop region = outline.settings().region();
+        ResultForm batches = new BatchForm(units, kinds, Math.multiplyExact(region.width(), region.height()));
+        return units.haveTiles() ? new MixedForm(units, kinds, batches, tiles) : batches;
     }
 
     /** The greatest number of bytes that the result of a unit can have. */

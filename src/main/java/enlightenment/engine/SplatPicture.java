@@ -27,6 +27,16 @@ final class SplatPicture extends PictureFilm {
                 outline.display());
     }
 
+    /** What the batches have brought so far. */
+    SplatFilm film() {
+        return film;
+    }
+
+    /** The share of the batches that is there. */
+    synchronized double share() {
+        return (double) batches / units.batches();
+    }
+
     @Override
     public FilmTile render(int unit, UnitWork work) {
         put(unit, work.batch(unit));
@@ -52,7 +62,7 @@ final class SplatPicture extends PictureFilm {
 
     @Override
     public synchronized long pixelsDone() {
-        return (long) ((double) pixels() * batches / units.count());
+        return (long) ((double) pixels() * batches / units.batches());
     }
 
     @Override

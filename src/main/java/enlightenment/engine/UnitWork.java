@@ -6,7 +6,6 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatSums;
-import enlightenment.method.Integrator;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.ClusterStatistics;
@@ -19,10 +18,14 @@ import java.util.function.Consumer;
 /** Does units of work, for one thread. */
 public final class UnitWork {
     private final WorkUnits units;
-    private final Integrator integrator;
     private final DisplayCurve display;
 
-    /** Where paths put their light, or null. */
+    /** What makes tiles, or null. */
+    private final TileIntegrator tiles;
+
+    /** What follows paths, and where they put their light; or null. */
+    private final SplatIntegrator paths;
+
     private final SplatBatch batch;
 
     /**
@@ -44,12 +47,21 @@ public final class UnitWork {
         this.units = units;
         display = outline.display();
         RenderSettings settings = outline.settings();
-        integrator = Integrators.of(outline.plan(), scene, settings, counters, clusters);
-        integrator.stopWhen(cancelled);
-        RenderSettings.Crop region = settings.region();
-        batch = units.areBatches()
-                ? new SplatBatch(region.x(), region.y(), region.width(), region.height(), outline.splatScale())
-                : null;
+        if (units.haveTiles()) {
+            tiles = (TileIntegrator) Integrators.of(outline.plan(), scene, settings, counters, clusters);
+            tiles.stopWhen(cancelled);
+        } else {
+            tiles = null;
+        }
+        if (units.batches() > 0) {
+            paths = Integrators.splats(outline.plan(), scene, settings, counters);
+            paths.stopWhen(cancelled);
+            RenderSettings.Crop region = settings.region();
+            batch = new SplatBatch(region.x(), region.y(), region.width(), region.height(), outline.splatScale());
+        } else {
+            paths = null;
+            batch = null;
+        }
     }
 
     /** A tile, or a pass over it. */
@@ -62,14 +74,14 @@ public final class UnitWork {
 
     /** Makes a part of a unit's tile. */
     void part(int unit, FilmTile part) {
-        ((TileIntegrator) integrator).render(part, units.pass(unit), units.passes());
+        tiles.render(part, units.pass(unit), units.passes());
     }
 
     /** A batch of paths. */
     SplatSums batch(int unit) {
-        int paths = units.paths(unit);
-        batch.begin(paths);
-        ((SplatIntegrator) integrator).trace(units.firstPath(unit), paths, batch);
+        int number = units.paths(unit);
+        batch.begin(number);
+        paths.trace(units.firstPath(unit), number, batch);
         return batch.sums();
     }
 }

@@ -12,10 +12,12 @@ import java.util.Objects;
 /**
  * The units of work of a render, numbered from 0: each is a pure function of compiled scene, settings, plan and its number, and may
  * be done by anybody, at any time, more than once. A unit is a tile of the picture or, where its pixels have very many samples, one of
- * several passes over a tile, which takes a part of them; or, for a method whose light may fall anywhere, a batch of paths.
+ * several passes over a tile, which takes a part of them; or, where light may fall anywhere, a batch of paths. A render may have units
+ * of both kinds: what the paths bring is added to what the tiles make.
  *
- * <p>All passes of a tile have consecutive numbers. How many passes and paths there are depends on plan and whole picture alone; how
- * the tiles are cut has no influence on the picture.
+ * <p>Batches come first: so a picture that is stopped has all of them, and no thread is left with a long one in the end. All passes of
+ * a tile have consecutive numbers. How many passes, batches and paths there are depends on plan and whole picture alone; how the tiles
+ * are cut has no influence on the picture.
  */
 public final class WorkUnits {
     /**
@@ -38,16 +40,22 @@ public final class WorkUnits {
     /** Paths of a batch, if there are not so many that there would be too many batches. */
     private static final int PATHS_PER_BATCH = 1 << 16;
 
+    /** Batches are counted in so many groups, whose differences tell the error: beside tiles each group has as many paths. */
+    private static final int GROUPS = 4;
+
     /** Batches have at most 2^30 paths, and a job has at most 2^24 units; so many are a million processors for a day. */
     private static final double MOST_PATHS = 1L << 52;
 
     /** The quarters of a tile have six doubles and an int per pixel each, an image has three floats. */
     private static final int IMAGES_OF_PASSES = 4 * (6 * 8 + 4) / (3 * 4);
 
+    /** Null if there are none. */
     private final TileCut cut;
+
     private final int passes;
     private final long paths;
     private final int pathsPerBatch;
+    private final int batches;
     private final int count;
 
     private WorkUnits(RenderSettings settings, RenderPlan plan, TileCut cut) {
@@ -56,13 +64,17 @@ public final class WorkUnits {
             passes = 1;
             paths = paths(settings, plan);
             pathsPerBatch = pathsPerBatch(paths);
-            count = Math.toIntExact((paths + pathsPerBatch - 1) / pathsPerBatch);
-        } else {
-            passes = passes(settings, plan);
-            paths = 0;
-            pathsPerBatch = 0;
-            count = Math.multiplyExact(cut.tiles(), passes);
+            batches = Math.toIntExact((paths + pathsPerBatch - 1) / pathsPerBatch);
+            count = batches;
+            return;
         }
+        passes = passes(settings, plan);
+        long wanted = plan.lightPaths();
+        long inGroups = (long) GROUPS * pathsPerBatch(wanted);
+        batches = Math.toIntExact((wanted + inGroups - 1) / inGroups * GROUPS);
+        pathsPerBatch = batches == 0 ? 0 : (int) ((wanted + batches - 1) / batches);
+        paths = (long) batches * pathsPerBatch;
+        count = Math.addExact(batches, Math.multiplyExact(cut.tiles(), passes));
     }
 
     /** As they are handed out to the threads of one process. */
@@ -113,9 +125,19 @@ public final class WorkUnits {
         return count;
     }
 
-    /** Whether they are batches of paths; tiles if not. */
-    public boolean areBatches() {
-        return cut == null;
+    /** How many of them are batches of paths: those with the lowest numbers. The others are tiles or passes over them. */
+    public int batches() {
+        return batches;
+    }
+
+    /** Whether a unit is a batch of paths. */
+    public boolean isBatch(int unit) {
+        return Objects.checkIndex(unit, count) < batches;
+    }
+
+    /** Whether there are tiles. */
+    boolean haveTiles() {
+        return cut != null;
     }
 
     /** In how many passes each tile is made. */
@@ -128,17 +150,20 @@ public final class WorkUnits {
      * large as the picture.
      */
     int imagesBeside() {
-        return areBatches() ? PictureMemory.IMAGES_OF_SPLATS : passes > 1 ? IMAGES_OF_PASSES : 0;
+        int beside = passes > 1 ? IMAGES_OF_PASSES : 0;
+        return cut == null
+                ? PictureMemory.IMAGES_OF_SPLATS
+                : batches > 0 ? beside + PictureMemory.IMAGES_OF_ADDED_SPLATS : beside;
     }
 
     /** The tile that a unit belongs to, counted from 0. */
     int tile(int unit) {
-        return Objects.checkIndex(unit, count) / passes;
+        return (Objects.checkIndex(unit, count) - batches) / passes;
     }
 
     /** Which pass over its tile a unit is. */
     int pass(int unit) {
-        return unit % passes;
+        return (unit - batches) % passes;
     }
 
     /** The pixels of a unit that is a tile or a pass over one, by their place in the whole picture. */
@@ -146,14 +171,14 @@ public final class WorkUnits {
         return cut.place(tile(unit));
     }
 
-    /** How many paths all batches have together. */
+    /** How many paths all batches have together: those of the plan, rounded up so that all groups of batches are alike. */
     public long paths() {
         return paths;
     }
 
     /** The first path of a batch. */
     long firstPath(int unit) {
-        return (long) Objects.checkIndex(unit, count) * pathsPerBatch;
+        return (long) Objects.checkIndex(unit, batches) * pathsPerBatch;
     }
 
     /** How many paths a batch has. */

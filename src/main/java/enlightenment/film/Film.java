@@ -200,12 +200,15 @@ public final class Film {
      * of the sum. Pixels that are not finished stay so.
      *
      * @param splats of the same rectangle; may go on growing
-     * @throws IllegalArgumentException if it is of another rectangle, or either film's pixels are no linear light
+     * @throws IllegalArgumentException if it is of another rectangle, or one film's pixels are linear light and the other's are not
      */
     public Film plus(SplatFilm splats) {
         boolean same = splats.x == x && splats.y == y && splats.width == width && splats.height == height;
-        if (!same || !isLinear() || splats.encoding() != Encoding.LINEAR) {
+        if (!same || splats.encoding() != encoding()) {
             throw new IllegalArgumentException("films of different pixels");
+        }
+        if (!isLinear()) {
+            return plusShown(splats);
         }
         Film sum = new Film(x, y, width, height, curve);
         System.arraycopy(rgb, 0, sum.rgb, 0, rgb.length);
@@ -216,6 +219,35 @@ public final class Film {
             double scale = counts[i] == 1 || counts[i] == 2 ? steepness(rgb, sum.rgb, 3 * i) : 1;
             sum.halves[i] = (float) (scale * halves[i]);
             sum.quarters[i] = (float) (scale * quarters[i]);
+        }
+        synchronized (this) {
+            sum.add(surveyRays, differences, lost);
+        }
+        return sum;
+    }
+
+    /** Of display-referred pixels: paths and samples do not depend on each other, so their squared errors add. */
+    private Film plusShown(SplatFilm splats) {
+        Film sum = new Film(x, y, width, height, curve);
+        double[] means = new double[3];
+        double[] groups = new double[3 * SplatFilm.GROUPS];
+        int[] sizes = {1, 1, 1, 1};
+        for (int pixel = 0; pixel < counts.length; pixel++) {
+            if (counts[pixel] > 0) {
+                int column = x + pixel % width;
+                int row = y + pixel / width;
+                for (int c = 0; c < 3; c++) {
+                    means[c] = rgb[3 * pixel + c] + splats.component(column, row, c);
+                    for (int g = 0; g < SplatFilm.GROUPS; g++) {
+                        groups[3 * g + c] = splats.component(column, row, c, g);
+                    }
+                }
+                double first = SampleSpread.halves(groups, sizes);
+                // Of one or two samples the second figure is a variance, too.
+                double second = counts[pixel] > 2 ? SampleSpread.quarters(groups, sizes) : first;
+                float half = (float) (halves[pixel] + first);
+                sum.put(column, row, means, 0, half, (float) (quarters[pixel] + second), counts[pixel]);
+            }
         }
         synchronized (this) {
             sum.add(surveyRays, differences, lost);

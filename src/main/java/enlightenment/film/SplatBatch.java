@@ -64,9 +64,16 @@ public final class SplatBatch {
         // Exact, since the differences that matter are not greater than x and y themselves.
         double column = x - left;
         double row = y - top;
-        if (column >= 0 && column < width && row >= 0 && row < height) {
+        if (covers(x, y)) {
             log.add((int) row * width + (int) column, units(r), units(g), units(b));
         }
+    }
+
+    /** Whether a place, as {@link #add} wants it, lies in the rectangle that is rendered. */
+    public boolean covers(double x, double y) {
+        double column = x - left;
+        double row = y - top;
+        return column >= 0 && column < width && row >= 0 && row < height;
     }
 
     private static boolean isFinite(double contribution) {

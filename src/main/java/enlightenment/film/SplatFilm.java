@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
  * <p>Units are of four groups, by their number; each group is a picture of its own. How far these differ tells the error.
  */
 public final class SplatFilm {
-    private static final int GROUPS = 4;
+    static final int GROUPS = 4;
 
     public final int x;
     public final int y;
@@ -126,6 +126,12 @@ public final class SplatFilm {
     /** Component 0, 1 or 2 of the pixel in column and row of the whole picture, in full precision; 0 without paths. */
     public synchronized double component(int column, int row, int c) {
         return value(3 * ((row - y) * width + column - x) + c, paths());
+    }
+
+    /** The same by the paths of one of the four groups alone; 0 if it has none. */
+    synchronized double component(int column, int row, int c, int group) {
+        long n = paths[group];
+        return n == 0 ? 0 : inPicture(sums[group][3 * ((row - y) * width + column - x) + c], n);
     }
 
     /**

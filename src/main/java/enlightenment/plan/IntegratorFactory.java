@@ -3,6 +3,7 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.method.Integrator;
+import enlightenment.method.SplatIntegrator;
 import enlightenment.scene.RenderSettings;
 
 /** What a {@link enlightenment.scene.MethodExtension} implements, too, so that there is something that does its work. */
@@ -19,5 +20,25 @@ public interface IntegratorFactory {
     /** What {@link enlightenment.method.TileIntegrator#dividesIntoPasses} says of all that it makes. */
     default boolean dividesIntoPasses() {
         return false;
+    }
+
+    /**
+     * How many paths that may end anywhere are splatted over what its tiles make, per camera sample of the whole picture: for light
+     * that is found better from elsewhere than from the eye. A function of scene and settings. 0, as here: none. Only of a method
+     * whose {@linkplain enlightenment.scene.Method#kind kind} is tiles.
+     */
+    default double lightPathsPerSample(CompiledScene scene, RenderSettings settings) {
+        return 0;
+    }
+
+    /**
+     * Makes what follows these paths, for one thread.
+     *
+     * @param plan has some of them
+     * @param counters what is counted is to be added to these
+     */
+    default SplatIntegrator makeLightPaths(
+            RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        throw new UnsupportedOperationException("it has no light paths");
     }
 }

@@ -3,6 +3,7 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.math.InvalidValueException;
+import enlightenment.method.CausticPaths;
 import enlightenment.method.Integrator;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
@@ -34,6 +35,9 @@ public final class Integrators {
     /** What a search for an error begins with, and what follows a picture without a survey. */
     private static final double FIRST_OF_CLUSTER = 4;
 
+    /** Paths of a pass of caustics per camera sample: docs/caustics.md has what more and less of them bring. */
+    private static final double CAUSTIC_PATHS = 1.0 / 8;
+
     private Integrators() {}
 
     /** What has to be known of a method before there is a scene. */
@@ -63,6 +67,36 @@ public final class Integrators {
     /** How the level of a method follows from the number of samples. */
     static Levels levels(Method method, CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         return method == BuiltInMethod.CLUSTER ? new EffortLevels(scene, settings, cancelled) : Levels.SAMPLES;
+    }
+
+    /**
+     * How many paths that may end anywhere are splatted over the tiles of a method, per camera sample of the whole picture; 0 for none,
+     * as of a method that has no tiles.
+     */
+    static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
+        if (method instanceof BuiltInMethod) {
+            return scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+        }
+        return method instanceof IntegratorFactory factory && method.kind() == Method.Kind.TILES
+                ? factory.lightPathsPerSample(scene, settings)
+                : 0;
+    }
+
+    /**
+     * What follows the paths of a plan that may end anywhere, for one thread: all of those of a method without tiles, otherwise the
+     * plan's light paths.
+     *
+     * @param counters are added to by it
+     */
+    public static SplatIntegrator splats(
+            RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        if (traits(plan.method()).areBatches()) {
+            return (SplatIntegrator) of(plan, scene, settings, counters);
+        }
+        if (plan.method() instanceof IntegratorFactory factory) {
+            return factory.makeLightPaths(plan, scene, settings, counters);
+        }
+        return new CausticPaths(scene, settings, counters);
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */

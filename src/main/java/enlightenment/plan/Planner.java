@@ -76,6 +76,10 @@ public final class Planner {
             notes.add("a crop saves no time with " + settings.method()
                     + ": its paths may end anywhere, and what they bring elsewhere is dropped");
         }
+        if (plans.haveLightPaths() && settings.crop().isPresent()) {
+            notes.add("a crop has the light paths of the whole picture:"
+                    + " they may end anywhere, and what they bring elsewhere is dropped");
+        }
     }
 
     /** When to stop looking for the samples that an error takes: where there is not much time, time decides. */

@@ -15,8 +15,13 @@ import java.util.Objects;
  * @param samples the mean number of camera rays per pixel that this is expected to take; a budget of this many samples leads to
  *     the same plan
  * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
+ * @param lightPaths how many paths that may end anywhere are splatted over what the tiles make, in the whole picture, at least; 0 for
+ *     none. (Methods of which all paths are such have {@code samples} per pixel of them.)
  */
-public record RenderPlan(Method method, double level, double samples, String decidedBy) {
+public record RenderPlan(Method method, double level, double samples, String decidedBy, long lightPaths) {
+    /** A million processors for a day. */
+    private static final long MOST_LIGHT_PATHS = 1L << 52;
+
     /**
      * Checks the ranges.
      *
@@ -27,5 +32,14 @@ public record RenderPlan(Method method, double level, double samples, String dec
         Objects.requireNonNull(decidedBy, "decidedBy");
         Check.that(level >= 0 && level < Double.POSITIVE_INFINITY, "plan", "must not be negative, but is " + level);
         Check.that(samples >= 0 && samples < Double.POSITIVE_INFINITY, "plan", "cannot be of " + samples + " samples");
+        Check.that(
+                lightPaths >= 0 && lightPaths <= MOST_LIGHT_PATHS,
+                "plan",
+                "cannot have " + lightPaths + " light paths; at most " + MOST_LIGHT_PATHS);
+    }
+
+    /** A plan without light paths. */
+    public RenderPlan(Method method, double level, double samples, String decidedBy) {
+        this(method, level, samples, decidedBy, 0);
     }
 }

@@ -13,6 +13,8 @@ final class SamplePlans {
     private final double tracedPixels;
     private final Levels levels;
     private final Levels levelsBelow;
+    private final double lightPathsPerSample;
+    private final double picturePixels;
 
     SamplePlans(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         method = settings.method();
@@ -25,12 +27,14 @@ final class SamplePlans {
         antialias = (double) settings.antialias() * settings.antialias();
         levels = Integrators.levels(method, scene, settings, cancelled);
         levelsBelow = Integrators.levels(traits.below(), scene, settings, cancelled);
+        lightPathsPerSample = Integrators.lightPathsPerSample(method, scene, settings);
+        picturePixels = (double) settings.width() * settings.height();
     }
 
     /** The plan without a budget: antialias² samples per pixel. */
     RenderPlan ofAntialias() {
         return Integrators.hasLevelOfAntialias(method)
-                ? new RenderPlan(method, 0, antialias, "antialias")
+                ? plan(method, 0, antialias, "antialias")
                 : of(antialias, "antialias");
     }
 
@@ -41,8 +45,19 @@ final class SamplePlans {
      */
     RenderPlan of(double samples, String by) {
         return isPossible(samples)
-                ? new RenderPlan(method, levels.of(samples), samples, by)
-                : new RenderPlan(traits.below(), levelsBelow.of(samples), samples, by);
+                ? plan(method, levels.of(samples), samples, by)
+                : plan(traits.below(), levelsBelow.of(samples), samples, by);
+    }
+
+    /** Light paths are for a part of the picture as many as for the whole, since they may end anywhere. */
+    private RenderPlan plan(Method chosen, double level, double samples, String by) {
+        return new RenderPlan(
+                chosen, level, samples, by, (long) Math.ceil(lightPathsPerSample * samples * picturePixels));
+    }
+
+    /** Whether paths that may end anywhere are splatted over the tiles. */
+    boolean haveLightPaths() {
+        return lightPathsPerSample > 0;
     }
 
     /** The number of pixels whose samples a render takes. */

@@ -20,6 +20,9 @@ final class Trial {
     /** Keeps the trial's random numbers apart from the picture's. */
     private static final long PURPOSE = 0x747269616cL;
 
+    /** So many paths at a time: enough that who begins and ends does not matter, few enough to be stopped soon. */
+    private static final int AT_ONCE = 1 << 12;
+
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final SamplePlans plans;
@@ -78,13 +81,14 @@ final class Trial {
         @Override
         public void render(double samples, BooleanSupplier stop) {
             Trial.this.render(samples, blocks.phase(0, share), stop);
+            RenderPlan plan = plans.of(samples, "trial");
+            if (plan.lightPaths() > 0) {
+                follow(plan, plan.lightPaths() * (pixels() / plans.tracedPixels()), stop);
+            }
         }
     }
 
     private final class Paths implements Piece {
-        /** So many at a time: enough that who begins and ends does not matter, few enough to be stopped soon. */
-        private static final int AT_ONCE = 1 << 12;
-
         private final double pixels;
 
         Paths(double pixels) {
@@ -98,24 +102,28 @@ final class Trial {
 
         @Override
         public void render(double samples, BooleanSupplier stop) {
-            RenderPlan plan = plans.of(samples, "trial");
-            int batches = (int) Math.min(Math.max(Math.rint(samples * pixels / AT_ONCE), 1), Integer.MAX_VALUE);
-            RenderSettings.Crop region = settings.region();
-            Workers.run(settings.threads(), batches, stop, () -> {
-                RayCounters counters = new RayCounters(scene.kindNames.size());
-                SplatIntegrator method = (SplatIntegrator) Integrators.of(plan, scene, settings, counters);
-                method.stopWhen(stop);
-                SplatScale scale = SplatScale.of(
-                        method.expectedContribution(), (long) batches * AT_ONCE, (long) plans.tracedPixels());
-                SplatBatch out = new SplatBatch(region.x(), region.y(), region.width(), region.height(), scale);
-                return (IntConsumer) i -> {
-                    out.begin(AT_ONCE);
-                    method.trace((long) i * AT_ONCE, AT_ONCE, out);
-                    // Nobody looks at them, but they take time.
-                    out.sums();
-                };
-            });
+            follow(plans.of(samples, "trial"), samples * pixels, stop);
         }
+    }
+
+    /** Follows about so many paths that may end anywhere. */
+    private void follow(RenderPlan plan, double paths, BooleanSupplier stop) {
+        int batches = (int) Math.min(Math.max(Math.rint(paths / AT_ONCE), 1), Integer.MAX_VALUE);
+        RenderSettings.Crop region = settings.region();
+        long pixels = (long) settings.width() * settings.height();
+        Workers.run(settings.threads(), batches, stop, () -> {
+            RayCounters counters = new RayCounters(scene.kindNames.size());
+            SplatIntegrator method = Integrators.splats(plan, scene, settings, counters);
+            method.stopWhen(stop);
+            SplatScale scale = SplatScale.of(method.expectedContribution(), (long) batches * AT_ONCE, pixels);
+            SplatBatch out = new SplatBatch(region.x(), region.y(), region.width(), region.height(), scale);
+            return (IntConsumer) i -> {
+                out.begin(AT_ONCE);
+                method.trace((long) i * AT_ONCE, AT_ONCE, out);
+                // Nobody looks at them, but they take time.
+                out.sums();
+            };
+        });
     }
 
     /** Renders these blocks with this many samples per pixel, unless it is stopped. */

@@ -1,5 +1,6 @@
 package enlightenment.primitive;
 
+import enlightenment.math.Vec3;
 import java.util.Arrays;
 
 /**
@@ -55,6 +56,22 @@ public final class EndFaces {
         return false;
     }
 
+    /**
+     * Lets a ray that leaves the light start on these faces as well.
+     *
+     * @param side the side of the light's own surface that it travels on
+     */
+    public void startOn(Ray ray, int side) {
+        for (int k = 0; k < ids.length; k++) {
+            int there = side;
+            if (primitives[k].support(faces[k]) instanceof SupportSurface.Plane plane) {
+                Vec3 n = plane.unitNormal();
+                there = n.x() * ray.dx + n.y() * ray.dy + n.z() * ray.dz > 0 ? Ray.OUTSIDE : Ray.INSIDE;
+            }
+            ray.alsoFrom(primitives[k], there);
+        }
+    }
+
     /** Whether any face of the primitive is one of these. */
     boolean concerns(Primitive p) {
         for (Primitive q : primitives) {
@@ -74,9 +91,28 @@ public final class EndFaces {
     boolean isEnd(Ray ray, Hit hit) {
         for (int k = 0; k < faces.length; k++) {
             if (primitives[k] == hit.primitive && faces[k] == hit.face) {
-                // A line meets a plane once, and this one in the light; it may meet a curved face earlier as well.
-                double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
-                return isFlat[k] || (ray.tEnd - hit.t) * across <= tolerances[k];
+                return isEnd(k, ray, hit, ray.tEnd - hit.t);
+            }
+        }
+        return false;
+    }
+
+    private boolean isEnd(int k, Ray ray, Hit hit, double left) {
+        // A line meets a plane once, and this one in the light; it may meet a curved face earlier as well.
+        double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
+        return isFlat[k] || left * across <= tolerances[k];
+    }
+
+    /**
+     * Whether a hit is where a ray that goes to the light ends.
+     *
+     * @param id the number of the primitive that it hits
+     * @param left how far behind the hit the light is, in lengths of the ray's direction
+     */
+    public boolean isEnd(Ray ray, int id, Hit hit, double left) {
+        for (int k = 0; k < ids.length; k++) {
+            if (ids[k] == id && faces[k] == hit.face) {
+                return isEnd(k, ray, hit, left);
             }
         }
         return false;

@@ -121,7 +121,7 @@ final class LocalRender {
 
     /** The picture as it stands: the film, and what the preview shows where that is not finished. */
     Image image() {
-        return preview == null || film.isComplete() ? film.image() : preview.image();
+        return preview == null || film.isComplete() ? film.image() : film.completed(preview.image());
     }
 
     /** How many pixels are not black for want of samples. */

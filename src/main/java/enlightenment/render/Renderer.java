@@ -96,13 +96,12 @@ public final class Renderer {
     public static RenderResult render(RenderRequest request) {
         Stopwatch time = Stopwatch.started();
         RenderSettings settings = request.settings();
-        PictureMemory.check(
-                settings,
-                (request.progressive() ? 1 : 0)
-                        + (settings.method().kind() == Method.Kind.SPLATS ? PictureMemory.IMAGES_OF_SPLATS : 0)
-                        + request.auxiliary().size()
-                        // The picture that was not exact enough is kept until there is a better one.
-                        + (settings.budget().error().isPresent() ? 1 : 0));
+        int images = (request.progressive() ? 1 : 0)
+                + (settings.method().kind() == Method.Kind.SPLATS ? PictureMemory.IMAGES_OF_SPLATS : 0)
+                + request.auxiliary().size()
+                // The picture that was not exact enough is kept until there is a better one.
+                + (settings.budget().error().isPresent() ? 1 : 0);
+        PictureMemory.check(settings, images);
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         Phases phases = new Phases();
         CompiledScene scene = phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings));
@@ -115,6 +114,7 @@ public final class Renderer {
         boolean previewed = request.progressive() && settings.method().kind() == Method.Kind.TILES;
         Planner planner = new Planner(scene, settings, cancelled);
         RenderPlan plan = phases.run("plan", () -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share()));
+        PictureMemory.check(settings, images + (plan.lightPaths() > 0 ? PictureMemory.IMAGES_OF_ADDED_SPLATS : 0));
         planner.notes().forEach(request.progress()::note);
         request.progress().planned(plan.samples(), plan.decidedBy());
         Preview preview = previewed ? new Preview(scene, settings, planner) : null;

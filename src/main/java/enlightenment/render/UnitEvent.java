@@ -34,7 +34,7 @@ final class UnitEvent extends Event {
     /** Ends, as that of this unit. */
     void commit(WorkUnits units, int number) {
         unit = number;
-        if (!units.areBatches()) {
+        if (!units.isBatch(number)) {
             RenderSettings.Crop place = units.place(number);
             x = place.x();
             y = place.y();

@@ -70,9 +70,14 @@ final class GlassTracer {
 
     /** Starts a camera ray: finds the solids that it starts in. */
     void begin(Ray ray) {
+        begin(ray, scene.cameraSolids);
+    }
+
+    /** Starts a ray that may start in some solids. */
+    void begin(Ray ray, int[] solids) {
         next = NONE;
         inside.clear();
-        for (int solid : scene.cameraSolids) {
+        for (int solid : solids) {
             double x = Math.fma(ray.tMin, ray.dx, ray.ox);
             double y = Math.fma(ray.tMin, ray.dy, ray.oy);
             double z = Math.fma(ray.tMin, ray.dz, ray.oz);
@@ -80,6 +85,12 @@ final class GlassTracer {
                 inside.add(solid);
             }
         }
+    }
+
+    /** Starts a ray in the medium that another one is in. */
+    void begin(GlassTracer other) {
+        next = NONE;
+        inside.set(other.inside);
     }
 
     /** The opaque surface that the ray meets at the point where it just left glass, or -1 if the ray must be traced. */
@@ -100,7 +111,7 @@ final class GlassTracer {
      */
     boolean arrive(Ray ray, int struck, Hit hit) {
         id = struck;
-        boolean glass = isGlass(struck, hit);
+        boolean glass = scene.isGlass(struck, hit.face);
         if (!glass && inside.size() == 0 && !scene.coincident.concerns(struck)) {
             coincident.clear();
             return false;
@@ -109,9 +120,8 @@ final class GlassTracer {
         int opaque = coincident.seen(true);
         boolean leaving = false;
         for (int k = 0; k < coincident.size(); k++) {
-            int c = coincident.id(k);
-            Hit h = coincident.hit(k);
-            leaving |= isGlass(c, h) && h.side == Ray.INSIDE && inside.contains(c);
+            leaving |=
+                    coincident.isGlass(k) && coincident.hit(k).side == Ray.INSIDE && inside.contains(coincident.id(k));
         }
         if (opaque == NONE || leaving) {
             next = opaque == NONE ? NONE : coincident.id(opaque);
@@ -127,26 +137,14 @@ final class GlassTracer {
         return false;
     }
 
-    private boolean isGlass(int candidate, Hit hit) {
-        return scene.isGlass(candidate, hit.face);
-    }
-
     /**
      * Passes, refracts or reflects the ray at the surfaces that {@link #arrive} found.
      *
      * @return whether it was transmitted
      */
     boolean cross(Ray ray, Hit hit) {
-        int before = inside.current();
         double from = inside.indexOfRefraction();
-        saved.set(inside);
-        for (int k = 0; k < coincident.size(); k++) {
-            if (isGlassSolid(k)) {
-                change(coincident.id(k), coincident.hit(k).side);
-            }
-        }
-        int after = inside.current();
-        boundary = before == after ? NONE : boundaryOf(before, after);
+        changeMedia();
         double to = inside.indexOfRefraction();
         straight = boundary == NONE || from == to;
         lost = false;
@@ -154,24 +152,65 @@ final class GlassTracer {
             straight = false;
             stay();
             counters.mirrorRays++;
-            startOnAll(ray, 1);
+            coincident.startOn(ray, 1);
             return false;
         }
         if (straight) {
-            Optics.pass(ray, hit);
-            startOnAll(ray, -1);
+            pass(ray, hit);
             return true;
         }
         lost = !scatter(ray, hit, coincident.id(boundary), coincident.hit(boundary).face, from / to);
         if (border.transmitted) {
             counters.refractedRays++;
-            startOnAll(ray, -1);
+            coincident.startOn(ray, -1);
             return true;
         }
         stay();
         counters.mirrorRays++;
-        startOnAll(ray, 1);
+        coincident.startOn(ray, 1);
         return false;
+    }
+
+    private void pass(Ray ray, Hit hit) {
+        Optics.pass(ray, hit);
+        coincident.startOn(ray, -1);
+    }
+
+    /** Crosses all borders, and finds the one that counts. */
+    private void changeMedia() {
+        int before = inside.current();
+        saved.set(inside);
+        for (int k = 0; k < coincident.size(); k++) {
+            if (coincident.isGlassSolid(k)) {
+                change(coincident.id(k), coincident.hit(k).side);
+            }
+        }
+        int after = inside.current();
+        boundary = before == after ? NONE : boundaryOf(before, after);
+    }
+
+    /**
+     * Lets a shadow ray pass the surfaces of glass that {@link #arrive} found, if they do not turn it.
+     *
+     * @return the share of the light that passes where nothing is opaque and colours are white; 0 if the surfaces turn the ray
+     */
+    double passStraight(Ray ray, Hit hit) {
+        double from = inside.indexOfRefraction();
+        changeMedia();
+        straight = boundary == NONE || from == inside.indexOfRefraction();
+        if (!straight) {
+            return 0;
+        }
+        int pane = coincident.pane();
+        double share = 1;
+        if (pane != NONE) {
+            double cosine = (ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz) / Math.sqrt(ray.dd);
+            share = scene.material(coincident.id(pane), coincident.hit(pane).face)
+                    .pane
+                    .transmittance(cosine);
+        }
+        pass(ray, hit);
+        return share;
     }
 
     /** Undoes the crossing of borders: the ray stays on its side. */
@@ -181,19 +220,17 @@ final class GlassTracer {
     }
 
     private boolean isReflectedByPane(Ray ray, Hit hit) {
-        for (int k = 0; k < coincident.size(); k++) {
-            int pane = coincident.id(k);
-            if (isGlass(pane, coincident.hit(k)) && !scene.primitives[pane].isSolid()) {
-                Optics.arrive(border, ray, hit);
-                scene.material(pane, coincident.hit(k).face).pane.sample(border, 0, 0, choice);
-                if (border.transmitted) {
-                    return false;
-                }
-                Optics.leave(ray, hit, border);
-                return true;
-            }
+        int k = coincident.pane();
+        if (k == NONE) {
+            return false;
         }
-        return false;
+        Optics.arrive(border, ray, hit);
+        scene.material(coincident.id(k), coincident.hit(k).face).pane.sample(border, 0, 0, choice);
+        if (border.transmitted) {
+            return false;
+        }
+        Optics.leave(ray, hit, border);
+        return true;
     }
 
     /**
@@ -203,15 +240,7 @@ final class GlassTracer {
      * @return the index of the coincident surface, or -1 if all are clear
      */
     int opaque(double number) {
-        saved.set(inside);
-        int before = inside.current();
-        for (int k = 0; k < coincident.size(); k++) {
-            if (isGlassSolid(k)) {
-                change(coincident.id(k), coincident.hit(k).side);
-            }
-        }
-        int after = inside.current();
-        boundary = before == after ? NONE : boundaryOf(before, after);
+        changeMedia();
         inside.set(saved);
         double left = number;
         for (int k = 0; k < coincident.size(); k++) {
@@ -267,10 +296,6 @@ final class GlassTracer {
         return straight;
     }
 
-    private boolean isGlassSolid(int k) {
-        return scene.primitives[coincident.id(k)].isSolid() && isGlass(coincident.id(k), coincident.hit(k));
-    }
-
     private void change(int solid, int side) {
         if (side == Ray.OUTSIDE) {
             inside.add(solid);
@@ -291,32 +316,14 @@ final class GlassTracer {
         return found;
     }
 
-    /** Starts the ray on all coincident surfaces of glass, and, if it stays on its side, on opaque ones. */
-    private void startOnAll(Ray ray, int sign) {
-        for (int k = 1; k < coincident.size(); k++) {
-            if (sign > 0 || isGlass(coincident.id(k), coincident.hit(k))) {
-                ray.alsoFrom(scene.primitives[coincident.id(k)], sign * coincident.hit(k).side);
-            }
-        }
-    }
-
     /** Starts a ray that leaves one of the surfaces that {@link #arrive} found, on the side it came from, on all of them. */
     void startOnAll(Ray ray) {
-        startOnAll(ray, true);
+        coincident.startOn(ray, true);
     }
 
     /** The same for a reflected ray, except for boundaries of glass solids, which it must cross again. */
     void reflectFromAll(Ray ray) {
-        startOnAll(ray, false);
-    }
-
-    private void startOnAll(Ray ray, boolean glassSolids) {
-        for (int k = 0; k < coincident.size(); k++) {
-            Primitive p = scene.primitives[coincident.id(k)];
-            if (p != ray.start && (glassSolids || !isGlassSolid(k))) {
-                ray.alsoFrom(p, coincident.hit(k).side);
-            }
-        }
+        coincident.startOn(ray, false);
     }
 
     /** The number of coincident surfaces. */
@@ -326,7 +333,7 @@ final class GlassTracer {
 
     /** Whether surface k filters the light: the boundary does, and so do panes that the ray passed. */
     boolean filters(int k, boolean through) {
-        return k == boundary || through && !isGlassSolid(k) && isGlass(coincident.id(k), coincident.hit(k));
+        return k == boundary || through && coincident.isPane(k);
     }
 
     /** The id of the primitive that coincident surface k belongs to. */

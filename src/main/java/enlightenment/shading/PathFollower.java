@@ -53,6 +53,7 @@ final class PathFollower {
     private final CompiledScene scene;
     private final RayCounters counters;
     private final Scattering scattering = new Scattering();
+    private final double[] tint = new double[3];
     private final int maxBounces;
 
     /** No line meets more surfaces: a path that passes more of them straight is caught in a loop by rounding, and ends. */
@@ -81,8 +82,28 @@ final class PathFollower {
     void begin(Ray ray) {
         counters.cameraRays++;
         glass.begin(ray);
+        begin(0);
+    }
+
+    /**
+     * Starts a path with a ray that leaves a light.
+     *
+     * @param solids of glass that it may start in
+     */
+    void beginAtLight(Ray ray, int[] solids) {
+        glass.begin(ray, solids);
+        begin(1);
+    }
+
+    /** Starts a shadow ray in the medium that a path is in. */
+    void beginShadow(PathFollower from) {
+        glass.begin(from.glass);
+        begin(1);
+    }
+
+    private void begin(int left) {
         key = 0;
-        surfaces = 0;
+        surfaces = left;
         bounces = 0;
         straight = 0;
         passedStraight = false;
@@ -196,6 +217,11 @@ final class PathFollower {
         return bounces < maxBounces;
     }
 
+    /** Whether it may have two more. */
+    boolean mayScatterTwice() {
+        return bounces < maxBounces - 1;
+    }
+
     /**
      * Lets the ray pass, be refracted or be reflected at the surfaces of glass that it came to.
      *
@@ -206,6 +232,43 @@ final class PathFollower {
         passedStraight = glass.passedStraight();
         key += through ? 1 : 0;
         return through;
+    }
+
+    /**
+     * Lets a shadow ray pass the surfaces of glass that it came to, if they do not turn it.
+     *
+     * @param rgb is multiplied by the share that passes
+     * @return whether it did
+     */
+    boolean passStraight(Ray ray, double[] rgb) {
+        double share = glass.passStraight(ray, hit);
+        if (!(share > 0)) {
+            return false;
+        }
+        for (int k = 0; k < glass.surfaces(); k++) {
+            if (glass.filters(k, true)) {
+                share *= scene.material(glass.surface(k), glass.hitOf(k).face).transparency;
+            }
+        }
+        for (int c = 0; c < rgb.length; c++) {
+            rgb[c] *= share;
+        }
+        filter(rgb);
+        passedStraight = true;
+        return goesOn();
+    }
+
+    /** Multiplies by the colours of the glass that the ray was just transmitted by. */
+    void filter(double[] rgb) {
+        for (int k = 0; k < glass.surfaces(); k++) {
+            if (glass.filters(k, true)) {
+                turnTo(k);
+                color(material(), tint);
+                rgb[0] *= tint[0];
+                rgb[1] *= tint[1];
+                rgb[2] *= tint[2];
+            }
+        }
     }
 
     /** Turns to one of the surfaces that coincide here. */

@@ -14,7 +14,6 @@ import enlightenment.emitter.LightPicker;
 import enlightenment.emitter.LightSample;
 import enlightenment.emitter.SphereLight;
 import enlightenment.primitive.Hit;
-import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
@@ -35,19 +34,12 @@ final class PathLight {
     private final LightPicker picker;
     private final RayCounters counters;
     private final PathFollower path;
+    private final ShadowRays shadow;
     private final Hit hit;
-    private final GlassTracer glass;
-    private final Tracer tracer;
     private final LightCone cone = new LightCone();
     private final LightSample view = new LightSample(cone);
     private final LightChoice choice = new LightChoice();
-    private final Ray shadowRay = new Ray();
     private final double[] pair = new double[2];
-
-    /** Primitives that the vertex lies on; if there are more, the others are tested needlessly. The last is the light's own. */
-    private final int[] starts = new int[9];
-
-    private int startCount;
 
     /** The last vertex that scattered light other than into single directions, and its normal on the side that the path came from. */
     private double x;
@@ -80,8 +72,7 @@ final class PathLight {
         this.counters = counters;
         this.path = path;
         hit = path.hit;
-        glass = path.glass;
-        tracer = path.tracer;
+        shadow = new ShadowRays(scene, counters, path, cone);
     }
 
     private void begin(boolean matte, boolean isFirst) {
@@ -97,7 +88,7 @@ final class PathLight {
         red = 0;
         green = 0;
         blue = 0;
-        findStarts();
+        shadow.begin();
     }
 
     /** Tells the density per solid angle of the direction in which the path leaves the vertex. */
@@ -123,14 +114,39 @@ final class PathLight {
 
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
+        if (isIn(l)) {
+            return;
+        }
+        shadow.isFiltered = false;
         counters.lightSamples++;
         double e = l.isPoint ? ofPoint(l) : irradiance(l, tookAll ? index : -1, probability, sampler, address);
         if (e > 0) {
             double f = e / (Math.PI * probability);
-            red = Math.fma(f, l.r, red);
-            green = Math.fma(f, l.g, green);
-            blue = Math.fma(f, l.b, blue);
+            add(l, f, f, f);
         }
+    }
+
+    /** Adds what arrives of a light's radiance or intensity, if nothing absorbs, times these. */
+    private void add(PhysicalLight l, double r, double g, double b) {
+        if (shadow.isFiltered) {
+            red = Math.fma(r * shadow.rgb[0], l.r, red);
+            green = Math.fma(g * shadow.rgb[1], l.g, green);
+            blue = Math.fma(b * shadow.rgb[2], l.b, blue);
+        } else {
+            red = Math.fma(r, l.r, red);
+            green = Math.fma(g, l.g, green);
+            blue = Math.fma(b, l.b, blue);
+        }
+    }
+
+    /**
+     * Whether the vertex lies in the plane of a flat light, or of a part of it. Rounding puts it above or below: the light would fill half of
+     * its sky.
+     */
+    private boolean isIn(PhysicalLight l) {
+        return l.isFlat
+                && (l.id == path.id && l.face == hit.face
+                        || !l.lyingOn().isEmpty() && l.lyingOn().has(path.id, hit.face));
     }
 
     private boolean choose(Sampler sampler, int address) {
@@ -163,10 +179,10 @@ final class PathLight {
         }
         if (e != e) {
             // Prepares the shadow ray; an answer without a ray is no closed form here.
-            Tracer.Visibility known = visibility(l);
+            Tracer.Visibility known = shadow.visibility(l);
             return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
         }
-        Tracer.Visibility visibility = visibility(l);
+        Tracer.Visibility visibility = shadow.visibility(l);
         if (visibility != Tracer.Visibility.UNKNOWN) {
             counters.lightSamplesWithoutRay++;
             return visibility == Tracer.Visibility.ALL ? e : 0;
@@ -182,11 +198,11 @@ final class PathLight {
         lightPoint(index, sampler, address);
         if (ball.samplesByCosine(view, nx, ny, nz)) {
             ball.sampleByCosine(view, nx, ny, nz, pair[0], pair[1]);
-            return isBlocked(l) ? 0 : e;
+            return shadow.isBlocked(l, view) ? 0 : e;
         }
         ball.sample(view, pair[0], pair[1]);
         double cosine = nx * view.dx + ny * view.dy + nz * view.dz;
-        return cosine > 0 && view.pdf > 0 && !isBlocked(l) ? cosine / view.pdf : 0;
+        return cosine > 0 && view.pdf > 0 && !shadow.isBlocked(l, view) ? cosine / view.pdf : 0;
     }
 
     /** The same by a point of the light, weighted against directions by the cosine. */
@@ -200,7 +216,7 @@ final class PathLight {
             return 0;
         }
         double weighed = cosine / view.pdf * weight(cosine / Math.PI, probability * view.pdf);
-        return known == Tracer.Visibility.ALL || !isBlocked(l) ? weighed : 0;
+        return known == Tracer.Visibility.ALL || !shadow.isBlocked(l, view) ? weighed : 0;
     }
 
     /** Gathers the light at the surface that the path is at, whatever its lobes. */
@@ -217,6 +233,10 @@ final class PathLight {
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
+        if (isIn(l)) {
+            return;
+        }
+        shadow.isFiltered = false;
         counters.lightSamples++;
         double density;
         if (l.isPoint) {
@@ -237,9 +257,7 @@ final class PathLight {
         bsdf.evaluate(s);
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double f = (l.isPoint ? 1 : weight(s.pdf, probability * density)) / (probability * density);
-            red = Math.fma(f * s.valueR, l.r, red);
-            green = Math.fma(f * s.valueG, l.g, green);
-            blue = Math.fma(f * s.valueB, l.b, blue);
+            add(l, f * s.valueR, f * s.valueG, f * s.valueB);
         }
     }
 
@@ -274,7 +292,7 @@ final class PathLight {
         if (!(e > 0)) {
             return false;
         }
-        return l.isBall || visibility(l) != Tracer.Visibility.UNKNOWN;
+        return l.isBall || shadow.visibility(l) != Tracer.Visibility.UNKNOWN;
     }
 
     /** The power heuristic of one density against another, with the ratio formed first: no square overflows. */
@@ -318,48 +336,11 @@ final class PathLight {
     }
 
     private boolean isVisible(PhysicalLight l) {
-        Tracer.Visibility visibility = visibility(l);
+        Tracer.Visibility visibility = shadow.visibility(l);
         if (visibility != Tracer.Visibility.UNKNOWN) {
             counters.lightSamplesWithoutRay++;
             return visibility == Tracer.Visibility.ALL;
         }
-        return !isBlocked(l);
-    }
-
-    private void findStarts() {
-        int count = 0;
-        if (neverReturnsTo(hit)) {
-            starts[count++] = path.id;
-        }
-        for (int k = 0; k < glass.surfaces() && count < starts.length - 1; k++) {
-            if (glass.surface(k) != path.id && neverReturnsTo(glass.hitOf(k))) {
-                starts[count++] = glass.surface(k);
-            }
-        }
-        startCount = count;
-    }
-
-    private Tracer.Visibility visibility(PhysicalLight l) {
-        int count = startCount;
-        if (l.hidesNothingOfItself) {
-            starts[count++] = l.id;
-        }
-        return tracer.prepareShadows(cone, starts, count, 1);
-    }
-
-    /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */
-    private static boolean neverReturnsTo(Hit place) {
-        Primitive p = place.primitive;
-        return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
-    }
-
-    private boolean isBlocked(PhysicalLight l) {
-        path.poll.tick();
-        shadowRay.set(x, y, z, view.dx, view.dy, view.dz, 0);
-        shadowRay.from(hit.primitive, hit.side);
-        if (glass.surfaces() > 1) {
-            glass.startOnAll(shadowRay);
-        }
-        return tracer.occluded(shadowRay, view.length, l);
+        return !shadow.isBlocked(l, view);
     }
 }

@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
@@ -9,6 +10,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
+import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -20,19 +22,23 @@ import java.util.function.BooleanSupplier;
  */
 public final class PathTracer implements Shader {
     /** From this scattering event on roulette may end a path. */
-    private static final int ROULETTE_FROM = 5;
+    static final int ROULETTE_FROM = 5;
 
     /** Sooner, if less than this is left of a path's throughput. */
-    private static final double FAINT = 0.05;
+    static final double FAINT = 0.05;
 
     /** Paths of a closed white room must end, too. */
-    private static final double LARGEST_SURVIVAL = 0.99;
+    static final double LARGEST_SURVIVAL = 0.99;
 
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
     private final boolean absorbs;
     private final boolean hasCausticPass;
+
+    /** What finds caustics that are seen in mirrors; null if nothing does. */
+    private final MirrorCaustics mirrors;
+
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
 
@@ -85,6 +91,15 @@ public final class PathTracer implements Shader {
      * @param part what is wanted of each path
      */
     public PathTracer(CompiledScene scene, RayCounters counters, PathPart part) {
+        this(scene, counters, part, scene.physical.hasCausticPass());
+    }
+
+    /** @param leavesOut whether what a pass of caustics makes is left out, and what it cannot make is sought in its own way */
+    PathTracer(CompiledScene scene, RayCounters counters, boolean leavesOut) {
+        this(scene, counters, PathPart.WHOLE, leavesOut);
+    }
+
+    private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
         isAlbedo = part == PathPart.ALBEDO;
         endsSoon = part != PathPart.WHOLE;
         physical = scene.physical;
@@ -92,7 +107,8 @@ public final class PathTracer implements Shader {
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
         absorbs = physical.hasAbsorption;
-        hasCausticPass = physical.hasCausticPass();
+        hasCausticPass = leavesOut;
+        mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
     @Override
@@ -125,6 +141,9 @@ public final class PathTracer implements Shader {
         deltaFirst = false;
         delta = false;
         compression = 1;
+        if (mirrors != null) {
+            mirrors.begin();
+        }
         path.begin(ray);
         firstIndex = path.glass.indexOfRefraction();
         while (step(ray, sampler)) {
@@ -183,7 +202,21 @@ public final class PathTracer implements Shader {
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        return hasCausticPass && scatteredFirst ? 0 : 1;
+        if (hasCausticPass && scatteredFirst) {
+            return 0;
+        }
+        return mirrors != null && mirrors.covers(physical.lightOf(path.id, path.hit.face)) ? 0 : 1;
+    }
+
+    /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
+    private boolean isSeenByMirrors() {
+        return mirrors != null && events > 0 && !scatteredFirst;
+    }
+
+    /** Adds light that balls reflect to the surface. */
+    private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
+        mirrors.gather(bsdf, s, sampler, address);
+        add(mirrors.red, mirrors.green, mirrors.blue);
     }
 
     /** Ends the path with the reflectance of the surface that it is at, whose colour is known. */
@@ -205,14 +238,24 @@ public final class PathTracer implements Shader {
     private boolean matte(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !scattered);
         add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        boolean seen = isSeenByMirrors();
+        if (seen) {
+            gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
+        }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
+        if (seen) {
+            mirrors.left(s.ix, s.iy, s.iz);
+        }
         leave(false);
         return s.pdf > 0 && filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        if (mirrors != null) {
+            mirrors.reflected(path.id);
+        }
         path.scatter(ray, material, surface, 0, 0, 0);
         leave(true);
         return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
@@ -223,11 +266,20 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
+        boolean seen = isSeenByMirrors();
+        if (seen) {
+            gatherMirrored(material.bsdf, s, sampler);
+        }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
         }
         light.left(s.pdf);
+        if (seen && s.delta) {
+            mirrors.begin();
+        } else if (seen) {
+            mirrors.left(s.ix, s.iy, s.iz);
+        }
         path.leave(ray, s);
         leave(s.delta);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
@@ -235,9 +287,6 @@ public final class PathTracer implements Shader {
 
     /** At a border of glass, or at a pane. */
     private boolean glass(Ray ray, Sampler sampler) {
-        if (!path.mayScatter() || endsSoon && scattered) {
-            return false;
-        }
         sampler.pair(address, Sampler.Purpose.CHOICE, pair);
         double choice = pair[0];
         if (physical.hasPartialGlass) {
@@ -245,6 +294,9 @@ public final class PathTracer implements Shader {
             if (opaque >= 0) {
                 path.turnTo(opaque);
                 path.color(path.material(), surface);
+                if (!path.mayScatter() || endsSoon && scattered) {
+                    return false;
+                }
                 return isAlbedo ? albedo(ray, path.material()) : matte(ray, sampler);
             }
         }
@@ -254,29 +306,28 @@ public final class PathTracer implements Shader {
         address++;
         path.glass.choose(choice, pair);
         boolean through = path.cross(ray);
-        double weight = path.glass.weight();
-        double r = weight;
-        double g = weight;
-        double b = weight;
-        for (int k = 0; through && k < path.glass.surfaces(); k++) {
-            if (path.glass.filters(k, true)) {
-                path.turnTo(k);
-                path.color(path.material(), surface);
-                r *= surface[0];
-                g *= surface[1];
-                b *= surface[2];
-            }
+        Arrays.fill(surface, path.glass.weight());
+        if (through) {
+            path.filter(surface);
+        }
+        if (mirrors != null) {
+            mirrors.begin();
         }
         double n = path.glass.indexOfRefraction();
         compression = firstIndex * firstIndex / (n * n);
-        leave(true);
         if (path.glass.passedStraight()) {
-            // No event: a path may be cut into any number of pieces.
+            // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
+            // stays what it was.
             events--;
-            filter(r, g, b);
+            deltaFirst |= !scattered;
+            filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
-        return filterAndSurvive(r, g, b, sampler) && path.goesOn();
+        if (endsSoon && scattered) {
+            return false;
+        }
+        leave(true);
+        return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
     /** Notes the kind of event that the path leaves behind. */

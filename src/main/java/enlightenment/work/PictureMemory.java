@@ -14,6 +14,12 @@ public final class PictureMemory {
     /** What a film of paths that may end anywhere takes more than that of tiles, in images: four groups of three longs per pixel. */
     public static final int IMAGES_OF_SPLATS = (4 * 3 * 8 - 3 * (8 + 4)) / (3 * 4);
 
+    /**
+     * What paths that may end anywhere take beside a film of tiles, in images: a film of their own, and the sum of the two when somebody
+     * looks at it.
+     */
+    public static final int IMAGES_OF_ADDED_SPLATS = (4 * 3 * 8 + 3 * (8 + 4)) / (3 * 4);
+
     private PictureMemory() {}
 
     /** Bytes for the film and the finished picture. */

@@ -60,6 +60,8 @@ class FloatingLiteralsTest {
             new Explained("compiled/PhysicalLight.java", "0.7152", "luminance of green"),
             new Explained("compiled/PhysicalLight.java", "0.0722", "luminance of blue"),
             new Explained("sampling/SobolSampler.java", "0x1p-32", "32 bits to 0..1"),
+            new Explained("compiled/CausticPass.java", "0.05", "the least cosine that powers are estimated with"),
+            new Explained("shading/SphereMirror.java", "1.25", "a cone is so much wider than it need be: a ratio"),
             new Explained("shading/PathTracer.java", "0.05", "roulette: a share of a path's throughput, a ratio"),
             new Explained("shading/PathTracer.java", "0.99", "roulette: the largest probability to survive"),
             new Explained("numeric/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),

@@ -8,6 +8,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.toy.AmbientOcclusion;
 import enlightenment.toy.EyeVisibility;
+import enlightenment.toy.HalfAndHalf;
 import enlightenment.toy.ToyScene;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -19,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Methods that only the tests have, one of either kind, make the same bytes whatever way the command line takes with them. */
+/** Methods that only the tests have, one of either kind and one of both, make the same bytes whatever way the command line takes with them. */
 class ToyMethodsCommandTest {
     @TempDir
     Path folder;
@@ -42,7 +43,7 @@ class ToyMethodsCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD})
+    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD, HalfAndHalf.WORD})
     void threadsAndPartsMakeTheSameBytes(String method) throws IOException {
         byte[] whole = Files.readAllBytes(render("a.png", "--method", method, "--threads", 1));
         assertArrayEquals(whole, Files.readAllBytes(render("b.png", "--method", method, "--threads", 3)));
@@ -56,7 +57,7 @@ class ToyMethodsCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD})
+    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD, HalfAndHalf.WORD})
     void aCropHasThePixelsOfTheWhole(String method) throws IOException {
         Image whole = ImageFiles.read(render("a.pfm", "--method", method));
         Image crop = ImageFiles.read(render("b.pfm", "--method", method, "--crop", "13,9,20,11"));
@@ -70,7 +71,7 @@ class ToyMethodsCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD})
+    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD, HalfAndHalf.WORD})
     void manySamplesAreMadeInPassesOrBatchesAndTheErrorAskedForIsKept(String method) throws IOException {
         byte[] whole = Files.readAllBytes(render("a.png", "--method", method, "--samples", 300, "--threads", 1));
         assertArrayEquals(whole, Files.readAllBytes(render("b.png", "--method", method, "--samples", 300)));
@@ -81,7 +82,7 @@ class ToyMethodsCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD})
+    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD, HalfAndHalf.WORD})
     void auxiliaryPicturesTellErrorAndSamples(String method) throws IOException {
         Path error = folder.resolve("a.error.pfm");
         Path samples = folder.resolve("a.samples.pfm");
@@ -92,7 +93,7 @@ class ToyMethodsCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD})
+    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD, HalfAndHalf.WORD})
     void inspectAndTradeKnowThem(String method) {
         CliRun run = CliRun.of("inspect", scene, "--method", method);
         assertEquals(0, run.code(), run.err());

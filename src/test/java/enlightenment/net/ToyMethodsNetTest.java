@@ -12,6 +12,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.toy.AmbientOcclusion;
 import enlightenment.toy.EyeVisibility;
+import enlightenment.toy.HalfAndHalf;
 import enlightenment.toy.ToyScene;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -20,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Methods that only the tests have, one of either kind, make the same bytes on many machines, and where they were interrupted. */
+/** Methods that only the tests have, one of either kind and one of both, make the same bytes on many machines, and where they were interrupted. */
 class ToyMethodsNetTest {
     private static final Scene SCENE = ToyScene.scene();
 
@@ -36,7 +37,7 @@ class ToyMethodsNetTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD})
+    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD, HalfAndHalf.WORD})
     void serverAndWorkersMakeThePictureOfOneProcess(String method) throws Exception {
         RenderSettings settings = settings(method);
         try (Farm farm = new Farm(SCENE, settings, Farm.options()).begin()) {
@@ -47,7 +48,7 @@ class ToyMethodsNetTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD})
+    @ValueSource(strings = {AmbientOcclusion.WORD, EyeVisibility.WORD, HalfAndHalf.WORD})
     void aJobGoesOnFromItsCheckpoint(String method) throws IOException {
         RenderSettings settings = settings(method);
         Path checkpoint = folder.resolve("job.ck");

@@ -42,20 +42,20 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PathTracerTest {
     private static final PhysicalShading IN_WHITE = new PhysicalShading(OptionalInt.empty(), new Rgb(1, 1, 1));
 
-    private static Texture grey(double linear) {
+    static Texture grey(double linear) {
         return Texture.of(new Rgb(linear, linear, linear));
     }
 
-    private static SceneBuilder scene() {
+    static SceneBuilder scene() {
         return Scene.builder().size(8, 8).shading(PhysicalShading.DEFAULT);
     }
 
-    private static SceneBuilder seenFrom(double x, double y, double z, double degrees) {
+    static SceneBuilder seenFrom(double x, double y, double z, double degrees) {
         return scene().camera(new Camera.Perspective(ExactPoint.of(x, y, z), ExactPoint.of(0, 0, 0), Vec3.Y, degrees));
     }
 
     /** Mean and standard error of the red band over the picture. */
-    private record Mean(double value, double error) {
+    record Mean(double value, double error) {
         void agreesWith(double expected) {
             assertTrue(
                     Math.abs(value - expected) <= 4 * error + 1e-12 * expected,
@@ -63,7 +63,7 @@ class PathTracerTest {
         }
     }
 
-    private static Mean render(Scene scene, int samples) {
+    static Mean render(Scene scene, int samples) {
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
         PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()));
         tracer.beginTile(0, 0, 1, 1);

@@ -30,6 +30,6 @@ public final class EyeVisibility extends MethodExtension implements IntegratorFa
 
     @Override
     public Integrator make(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        return new EyeVisibilityIntegrator(scene, settings, counters);
+        return new EyeVisibilityIntegrator(scene, settings, counters, 1);
     }
 }

@@ -18,16 +18,17 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /**
- * Chooses points uniformly by area on all balls of the scene, each of which has the radiance 1 everywhere, and connects them to the
+ * Chooses points uniformly by area on all balls of the scene, each of which has the same radiance everywhere, and connects them to the
  * eye. With g(x, y) = g₀ + x·gₓ + y·g_y the camera's ray through (x, y), 0..1 over the picture, a solid angle dω around it covers
  * the area |g|³/|det(g₀, gₓ, g_y)| dω of the picture; so a point at distance d whose normal has the cosine c with the ray is worth
- * A · c/d² · |g|³/|det|, where A is the area of all balls.
+ * A · c/d² · |g|³/|det| times that radiance, where A is the area of all balls.
  */
 final class EyeVisibilityIntegrator implements SplatIntegrator {
     private static final long BALL = 1;
     private static final long HEIGHT = 2;
     private static final long TURN = 3;
 
+    private final double radiance;
     private final long seed;
     private final int width;
     private final int height;
@@ -45,7 +46,8 @@ final class EyeVisibilityIntegrator implements SplatIntegrator {
     private final Hit hit = new Hit();
     private BooleanSupplier cancelled = () -> false;
 
-    EyeVisibilityIntegrator(CompiledScene scene, RenderSettings settings, RayCounters counters) {
+    EyeVisibilityIntegrator(CompiledScene scene, RenderSettings settings, RayCounters counters, double radiance) {
+        this.radiance = radiance;
         seed = settings.seed();
         width = settings.width();
         height = settings.height();
@@ -82,7 +84,7 @@ final class EyeVisibilityIntegrator implements SplatIntegrator {
 
     @Override
     public double expectedContribution() {
-        return balls.isEmpty() ? 0 : 1;
+        return balls.isEmpty() ? 0 : radiance;
     }
 
     @Override
@@ -126,7 +128,7 @@ final class EyeVisibilityIntegrator implements SplatIntegrator {
             return;
         }
         double g = distance / s;
-        double worth = allAreas * cosine / (distance * distance) * g * g * g / Math.abs(det);
+        double worth = radiance * allAreas * cosine / (distance * distance) * g * g * g / Math.abs(det);
         out.add(x * width, y * height, worth, worth, worth);
     }
 }

@@ -38,7 +38,7 @@ import java.util.Set;
  * <p>Files that are not PNG travel as PNG files of the same texels: two JDKs may decode the same JPEG file differently.
  */
 public final class JobContent {
-    private static final String MAGIC = "enlightenment job 2";
+    private static final String MAGIC = "enlightenment job 3";
     private final Map<ContentHash, byte[]> contents;
 
     private JobContent(Map<ContentHash, byte[]> contents) {

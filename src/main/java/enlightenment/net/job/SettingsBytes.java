@@ -52,6 +52,7 @@ final class SettingsBytes {
         out.writeDouble(plan.level());
         out.writeDouble(plan.samples());
         text(out, plan.decidedBy());
+        out.writeLong(plan.lightPaths());
     }
 
     /**
@@ -121,7 +122,8 @@ final class SettingsBytes {
                 threads,
                 in.readInt());
         return new Decided(
-                settings, new RenderPlan(Method.named(text(in)), in.readDouble(), in.readDouble(), text(in)));
+                settings,
+                new RenderPlan(Method.named(text(in)), in.readDouble(), in.readDouble(), text(in), in.readLong()));
     }
 
     private static OptionalDouble readOptional(DataInputStream in) throws IOException {

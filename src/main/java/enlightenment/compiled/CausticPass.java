@@ -1,0 +1,195 @@
+package enlightenment.compiled;
+
+import enlightenment.math.Vec3;
+import java.util.Arrays;
+
+/**
+ * What paths from lights start with that look for caustics: light that mirrors or smooth glass send to other surfaces. Those paths make
+ * all of it that reaches the eye straight from such a surface, and paths from the eye leave it out. Immutable.
+ *
+ * <p>A path begins with a pair of a light and a specular thing, which is chosen by an estimate of the power that goes from the one to the
+ * other.
+ */
+public final class CausticPass {
+    /** More balls than this are not worth telling apart: each path asks for all of them. */
+    private static final int MOST_THINGS = 32;
+
+    private static final int MOST_PAIRS = 1 << 20;
+
+    /** Of flat lights that a thing is seen from at an angle, the least cosine that is reckoned with. */
+    private static final double LEAST_COSINE = 0.05;
+
+    /** The least scattering events of a caustic: one at a mirror, one where it is seen. */
+    private static final int LEAST_BOUNCES = 2;
+
+    private static final int[] NO_MEDIA = {};
+
+    /** The lights. */
+    public final PhysicalLight[] lights;
+
+    /** The balls around the things. */
+    public final double[] ballX;
+
+    public final double[] ballY;
+    public final double[] ballZ;
+    public final double[] ballRadius;
+
+    /** How many things there are. */
+    public final int things;
+
+    /** By light, then thing: the probability of the pair. */
+    public final double[] probability;
+
+    /** The sums of these. */
+    private final double[] cumulative;
+
+    private double brightest;
+    private final boolean[] isBeam;
+    private final boolean[] shinesBothWays;
+    private final int[][] media;
+
+    private CausticPass(PhysicalLight[] lights, SpecularThings balls, CompiledPrimitives compiled) {
+        this.lights = lights;
+        things = balls.count();
+        ballX = balls.x;
+        ballY = balls.y;
+        ballZ = balls.z;
+        ballRadius = balls.radius;
+        int n = lights.length;
+        for (PhysicalLight light : lights) {
+            brightest = Math.max(brightest, brightness(light));
+        }
+        isBeam = new boolean[n];
+        shinesBothWays = new boolean[n];
+        media = new int[n][];
+        probability = new double[n * things];
+        cumulative = new double[n * things];
+        for (int l = 0; l < n; l++) {
+            prepare(l, compiled);
+        }
+        double sum = 0;
+        for (int pair = 0; pair < probability.length; pair++) {
+            sum += probability[pair];
+            cumulative[pair] = sum;
+        }
+        for (int pair = 0; pair < probability.length && sum > 0; pair++) {
+            probability[pair] /= sum;
+            cumulative[pair] /= sum;
+        }
+    }
+
+    /**
+     * The pass of a scene; null if caustics need none: without mirrors and smooth glass, without lights that shine at them, and where
+     * paths end before.
+     */
+    static CausticPass of(PhysicalLight[] lights, CompiledPrimitives compiled, int maxBounces) {
+        if (lights.length == 0 || maxBounces < LEAST_BOUNCES) {
+            return null;
+        }
+        int most = Math.max(Math.min(MOST_THINGS, MOST_PAIRS / lights.length), 1);
+        SpecularThings balls = SpecularThings.of(compiled, most);
+        if (balls.count() == 0) {
+            return null;
+        }
+        CausticPass pass = new CausticPass(lights, balls, compiled);
+        return pass.cumulative[pass.cumulative.length - 1] > 0 ? pass : null;
+    }
+
+    private void prepare(int l, CompiledPrimitives compiled) {
+        PhysicalLight light = lights[l];
+        media[l] = mediaAround(light, compiled);
+        boolean isApart = true;
+        for (int s = 0; s < things; s++) {
+            isApart &= distance(light, s) > ballRadius[s] + light.ballRadius;
+        }
+        isBeam[l] = isApart && light.isBall;
+        // What is outside of a solid is never met from its inside.
+        shinesBothWays[l] = !light.isPoint
+                && compiled.materials().of(light.id, light.face).glowsInside
+                && !(isApart && light.surface.isSolid());
+        for (int s = 0; s < things; s++) {
+            probability[l * things + s] = brightest > 0 ? brightness(light) / brightest * reach(l, s) : 0;
+        }
+    }
+
+    private static double brightness(PhysicalLight light) {
+        return Math.max(light.r, Math.max(light.g, light.b));
+    }
+
+    private double distance(PhysicalLight light, int s) {
+        return new Vec3(ballX[s] - light.ballX, ballY[s] - light.ballY, ballZ[s] - light.ballZ).length();
+    }
+
+    /** About how much of a light of radiance 1 goes to a thing: the area seen from there times the solid angle seen from here. */
+    private double reach(int l, int s) {
+        PhysicalLight light = lights[l];
+        double wide = ballRadius[s] + (light.isPoint ? 0 : light.ballRadius);
+        double d = distance(light, s);
+        double sine = wide / d;
+        double angle =
+                d > wide ? 2 * Math.PI * sine * sine / (1 + Math.sqrt((d - wide) * (d + wide)) / d) : 4 * Math.PI;
+        if (light.isPoint) {
+            return angle;
+        }
+        if (isBeam[l]) {
+            return Math.PI * light.radius * light.radius * angle;
+        }
+        return light.form.area() * cosine(l, s, d) * Math.min(angle, Math.PI);
+    }
+
+    /** An upper bound of the cosine at a flat light, or what is taken for it; 0 where the thing is behind it. */
+    private double cosine(int l, int s, double d) {
+        PhysicalLight light = lights[l];
+        Vec3 n = light.form.flatNormal();
+        double height =
+                n.x() * (ballX[s] - light.ballX) + n.y() * (ballY[s] - light.ballY) + n.z() * (ballZ[s] - light.ballZ);
+        boolean isFlat = n.maxAbs() > 0;
+        double front = shinesBothWays[l] || !isFlat ? Math.abs(height) : height;
+        if (isFlat && front < -ballRadius[s]) {
+            return 0;
+        }
+        return isFlat ? Math.min(Math.max((front + ballRadius[s]) / d, LEAST_COSINE), 1) : 1;
+    }
+
+    /** The solids of glass that points of the light may lie in. */
+    private static int[] mediaAround(PhysicalLight light, CompiledPrimitives compiled) {
+        return compiled.glassSolids().length == 0
+                ? NO_MEDIA
+                : Arrays.stream(compiled.glassSolids())
+                        .filter(id -> compiled.primitives()[id].bounds().overlaps(light.bounds()))
+                        .toArray();
+    }
+
+    /** The pair that a number chooses, 0..1: {@code light · things + thing}. */
+    public int choose(double number) {
+        int at = Arrays.binarySearch(cumulative, number);
+        int pair = at < 0 ? -at - 1 : at + 1;
+        while (pair < cumulative.length && probability[pair] == 0) {
+            pair++;
+        }
+        return pair < cumulative.length ? pair : last();
+    }
+
+    private int last() {
+        int pair = cumulative.length - 1;
+        while (probability[pair] == 0) {
+            pair--;
+        }
+        return pair;
+    }
+
+    /** Whether a light is a ball apart from all things: then its rays are chosen by direction first. */
+    public boolean isBeam(int light) {
+        return isBeam[light];
+    }
+
+    /** Whether a light with extent shines from both sides of its surface to where things may be. */
+    public boolean shinesBothWays(int light) {
+        return shinesBothWays[light];
+    }
+
+    /** The solids of glass that points of a light may lie in. */
+    public int[] mediaAround(int light) {
+        return media[light];
+    }
+}

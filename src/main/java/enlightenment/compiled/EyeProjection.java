@@ -1,0 +1,108 @@
+package enlightenment.compiled;
+
+import enlightenment.math.Vec3;
+
+/**
+ * Where in the picture the camera sees a point, and how much of the picture light that leaves it covers: the camera's rays the other way
+ * round, for paths that come from a light. A mutable work object, one per thread.
+ *
+ * <p>Cameras are affine. With rays from one eye, g(x, y) = g₀ + x·gₓ + y·g_y at the place (x, y) of the picture, a solid angle dω around
+ * g covers |g|³/|det(g₀, gₓ, g_y)| dω of the picture; with parallel rays g that start at o₀ + x·oₓ + y·o_y, an area dA across them covers
+ * |g|/|det(g, oₓ, o_y)| dA. The determinant does not depend on the place. (Perspective: P. Dutré, E. Lafortune, Y. Willems, "Monte Carlo
+ * light tracing with direct computation of pixel intensities", 1993, for oblique windows, too.)
+ */
+public final class EyeProjection {
+    private final Vec3 start;
+
+    /** The rows of the inverse of the camera's matrix times its determinant: for how far along the ray, x and y. */
+    private final Vec3 along;
+
+    private final Vec3 across;
+    private final Vec3 down;
+    private final double determinant;
+    private final boolean isParallel;
+    private final Vec3 parallel;
+    private final double tMin;
+
+    /** The place in the picture, 0..1 from the left. */
+    public double x;
+
+    /** From above, 0..1. */
+    public double y;
+
+    /** The vector from the point to where the camera's ray begins: what lies between hides the point. */
+    public double toEyeX;
+
+    public double toEyeY;
+    public double toEyeZ;
+
+    /** The unit vector in that direction. */
+    public double dx;
+
+    public double dy;
+    public double dz;
+
+    /**
+     * The share of the picture that light covers per unit of β·f·cosθ at the point: of a path that brings the power β to a surface, which
+     * scatters f to the eye, at the angle θ from its normal.
+     */
+    public double importance;
+
+    /** For the camera of a scene. */
+    public EyeProjection(CompiledCamera camera) {
+        isParallel = camera.directionX.maxAbs() == 0 && camera.directionY.maxAbs() == 0;
+        start = camera.origin;
+        parallel = camera.direction;
+        tMin = camera.tMin;
+        Vec3 g = camera.direction;
+        Vec3 gx = isParallel ? camera.originX : camera.directionX;
+        Vec3 gy = isParallel ? camera.originY : camera.directionY;
+        along = gx.cross(gy);
+        across = gy.cross(g);
+        down = g.cross(gx);
+        determinant = g.dot(along);
+    }
+
+    /**
+     * Projects a point of the frame.
+     *
+     * @return whether it lies where the camera's rays go, within the picture; otherwise what was set is of no use
+     */
+    public boolean project(double px, double py, double pz) {
+        double qx = px - start.x();
+        double qy = py - start.y();
+        double qz = pz - start.z();
+        double s = dot(along, qx, qy, qz) / determinant;
+        if (!(s > tMin)) {
+            return false;
+        }
+        double scale = isParallel ? determinant : s * determinant;
+        x = dot(across, qx, qy, qz) / scale;
+        y = dot(down, qx, qy, qz) / scale;
+        if (!(x >= 0 && x < 1 && y >= 0 && y < 1)) {
+            return false;
+        }
+        if (isParallel) {
+            turn(parallel.x(), parallel.y(), parallel.z(), s - tMin);
+            importance = parallel.length() / Math.abs(determinant);
+        } else {
+            turn(qx, qy, qz, 1 - tMin / s);
+            importance = Math.sqrt(qx * qx + qy * qy + qz * qz) / (s * s * s * Math.abs(determinant));
+        }
+        return true;
+    }
+
+    private void turn(double vx, double vy, double vz, double part) {
+        toEyeX = -vx * part;
+        toEyeY = -vy * part;
+        toEyeZ = -vz * part;
+        double inverse = 1 / Math.sqrt(vx * vx + vy * vy + vz * vz);
+        dx = -vx * inverse;
+        dy = -vy * inverse;
+        dz = -vz * inverse;
+    }
+
+    private static double dot(Vec3 v, double x, double y, double z) {
+        return v.x() * x + v.y() * y + v.z() * z;
+    }
+}

@@ -1,0 +1,123 @@
+package enlightenment.engine;
+
+import enlightenment.film.ErrorEstimate;
+import enlightenment.film.Film;
+import enlightenment.film.FilmTile;
+import enlightenment.film.SplatFilm;
+import enlightenment.image.Image;
+
+/** The sum of two pictures: of tiles, and of paths that may end anywhere. What the paths bring is part of all finished pixels. */
+final class MixedPicture extends PictureFilm {
+    private final TilePicture tiles;
+    private final SplatPicture splats;
+    private final RenderOutline outline;
+
+    /** Whose share of the work the tiles are. */
+    private final double shareOfTiles;
+
+    MixedPicture(WorkUnits units, TilePicture tiles, SplatPicture splats, RenderOutline outline) {
+        super(units, outline);
+        this.tiles = tiles;
+        this.splats = splats;
+        this.outline = outline;
+        double samples = outline.plan().samples()
+                * outline.settings().width()
+                * outline.settings().height();
+        shareOfTiles = samples / (samples + units.paths());
+    }
+
+    @Override
+    PictureFilm part(int unit) {
+        return units.isBatch(unit) ? splats : tiles;
+    }
+
+    @Override
+    public FilmTile render(int unit, UnitWork work) {
+        return part(unit).render(unit, work);
+    }
+
+    @Override
+    void count(int unit, int by) {
+        throw new IllegalStateException("the parts count");
+    }
+
+    @Override
+    public boolean has(int unit) {
+        return part(unit).has(unit);
+    }
+
+    @Override
+    public int done() {
+        return tiles.done() + splats.done();
+    }
+
+    @Override
+    public long pixelsDone() {
+        double share = shareOfTiles * tiles.pixelsDone() / pixels() + (1 - shareOfTiles) * splats.share();
+        return isComplete() ? pixels() : Math.min((long) (pixels() * share), pixels() - 1);
+    }
+
+    @Override
+    public long finishedPixels() {
+        return tiles.finishedPixels();
+    }
+
+    @Override
+    public long shownPixels() {
+        return tiles.shownPixels();
+    }
+
+    @Override
+    public long cameraSamples() {
+        return tiles.cameraSamples();
+    }
+
+    @Override
+    public int samples(int column, int row) {
+        return tiles.samples(column, row);
+    }
+
+    @Override
+    void samplesAreDifferences(boolean are) {
+        tiles.samplesAreDifferences(are);
+    }
+
+    @Override
+    void samplesAreLost(long number) {
+        tiles.samplesAreLost(number);
+    }
+
+    @Override
+    public long lostSamples() {
+        return tiles.lostSamples();
+    }
+
+    @Override
+    public ErrorEstimate error() {
+        return sum().error();
+    }
+
+    @Override
+    public Image image() {
+        return sum().toImage();
+    }
+
+    private Film sum() {
+        return tiles.film().plus(splats.film());
+    }
+
+    @Override
+    public Image completed(Image image) {
+        float[] rgb = image.toArray();
+        SplatFilm film = splats.film();
+        int i = 0;
+        for (int y = region.y(); y < region.y() + region.height(); y++) {
+            for (int x = region.x(); x < region.x() + region.width(); x++) {
+                for (int c = 0; c < 3; c++, i++) {
+                    rgb[i] += (float) film.component(x, y, c);
+                }
+            }
+        }
+        return new Image(image.width(), image.height(), rgb, outline.display());
+    }
+}

@@ -1,0 +1,195 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.CausticPass;
+import enlightenment.compiled.PhysicalLight;
+import enlightenment.emitter.AreaLight;
+import enlightenment.emitter.SurfacePoint;
+import enlightenment.frame.BallCone;
+import enlightenment.frame.Basis;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Warp;
+
+/**
+ * Starts light paths that are aimed at mirrors and smooth glass. Of a pair of a light and a thing that is chosen, the direction is even
+ * over the cone in which the thing's ball is seen; where the ball covers much of the view, as light emits, by the cosine. Cones may
+ * overlap: what counts is the density of the direction by all pairs of this light.
+ *
+ * <p>A ball apart from all things is seen as a beam: a direction in the cone around its centre that holds all lines from it to the
+ * thing's ball, and a point of the disk across it. Then nothing is lost by the cosine at the light.
+ */
+final class CausticSource {
+    /** Beyond this solid angle of a ball directions are chosen as light emits. */
+    private static final double WIDE = 1;
+
+    private final CausticPass pass;
+    private final BallCone cone = new BallCone();
+    private final Basis basis = new Basis();
+    private final SurfacePoint point = new SurfacePoint();
+    private final double[] disk = new double[3];
+
+    /** The direction. */
+    private double dx;
+
+    private double dy;
+    private double dz;
+
+    /** The power that a path with these numbers brings, over the density of these: by band. */
+    double red;
+
+    double green;
+    double blue;
+
+    /** The light that the path leaves. */
+    int light;
+
+    CausticSource(CausticPass pass) {
+        this.pass = pass;
+    }
+
+    /**
+     * Starts a path.
+     *
+     * @param ray receives its first ray
+     * @param numbers of the unit cube: one for the pair, two for the point on the light, two for the direction, one for the side
+     * @return false if no light goes this way
+     */
+    boolean emit(double[] numbers, Ray ray) {
+        int pair = pass.choose(numbers[0]);
+        light = pair / pass.things;
+        int thing = pair % pass.things;
+        PhysicalLight l = pass.lights[light];
+        double weight;
+        if (l.isPoint) {
+            weight = fromPoint(l, thing, numbers, ray);
+        } else if (pass.isBeam(light)) {
+            weight = asBeam(l, thing, numbers, ray);
+        } else {
+            weight = fromSurface(l, thing, numbers, ray);
+        }
+        red = weight * l.r;
+        green = weight * l.g;
+        blue = weight * l.b;
+        return weight > 0 && weight < Double.POSITIVE_INFINITY;
+    }
+
+    private double fromPoint(PhysicalLight l, int thing, double[] numbers, Ray ray) {
+        aim(thing, 0, l.x, l.y, l.z);
+        toCone(numbers);
+        double density = 0;
+        for (int s = 0; s < pass.things; s++) {
+            density += probability(s) * coneDensity(s, thing, 0, l.x, l.y, l.z);
+        }
+        ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE);
+        return 1 / density;
+    }
+
+    private double asBeam(PhysicalLight l, int thing, double[] numbers, Ray ray) {
+        aim(thing, l.radius, l.x, l.y, l.z);
+        toCone(numbers);
+        double density = 0;
+        for (int s = 0; s < pass.things; s++) {
+            density += probability(s) * coneDensity(s, thing, l.radius, l.x, l.y, l.z);
+        }
+        Warp.toDisk(numbers[1], numbers[2], disk);
+        basis.around(dx, dy, dz);
+        double a = l.radius * disk[0];
+        double b = l.radius * disk[1];
+        double c = l.radius * Math.sqrt(Math.max(1 - disk[2], 0));
+        ray.set(
+                l.x + a * basis.ax + b * basis.bx + c * dx,
+                l.y + a * basis.ay + b * basis.by + c * dy,
+                l.z + a * basis.az + b * basis.bz + c * dz,
+                dx,
+                dy,
+                dz,
+                0);
+        ray.from(l.surface, Ray.OUTSIDE);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE);
+        return Math.PI * l.radius * l.radius / density;
+    }
+
+    private double fromSurface(PhysicalLight l, int thing, double[] numbers, Ray ray) {
+        AreaLight area = l.form;
+        area.samplePoint(numbers[1], numbers[2], point);
+        boolean both = pass.shinesBothWays(light);
+        aim(thing, 0, point.x, point.y, point.z);
+        if (isWide()) {
+            byCosine(numbers, both);
+        } else {
+            toCone(numbers);
+        }
+        double cosine = dx * point.nx + dy * point.ny + dz * point.nz;
+        if (both ? cosine == 0 : !(cosine > 0)) {
+            return 0;
+        }
+        double emission = both ? Math.abs(cosine) / (2 * Math.PI) : cosine / Math.PI;
+        double density = 0;
+        for (int s = 0; s < pass.things; s++) {
+            if (probability(s) > 0) {
+                aim(s, 0, point.x, point.y, point.z);
+                density += probability(s) * (isWide() ? emission : densityInCone(s == thing));
+            }
+        }
+        int side = cosine > 0 ? Ray.OUTSIDE : Ray.INSIDE;
+        ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
+        l.lyingOn().startOn(ray, side);
+        return area.area() * Math.abs(cosine) / density;
+    }
+
+    private double probability(int thing) {
+        return pass.probability[light * pass.things + thing];
+    }
+
+    /** Sets the cone from a point around the ball of a thing, widened. */
+    private void aim(int s, double wider, double x, double y, double z) {
+        cone.set(pass.ballX[s], pass.ballY[s], pass.ballZ[s], pass.ballRadius[s] + wider, x, y, z);
+    }
+
+    private boolean isWide() {
+        return cone.inside || 2 * Math.PI * cone.oneMinusCosine > WIDE;
+    }
+
+    /** A direction in the cone, or any at all from inside the ball. */
+    private void toCone(double[] numbers) {
+        Warp.toDisk(numbers[3], numbers[4], disk);
+        double height = cone.inside ? 2 : cone.oneMinusCosine;
+        double spread = Math.sqrt(height * (2 - disk[2] * height));
+        if (cone.inside) {
+            direct(0, 0, 1, disk[0] * spread, disk[1] * spread, 1 - disk[2] * height);
+        } else {
+            direct(cone.wx, cone.wy, cone.wz, disk[0] * spread, disk[1] * spread, 1 - disk[2] * height);
+        }
+    }
+
+    private void byCosine(double[] numbers, boolean both) {
+        Warp.toDisk(numbers[3], numbers[4], disk);
+        double up = Math.sqrt(Math.max(1 - disk[2], 0));
+        direct(point.nx, point.ny, point.nz, disk[0], disk[1], both && numbers[5] < 0.5 ? -up : up);
+    }
+
+    private void direct(double wx, double wy, double wz, double a, double b, double c) {
+        basis.around(wx, wy, wz);
+        dx = Math.fma(a, basis.ax, Math.fma(b, basis.bx, c * wx));
+        dy = Math.fma(a, basis.ay, Math.fma(b, basis.by, c * wy));
+        dz = Math.fma(a, basis.az, Math.fma(b, basis.bz, c * wz));
+        double scale = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
+        dx *= scale;
+        dy *= scale;
+        dz *= scale;
+    }
+
+    private double coneDensity(int s, int chosen, double wider, double x, double y, double z) {
+        aim(s, wider, x, y, z);
+        return densityInCone(s == chosen);
+    }
+
+    /** The density of the direction by a cone; rounding must not put it outside of the one that it was chosen in. */
+    private double densityInCone(boolean isIn) {
+        if (cone.inside) {
+            return 1 / (4 * Math.PI);
+        }
+        boolean in = isIn || dx * cone.wx + dy * cone.wy + dz * cone.wz >= cone.cosine;
+        return in ? 1 / (2 * Math.PI * cone.oneMinusCosine) : 0;
+    }
+}

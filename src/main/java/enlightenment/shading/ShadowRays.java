@@ -1,0 +1,131 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.LightCone;
+import enlightenment.compiled.PhysicalLight;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.compiled.Tracer;
+import enlightenment.emitter.LightSample;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+
+/** Whether lights are visible from a vertex of a path, and what of them the medium on the way, and glass that does not turn rays, let pass. */
+final class ShadowRays {
+    private final PathFollower path;
+    private final Hit hit;
+    private final GlassTracer glass;
+    private final Tracer tracer;
+    private final LightCone cone;
+    private final Ray ray = new Ray();
+    private final boolean absorbs;
+
+    /** Follows shadow rays through glass that does not turn them; null if there is none. */
+    private final ShadowWalk walk;
+
+    /** Primitives that the vertex lies on; if there are more, the others are tested needlessly. The last is the light's own. */
+    private final int[] starts = new int[9];
+
+    private int startCount;
+
+    private double x;
+    private double y;
+    private double z;
+
+    /** The medium that the vertex lies in, if that absorbs; else null. */
+    private SurfaceMaterial medium;
+
+    /** Whether one primitive is in the way of all of the light. */
+    private boolean isHidden;
+
+    /** Whether less than all of the light came through to the last shadow ray that was not blocked: {@link #rgb} says how much. */
+    boolean isFiltered;
+
+    /** What came through, by band. */
+    final double[] rgb = new double[3];
+
+    /** @param cone around the light that is asked for, with its apex at the vertex */
+    ShadowRays(CompiledScene scene, RayCounters counters, PathFollower path, LightCone cone) {
+        this.path = path;
+        this.cone = cone;
+        hit = path.hit;
+        glass = path.glass;
+        tracer = path.tracer;
+        absorbs = scene.physical.hasAbsorption;
+        walk = scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
+    }
+
+    /** Begins at the surface that the path is at. */
+    void begin() {
+        x = hit.px;
+        y = hit.py;
+        z = hit.pz;
+        medium = absorbs ? path.medium() : null;
+        if (medium != null && !medium.absorbs) {
+            medium = null;
+        }
+        findStarts();
+    }
+
+    private void findStarts() {
+        int count = 0;
+        if (neverReturnsTo(hit)) {
+            starts[count++] = path.id;
+        }
+        for (int k = 0; k < glass.surfaces() && count < starts.length - 1; k++) {
+            if (glass.surface(k) != path.id && neverReturnsTo(glass.hitOf(k))) {
+                starts[count++] = glass.surface(k);
+            }
+        }
+        startCount = count;
+    }
+
+    /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */
+    private static boolean neverReturnsTo(Hit place) {
+        Primitive p = place.primitive;
+        return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
+    }
+
+    /** What is known without a ray, of all of the light. Comes before {@link #isBlocked}. */
+    Tracer.Visibility visibility(PhysicalLight l) {
+        int count = startCount;
+        if (l.hidesNothingOfItself) {
+            starts[count++] = l.id;
+        }
+        Tracer.Visibility known = tracer.prepareShadows(cone, starts, count, 1);
+        // What is absorbed depends on the way, so that there are no closed forms; and what is in the way may let light
+        // pass.
+        isHidden = known == Tracer.Visibility.NONE;
+        boolean isOpen = known == Tracer.Visibility.ALL ? medium != null : walk != null;
+        return isOpen ? Tracer.Visibility.UNKNOWN : known;
+    }
+
+    /** Whether a point of the light is hidden. */
+    boolean isBlocked(PhysicalLight l, LightSample to) {
+        path.poll.tick();
+        start(to);
+        if (!isHidden && !tracer.occluded(ray, to.length, l)) {
+            if (medium != null) {
+                isFiltered = true;
+                rgb[0] = StrictMath.exp(-medium.absorptionR * to.length);
+                rgb[1] = StrictMath.exp(-medium.absorptionG * to.length);
+                rgb[2] = StrictMath.exp(-medium.absorptionB * to.length);
+            }
+            return false;
+        }
+        if (walk == null) {
+            return true;
+        }
+        start(to);
+        isFiltered = true;
+        return !walk.reaches(l, ray, to.length, path, rgb);
+    }
+
+    private void start(LightSample to) {
+        ray.set(x, y, z, to.dx, to.dy, to.dz, 0).from(hit.primitive, hit.side);
+        if (glass.surfaces() > 1) {
+            glass.startOnAll(ray);
+        }
+    }
+}

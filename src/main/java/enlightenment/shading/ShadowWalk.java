@@ -1,0 +1,71 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.PhysicalLight;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.primitive.Ray;
+import java.util.Arrays;
+
+/**
+ * Follows a shadow ray through glass that does not turn it: panes, and borders between media of equal index of refraction. Paths pass the
+ * same surfaces by the same rules, so both find the same light. One per thread, and only for scenes with such glass.
+ */
+final class ShadowWalk {
+    private final PathFollower follower;
+    private final boolean absorbs;
+
+    private double[] rgb;
+
+    ShadowWalk(CompiledScene scene, RayCounters counters) {
+        follower = new PathFollower(scene, counters, Integer.MAX_VALUE);
+        absorbs = scene.physical.hasAbsorption;
+    }
+
+    /**
+     * Whether the ray comes to the light.
+     *
+     * @param ray of a direction of length 1; is changed
+     * @param distance to the point of the light
+     * @param path the path whose vertex it leaves, into the medium that the path is in
+     * @param through receives what comes through of the light, by band
+     */
+    boolean reaches(PhysicalLight light, Ray ray, double distance, PathFollower path, double[] through) {
+        rgb = through;
+        Arrays.fill(rgb, 1);
+        follower.beginShadow(path);
+        double left = distance;
+        while (true) {
+            SurfaceMaterial medium = absorbs ? follower.medium() : null;
+            PathFollower.Event event = follower.next(ray);
+            boolean isBeyond = event == PathFollower.Event.NOTHING || light.isPoint && follower.distance(ray) >= left;
+            double length = isBeyond ? left : follower.distance(ray);
+            if (medium != null && medium.absorbs) {
+                absorb(medium, length);
+            }
+            if (isBeyond) {
+                return light.isPoint;
+            }
+            left -= length;
+            if (event == PathFollower.Event.SURFACE || light.isPoint) {
+                if (isOn(light, ray, left)) {
+                    return true;
+                }
+            }
+            if (event == PathFollower.Event.SURFACE || !follower.passStraight(ray, rgb)) {
+                return false;
+            }
+        }
+    }
+
+    private boolean isOn(PhysicalLight light, Ray ray, double left) {
+        return light.hidesNothingOfItself && light.id == follower.id && light.face == follower.hit.face
+                || light.lyingOn().isEnd(ray, follower.id, follower.hit, left);
+    }
+
+    private void absorb(SurfaceMaterial medium, double length) {
+        rgb[0] *= StrictMath.exp(-medium.absorptionR * length);
+        rgb[1] *= StrictMath.exp(-medium.absorptionG * length);
+        rgb[2] *= StrictMath.exp(-medium.absorptionB * length);
+    }
+}

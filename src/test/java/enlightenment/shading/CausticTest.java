@@ -1,0 +1,291 @@
+package enlightenment.shading;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.color.DisplayCurve;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.film.SplatBatch;
+import enlightenment.film.SplatFilm;
+import enlightenment.film.SplatScale;
+import enlightenment.film.SplatSums;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Caustics by paths from lights, and those seen in mirrors by cones, are what plain path tracing finds by chance. */
+class CausticTest {
+    private static final int SIDE = 8;
+    private static final int PIXELS = SIDE * SIDE;
+    private static final int SEEDS = 8;
+
+    private static final String ABOVE =
+            """
+            "camera": { "type": "perspective", "eye": [0, 3, -4], "lookAt": [0, 0, 0], "up": [0, 1, 0], "fieldOfView": FOV },
+            """;
+    private static final String LAMP =
+            """
+            { "type": "sphere", "center": [-1.2, 2, 0.4], "radius": 0.7, "color": "#ffffff", "radiance": [3, 2, 1] }
+            """;
+    private static final String PANEL =
+            """
+            { "type": "rectangle", "corners": [[-0.8, 2.5, 0.8], [-0.8, 2.5, -0.8], [0.8, 2.5, -0.8], [0.8, 2.5, 0.8]],
+              "color": "#ffffff", "radiance": [3, 2, 1], "twoSided": SIDES }
+            """;
+    private static final String FLOOR =
+            """
+            { "type": "rectangle", "corners": [[-3, 0, -3], [-3, 0, 3], [3, 0, 3], [3, 0, -3]],
+              "material": { "type": "matte", "color": { "linear": [0.6, 0.5, 0.4] } } }
+            """;
+    private static final String MIRROR =
+            """
+            { "type": "sphere", "center": [0.6, 0.7, 0.3], "radius": 0.6,
+              "material": { "type": "mirror", "color": { "linear": [0.9, 0.8, 0.7] } } }
+            """;
+    private static final String GLASS =
+            """
+            { "type": "sphere", "center": [-0.4, 0.8, 0], "radius": 0.5,
+              "material": { "type": "glass", "color": { "linear": [0.9, 0.8, 1] }, "indexOfRefraction": 1.5, "absorption": [0.2, 0.1, 0] } }
+            """;
+
+    private static CompiledScene scene(String camera, String lights, String... objects) {
+        return scene("", camera, lights, objects);
+    }
+
+    private static CompiledScene scene(String limit, String camera, String lights, String[] objects) {
+        String text = "{ \"image\": { \"width\": 8, \"height\": 8 }, \"shading\": { \"model\": \"physical\" }, "
+                + camera + "\"lights\": [" + lights + "], \"objects\": [" + String.join(", ", objects) + "] }";
+        Scene scene = SceneReader.readString(text, Path.of(""), "");
+        return SceneCompiler.compile(scene, RenderSettings.of(scene));
+    }
+
+    private static String fov(int degrees) {
+        return ABOVE.replace("FOV", Integer.toString(degrees));
+    }
+
+    /** Adds a picture by paths from the eye, with or without what the pass makes. */
+    private static void fromEye(CompiledScene scene, long seed, int samples, boolean leavesOut, double[] rgb) {
+        PathTracer tracer = new PathTracer(scene, new RayCounters(scene.kindNames.size()), leavesOut);
+        tracer.beginTile(0, 0, 1, 1);
+        SobolSampler sampler = new SobolSampler();
+        Ray ray = new Ray();
+        double[] out = new double[3];
+        for (int pixel = 0; pixel < PIXELS; pixel++) {
+            sampler.pixel(seed, pixel % SIDE, pixel / SIDE);
+            for (int s = 0; s < samples; s++) {
+                sampler.sample(s);
+                double x = (pixel % SIDE + sampler.filmX()) / SIDE;
+                double y = (pixel / SIDE + sampler.filmY()) / SIDE;
+                scene.camera.ray(x, y, ray);
+                tracer.shade(ray, sampler, out);
+                for (int c = 0; c < 3; c++) {
+                    rgb[3 * pixel + c] += out[c] / samples;
+                }
+            }
+        }
+    }
+
+    private static SplatSums batch(CausticTracer tracer, SplatScale scale, int first, int paths) {
+        SplatBatch batch = new SplatBatch(0, 0, SIDE, SIDE, scale);
+        batch.begin(paths);
+        for (int i = 0; i < paths; i++) {
+            tracer.trace(first + i, batch);
+        }
+        return batch.sums();
+    }
+
+    private static void fromLights(CompiledScene scene, long seed, int paths, double[] rgb) {
+        CausticTracer tracer = new CausticTracer(scene, seed, SIDE, SIDE, new RayCounters(scene.kindNames.size()));
+        SplatScale scale = SplatScale.of(tracer.meanContribution(256), paths, PIXELS);
+        SplatFilm film = new SplatFilm(0, 0, SIDE, SIDE, PIXELS, scale, DisplayCurve.NONE);
+        film.add(0, batch(tracer, scale, 0, paths));
+        for (int k = 0; k < rgb.length; k++) {
+            rgb[k] += film.component(k / 3 % SIDE, k / 3 / SIDE, k % 3);
+        }
+    }
+
+    /** Both ways with several seeds each: pixels by Welch's statistic, and the mean of the picture. */
+    private static void assertSame(CompiledScene scene, int samples, int paths) {
+        assertTrue(scene.physical.hasCausticPass());
+        double[][] plain = new double[SEEDS][3 * PIXELS];
+        double[][] pass = new double[SEEDS][3 * PIXELS];
+        double[][] splats = new double[SEEDS][3 * PIXELS];
+        for (int i = 0; i < SEEDS; i++) {
+            fromEye(scene, 100 + i, samples, false, plain[i]);
+            fromEye(scene, 200 + i, samples, true, pass[i]);
+            fromLights(scene, 300 + i, paths, splats[i]);
+            for (int k = 0; k < 3 * PIXELS; k++) {
+                pass[i][k] += splats[i][k];
+            }
+        }
+        double difference = 0;
+        double variance = 0;
+        double squares = 0;
+        for (int k = 0; k < 3 * PIXELS; k++) {
+            double d = mean(plain, k) - mean(pass, k);
+            double v = variance(plain, k) + variance(pass, k);
+            difference += d;
+            variance += v;
+            squares += d * d;
+        }
+        // Bands of a pixel err together, pixels do not.
+        assertTrue(Math.abs(difference) < 4 * Math.sqrt(3 * variance), difference + " of " + Math.sqrt(3 * variance));
+        assertTrue(squares < 2 * variance, squares + " instead of " + variance);
+    }
+
+    private static double mean(double[][] runs, int k) {
+        double sum = 0;
+        for (double[] run : runs) {
+            sum += run[k];
+        }
+        return sum / runs.length;
+    }
+
+    private static double variance(double[][] runs, int k) {
+        double mean = mean(runs, k);
+        double sum = 0;
+        for (double[] run : runs) {
+            sum += (run[k] - mean) * (run[k] - mean);
+        }
+        return sum / (runs.length - 1) / runs.length;
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {50, 20})
+    void aLampOverAMirrorBallAtAnyZoom(int degrees) {
+        assertSame(scene(fov(degrees), LAMP, FLOOR, MIRROR), 256, 8_192);
+    }
+
+    @Test
+    void aPanelOverGlassThatAbsorbs() {
+        assertSame(scene(fov(50), PANEL.replace("SIDES", "false"), FLOOR, GLASS), 256, 8_192);
+    }
+
+    /** To paths from the eye a border of rough glass is no place for light samples, so that its light is a matter of the pass, too. */
+    @Test
+    void roughGlassAndGlassThatIsOpaqueInPart() {
+        String rough = GLASS.replace("1.5, ", "1.5, \"roughness\": 0.4, ");
+        assertSame(scene(fov(50), LAMP, FLOOR, rough), 256, 8_192);
+        String partial = GLASS.replace("1.5, ", "1.5, \"transparency\": 0.5, ");
+        assertSame(scene(fov(50), LAMP, FLOOR, partial), 256, 8_192);
+    }
+
+    @Test
+    void aPaneBelowALamp() {
+        String pane =
+                """
+                { "type": "rectangle", "corners": [[-2, 0.9, -1], [-2, 1, 1], [1, 1, 1], [1, 0.9, -1]],
+                  "material": { "type": "glass", "color": { "linear": [0.9, 0.8, 1] }, "indexOfRefraction": 1.5 } }
+                """;
+        assertSame(scene(fov(50), LAMP, FLOOR, pane), 256, 8_192);
+    }
+
+    @Test
+    void severalLightsAndThingsWhoseConesOverlap() {
+        String lights = LAMP + ", " + PANEL.replace("SIDES", "true");
+        assertSame(scene(fov(50), lights, FLOOR, MIRROR, GLASS), 256, 16_384);
+    }
+
+    @Test
+    void parallelRaysAndAWindow() {
+        String parallel =
+                """
+                "camera": { "type": "orthographic", "eye": [0, 5, -1], "lookAt": [0.2, 0, 0], "up": [0, 0, 1], "height": 4 },
+                """;
+        assertSame(scene(parallel, LAMP, FLOOR, MIRROR), 256, 8_192);
+        String window =
+                """
+                "camera": { "type": "window", "eye": [0, 3, -4], "lowerLeft": [-1, 1.5, -2.6], "upperLeft": [-1, 2.2, -2.2],
+                            "upperRight": [1.2, 2.3, -2.3], "lowerRight": [1.2, 1.6, -2.7] },
+                """;
+        assertSame(scene(window, LAMP, FLOOR, MIRROR), 256, 8_192);
+    }
+
+    @Test
+    void causticsSeenInAMirror() {
+        String wall =
+                """
+                { "type": "rectangle", "corners": [[-3, 0, 1.5], [-3, 3, 1.5], [3, 3, 1.5], [3, 0, 1.5]],
+                  "material": { "type": "mirror", "color": { "linear": [0.9, 0.9, 0.9] } } }
+                """;
+        String camera =
+                """
+                "camera": { "type": "perspective", "eye": [0.5, 0.6, 0.9], "lookAt": [0.5, 0.1, 1.5], "up": [0, 1, 0], "fieldOfView": 60 },
+                """;
+        String ball = MIRROR.replace("[0.6, 0.7, 0.3]", "[0.3, 0.7, -0.2]");
+        assertSame(scene(camera, LAMP, FLOOR, ball, wall), 512, 8_192);
+    }
+
+    /** What a flat mirror sends of a point light is that of its mirror image; no path from the eye finds it. */
+    @Test
+    void aPointLightInAFlatMirrorIsASecondOne() {
+        String camera =
+                """
+                "camera": { "type": "orthographic", "eye": [0, 5, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "height": 1 },
+                """;
+        String light = "{ \"type\": \"point\", \"position\": [0, 1, 0.5], \"color\": \"#ffffff\", \"intensity\": 2 }";
+        String wall =
+                """
+                { "type": "rectangle", "corners": [[-9, 0, 1.5], [-9, 9, 1.5], [9, 9, 1.5], [9, 0, 1.5]],
+                  "material": { "type": "mirror", "color": { "linear": [0.9, 0.9, 0.9] } } }
+                """;
+        // By the middles of pixels: off by less than a five-hundredth.
+        double expected = 0;
+        for (int pixel = 0; pixel < PIXELS; pixel++) {
+            double x = (pixel % SIDE + 0.5) / SIDE - 0.5;
+            double z = (pixel / SIDE + 0.5) / SIDE - 0.5;
+            double dd = x * x + 1 + (z - 2.5) * (z - 2.5);
+            expected += 0.6 / Math.PI * 2 * 0.9 / (dd * Math.sqrt(dd)) / PIXELS;
+        }
+        CompiledScene scene = scene(", \"maxBounces\": 2", camera, light, new String[] {FLOOR, wall});
+        double[] means = new double[SEEDS];
+        for (int i = 0; i < SEEDS; i++) {
+            double[] rgb = new double[3 * PIXELS];
+            fromLights(scene, i, 65_536, rgb);
+            for (int k = 0; k < rgb.length; k += 3) {
+                means[i] += rgb[k] / PIXELS;
+            }
+        }
+        double sum = 0;
+        double squares = 0;
+        for (double mean : means) {
+            sum += mean / SEEDS;
+            squares += mean * mean / SEEDS;
+        }
+        double error = Math.sqrt((squares - sum * sum) / (SEEDS - 1));
+        assertTrue(Math.abs(sum - expected) < 5 * error + 0.002 * expected, sum + " ± " + error + ", not " + expected);
+    }
+
+    @Test
+    void pathsMayBeFollowedInBatchesOfAnySize() {
+        CompiledScene scene = scene(fov(50), LAMP, FLOOR, MIRROR, GLASS);
+        SplatScale scale = new SplatScale(30);
+        CausticTracer tracer = new CausticTracer(scene, 1, SIDE, SIDE, new RayCounters(scene.kindNames.size()));
+        SplatFilm whole = new SplatFilm(0, 0, SIDE, SIDE, PIXELS, scale, DisplayCurve.NONE);
+        whole.add(0, batch(tracer, scale, 0, 1_000));
+        SplatFilm parts = new SplatFilm(0, 0, SIDE, SIDE, PIXELS, scale, DisplayCurve.NONE);
+        CausticTracer other = new CausticTracer(scene, 1, SIDE, SIDE, new RayCounters(scene.kindNames.size()));
+        parts.add(1, batch(other, scale, 300, 700));
+        parts.add(0, batch(other, scale, 0, 300));
+        assertArrayEquals(whole.toImage().toArray(), parts.toImage().toArray());
+        assertTrue(whole.component(4, 4, 0) > 0);
+    }
+
+    @Test
+    void thereIsNoPassWithoutMirrorsLightsOrBounces() {
+        assertFalse(scene(fov(50), LAMP, FLOOR).physical.hasCausticPass());
+        assertFalse(scene(fov(50), "", FLOOR, MIRROR).physical.hasCausticPass());
+        String behind = PANEL.replace("SIDES", "false").replace("2.5", "-2.5");
+        assertEquals(false, scene(fov(50), behind, FLOOR, MIRROR).physical.hasCausticPass());
+    }
+}

@@ -85,6 +85,21 @@ class LightCommandsTest {
     }
 
     @Test
+    void inspectSaysWhatHasNoEffect() {
+        String out = CliRun.of("inspect", "scenes/lamp-room.json").out();
+        assertTrue(out.contains("shadowSamples=10: of classic shading"), out);
+        assertTrue(out.contains("mirrors") && out.contains("indirect light"), out);
+    }
+
+    @Test
+    void lightSamplesAreNothingToSweep() {
+        CliRun run = CliRun.of("trade", CORNELL, "-o", folder.resolve("t"), "--sweep", "shadowSamples=1..4");
+        assertEquals(2, run.code());
+        assertTrue(run.err().contains("--sweep shadowSamples has nothing to vary with physical shading"), run.err());
+        assertFalse(Files.exists(folder.resolve("t")));
+    }
+
+    @Test
     void anExposureIsANumberOrAutomatic() {
         assertEquals(
                 new CliRun(

@@ -250,6 +250,10 @@ public final class CausticTracer {
             filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
+        // Light that comes to rough glass straight is found there by shadow rays.
+        if (!isAimed && !path.glass.border.delta) {
+            return false;
+        }
         isAimed = true;
         return filterAndSurvive(surface[0], surface[1], surface[2]) && path.goesOn();
     }

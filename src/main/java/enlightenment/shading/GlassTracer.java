@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CoincidentHits;
 import enlightenment.compiled.CompiledScene;
@@ -18,20 +19,23 @@ import enlightenment.sampling.Hash;
  * entering. So the picture does not depend on which of the surfaces rounding puts first.
  */
 final class GlassTracer {
-    /** At most this many missed boundaries are corrected at one point. */
-    private static final int MAX_CORRECTIONS = 8;
-
     private static final int NONE = -1;
 
     private final CompiledScene scene;
     private final RayCounters counters;
-    private final MediumStack inside;
+    /** The solids that the ray is inside of. */
+    final MediumStack inside;
+
     private final MediumStack saved;
+
+    /** The media behind the border that {@link #roughBorder} found. */
+    private final MediumStack beyond;
+
     private final CoincidentHits coincident;
-    private final Hit other = new Hit();
+    private final MissedBorders missed;
     private final Hit nextHit = new Hit();
-    private final Ray back = new Ray();
-    private final Scattering border = new Scattering();
+    /** What the last {@link #cross} sampled, unless it passed straight. */
+    final Scattering border = new Scattering();
 
     /** The opaque surface that {@link #arrive} chose among those that coincide, if the event is not one of glass. */
     int id;
@@ -65,7 +69,9 @@ final class GlassTracer {
         this.counters = counters;
         inside = new MediumStack(scene);
         saved = new MediumStack(scene);
+        beyond = new MediumStack(scene);
         coincident = new CoincidentHits(scene);
+        missed = new MissedBorders(scene, this);
     }
 
     /** Starts a camera ray: finds the solids that it starts in. */
@@ -87,10 +93,10 @@ final class GlassTracer {
         }
     }
 
-    /** Starts a ray in the medium that another one is in. */
-    void begin(GlassTracer other) {
+    /** Starts a ray in the medium that another one is in, or behind the rough border that that came to. */
+    void begin(GlassTracer other, boolean isBeyond) {
         next = NONE;
-        inside.set(other.inside);
+        inside.set(isBeyond ? other.beyond : other.inside);
     }
 
     /** The opaque surface that the ray meets at the point where it just left glass, or -1 if the ray must be traced. */
@@ -156,7 +162,8 @@ final class GlassTracer {
             return false;
         }
         if (straight) {
-            pass(ray, hit);
+            Optics.pass(ray, hit);
+            coincident.startOn(ray, -1);
             return true;
         }
         lost = !scatter(ray, hit, coincident.id(boundary), coincident.hit(boundary).face, from / to);
@@ -171,18 +178,13 @@ final class GlassTracer {
         return false;
     }
 
-    private void pass(Ray ray, Hit hit) {
-        Optics.pass(ray, hit);
-        coincident.startOn(ray, -1);
-    }
-
     /** Crosses all borders, and finds the one that counts. */
     private void changeMedia() {
         int before = inside.current();
         saved.set(inside);
         for (int k = 0; k < coincident.size(); k++) {
             if (coincident.isGlassSolid(k)) {
-                change(coincident.id(k), coincident.hit(k).side);
+                inside.cross(coincident.id(k), coincident.hit(k).side);
             }
         }
         int after = inside.current();
@@ -209,7 +211,8 @@ final class GlassTracer {
                     .pane
                     .transmittance(cosine);
         }
-        pass(ray, hit);
+        Optics.pass(ray, hit);
+        coincident.startOn(ray, -1);
         return share;
     }
 
@@ -256,6 +259,25 @@ final class GlassTracer {
         return NONE;
     }
 
+    /**
+     * How the surfaces that {@link #arrive} found scatter light as a rough border of two media, and where; null if they are none. An opaque
+     * surface directly behind such a border is left to chance.
+     */
+    Bsdf roughBorder(Ray ray, Hit hit, Scattering s) {
+        double from = inside.indexOfRefraction();
+        changeMedia();
+        beyond.set(inside);
+        inside.set(saved);
+        double to = beyond.indexOfRefraction();
+        if (boundary == NONE || from == to || next != NONE) {
+            return null;
+        }
+        Bsdf bsdf = scene.material(coincident.id(boundary), coincident.hit(boundary).face).bsdf;
+        Optics.arrive(s, ray, hit);
+        s.eta = from / to;
+        return bsdf.isDelta() ? null : bsdf;
+    }
+
     /** What the value of the border's lobe is, over the probability of the direction. */
     double weight() {
         return straight ? 1 : lost ? 0 : border.valueR;
@@ -286,22 +308,14 @@ final class GlassTracer {
         return inside.indexOfRefraction();
     }
 
-    /** The solid that is the medium that the ray is in, or -1 in empty space. */
-    int medium() {
-        return inside.current();
+    /** The solid that is the medium that the ray is in, or that behind a rough border; -1 in empty space. */
+    int medium(boolean isBeyond) {
+        return (isBeyond ? beyond : inside).current();
     }
 
     /** Whether the last {@link #cross} did not turn the ray: it passed a pane, or between media of equal index. */
     boolean passedStraight() {
         return straight;
-    }
-
-    private void change(int solid, int side) {
-        if (side == Ray.OUTSIDE) {
-            inside.add(solid);
-        } else {
-            inside.remove(solid);
-        }
     }
 
     /** The index of the surface of the medium that is entered; if none is entered, of the one that is left. */
@@ -314,6 +328,11 @@ final class GlassTracer {
             found = coincident.id(k) == before ? k : found;
         }
         return found;
+    }
+
+    /** Starts a ray that leaves a rough border on all surfaces there. */
+    void startAtBorder(Ray ray, boolean through) {
+        coincident.startOn(ray, through ? -1 : 1);
     }
 
     /** Starts a ray that leaves one of the surfaces that {@link #arrive} found, on the side it came from, on all of them. */
@@ -348,48 +367,30 @@ final class GlassTracer {
 
     /** Corrects for boundaries that coincide with a mirror and that rounding put behind the ray. */
     void settle(Ray ray, int justHandled, Hit hit) {
-        for (int k = 0; k < MAX_CORRECTIONS; k++) {
-            if (!settleOne(ray, justHandled, hit)) {
-                return;
-            }
-        }
+        missed.settle(ray, justHandled, hit);
     }
 
-    private boolean settleOne(Ray ray, int justHandled, Hit hit) {
-        for (int solid : scene.glassSolids) {
-            Primitive p = scene.primitives[solid];
-            if (solid == justHandled || !scene.boundsOf(solid).contains(hit.point())) {
-                continue;
-            }
-            double t = p.nearest(ray, Double.MAX_VALUE);
-            int side = t == Primitive.MISS ? 0 : p.side(ray, t);
-            boolean isInside = inside.contains(solid);
-            if (isInside ? side != Ray.INSIDE : side == Ray.INSIDE) {
-                enter(ray, solid, p, isInside ? Ray.INSIDE : Ray.OUTSIDE);
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Crosses a missed boundary at the ray's origin: its normal is found by tracing back. */
-    private void enter(Ray ray, int solid, Primitive p, int side) {
+    /**
+     * Crosses a missed border where the ray starts.
+     *
+     * @param place where it is; null if it cannot be found, and the ray is not turned
+     */
+    void enter(Ray ray, int solid, int side, Hit place) {
         Primitive start = ray.start;
         int startSide = ray.startSide;
         int before = inside.current();
         double from = inside.indexOfRefraction();
-        change(solid, side);
+        inside.cross(solid, side);
         double to = inside.indexOfRefraction();
-        back.set(ray.ox, ray.oy, ray.oz, -ray.dx, -ray.dy, -ray.dz, 0);
-        if (before == inside.current() || !p.intersect(back, other)) {
+        if (before == inside.current() || place == null) {
             return;
         }
-        other.side = side;
-        other.setOrigin(ray);
+        place.side = side;
+        place.setOrigin(ray);
         choice = Hash.unit(Hash.mix(Double.doubleToRawLongBits(choice) + 1));
-        scatter(ray, other, solid, other.face, from / to);
+        scatter(ray, place, solid, place.face, from / to);
         if (!border.transmitted) {
-            change(solid, -side);
+            inside.cross(solid, -side);
         }
         ray.from(start, startSide);
     }

@@ -1,6 +1,7 @@
 package enlightenment.shading;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
 /**
@@ -61,6 +62,15 @@ final class MediumStack {
                 ids[k] = ids[--size];
                 return;
             }
+        }
+    }
+
+    /** Enters a solid through its border, or leaves it. */
+    void cross(int solid, int side) {
+        if (side == Ray.OUTSIDE) {
+            add(solid);
+        } else {
+            remove(solid);
         }
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledLight;
 import enlightenment.compiled.CompiledScene;
@@ -95,9 +96,9 @@ final class PathFollower {
         begin(1);
     }
 
-    /** Starts a shadow ray in the medium that a path is in. */
-    void beginShadow(PathFollower from) {
-        glass.begin(from.glass);
+    /** Starts a shadow ray in the medium that a path is in, or behind the rough border that it is at. */
+    void beginShadow(PathFollower from, boolean isBeyond) {
+        glass.begin(from.glass, isBeyond);
         begin(1);
     }
 
@@ -208,8 +209,18 @@ final class PathFollower {
 
     /** The material of the medium that the ray is in, or null in empty space. */
     SurfaceMaterial medium() {
-        int solid = glass.medium();
+        return medium(false);
+    }
+
+    /** The same, or that behind the rough border that the path is at. */
+    SurfaceMaterial medium(boolean isBeyond) {
+        int solid = glass.medium(isBeyond);
         return solid < 0 ? null : scene.material(solid, 0);
+    }
+
+    /** How glass scatters where the path is at a rough border of two media, and where; null elsewhere. */
+    Bsdf roughBorder(Ray ray, Scattering s) {
+        return glass.roughBorder(ray, hit, s);
     }
 
     /** Whether the path may have one more scattering event. */

@@ -59,6 +59,9 @@ final class PathLight {
     /** The density per solid angle with which the path left it. */
     private double pdf;
 
+    /** The tint of what passes, at a rough border; null elsewhere. */
+    private double[] through;
+
     /** What was gathered: radiance towards where the path came from; of a Lambertian surface, that of a white one. */
     double red;
 
@@ -222,6 +225,25 @@ final class PathLight {
     /** Gathers the light at the surface that the path is at, whatever its lobes. */
     void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
         begin(false, isFirst);
+        gather(bsdf, s, sampler, address);
+    }
+
+    /**
+     * Gathers the light on both sides of the rough border of two media that the path is at.
+     *
+     * @param tint of what passes, by band
+     */
+    void gatherAtBorder(Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst) {
+        begin(false, isFirst);
+        nx = 0;
+        ny = 0;
+        nz = 0;
+        through = tint;
+        gather(bsdf, s, sampler, address);
+        through = null;
+    }
+
+    private void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address) {
         if (tookAll) {
             for (int i = 0; i < lights.length; i++) {
                 add(bsdf, s, i, 1, sampler, address);
@@ -255,9 +277,24 @@ final class PathLight {
         s.iy = view.dy;
         s.iz = view.dz;
         bsdf.evaluate(s);
+        if (through != null) {
+            turn(s);
+        }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double f = (l.isPoint ? 1 : weight(s.pdf, probability * density)) / (probability * density);
             add(l, f * s.valueR, f * s.valueG, f * s.valueB);
+        }
+    }
+
+    /** Turns to the side of a border that a direction leads to. */
+    private void turn(Scattering s) {
+        boolean passes = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0;
+        shadow.beginAtBorder(passes);
+        if (passes) {
+            double compression = s.eta * s.eta;
+            s.valueR *= compression * through[0];
+            s.valueG *= compression * through[1];
+            s.valueB *= compression * through[2];
         }
     }
 

@@ -41,6 +41,7 @@ public final class PathTracer implements Shader {
 
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
+    private final Scattering border = new Scattering();
 
     private final boolean isAlbedo;
 
@@ -71,6 +72,9 @@ public final class PathTracer implements Shader {
 
     /** Whether the last event was one of a delta lobe. */
     private boolean delta;
+
+    /** Whether light was gathered at the last vertex, so that light that the path runs into is weighted. */
+    private boolean gathered;
 
     /** The index of refraction of the medium that the eye is in. */
     private double firstIndex;
@@ -140,6 +144,7 @@ public final class PathTracer implements Shader {
         scatteredFirst = false;
         deltaFirst = false;
         delta = false;
+        gathered = false;
         compression = 1;
         if (mirrors != null) {
             mirrors.begin();
@@ -192,8 +197,10 @@ public final class PathTracer implements Shader {
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
         double weight = 1;
-        if (scattered) {
-            weight = delta ? weightOfCaustic() : light.weight(ray);
+        if (gathered) {
+            weight = light.weight(ray);
+        } else if (scattered) {
+            weight = weightOfCaustic();
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
@@ -300,7 +307,9 @@ public final class PathTracer implements Shader {
                 return isAlbedo ? albedo(ray, path.material()) : matte(ray, sampler);
             }
         }
+        boolean isRough = false;
         if (physical.hasRoughGlass) {
+            isRough = gatherAtBorder(ray, sampler);
             sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         }
         address++;
@@ -327,7 +336,25 @@ public final class PathTracer implements Shader {
             return false;
         }
         leave(true);
+        if (isRough) {
+            gathered = true;
+            light.left(path.glass.border.pdf);
+        }
         return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+    }
+
+    /** Adds direct light if the path is at a rough border; returns whether it is. */
+    private boolean gatherAtBorder(Ray ray, Sampler sampler) {
+        Bsdf bsdf = path.mayScatter() ? path.roughBorder(ray, border) : null;
+        if (bsdf == null) {
+            return false;
+        }
+        Arrays.fill(surface, 1);
+        path.filter(surface);
+        path.turnTo(0);
+        light.gatherAtBorder(bsdf, border, surface, sampler, address, !scattered);
+        add(light.red, light.green, light.blue);
+        return true;
     }
 
     /** Notes the kind of event that the path leaves behind. */
@@ -338,6 +365,7 @@ public final class PathTracer implements Shader {
         }
         deltaFirst |= !scattered;
         delta = isDelta;
+        gathered = !isDelta;
     }
 
     private void add(double r, double g, double b) {

@@ -36,6 +36,14 @@ final class ShadowRays {
     /** The medium that the vertex lies in, if that absorbs; else null. */
     private SurfaceMaterial medium;
 
+    /** Whether the vertex is on a rough border, and whether shadow rays leave it on the side that the path did not come from. */
+    private boolean isBorder;
+
+    private boolean isBeyond;
+
+    /** The side that they leave it on. */
+    private int side;
+
     /** Whether one primitive is in the way of all of the light. */
     private boolean isHidden;
 
@@ -61,7 +69,20 @@ final class ShadowRays {
         x = hit.px;
         y = hit.py;
         z = hit.pz;
-        medium = absorbs ? path.medium() : null;
+        isBorder = false;
+        turn(false);
+    }
+
+    /** Begins on one side of the rough border that the path is at. */
+    void beginAtBorder(boolean through) {
+        isBorder = true;
+        turn(through);
+    }
+
+    private void turn(boolean through) {
+        isBeyond = through;
+        side = through ? -hit.side : hit.side;
+        medium = absorbs ? path.medium(through) : null;
         if (medium != null && !medium.absorbs) {
             medium = null;
         }
@@ -70,21 +91,22 @@ final class ShadowRays {
 
     private void findStarts() {
         int count = 0;
-        if (neverReturnsTo(hit)) {
+        if (neverReturnsTo(hit, side)) {
             starts[count++] = path.id;
         }
         for (int k = 0; k < glass.surfaces() && count < starts.length - 1; k++) {
-            if (glass.surface(k) != path.id && neverReturnsTo(glass.hitOf(k))) {
+            Hit h = glass.hitOf(k);
+            if (glass.surface(k) != path.id && neverReturnsTo(h, isBeyond ? -h.side : h.side)) {
                 starts[count++] = glass.surface(k);
             }
         }
         startCount = count;
     }
 
-    /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */
-    private static boolean neverReturnsTo(Hit place) {
+    /** Whether a ray that leaves the surface on a side cannot meet it again. */
+    private static boolean neverReturnsTo(Hit place, int side) {
         Primitive p = place.primitive;
-        return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
+        return p.isFlat() || p.isConvex() && side == Ray.OUTSIDE;
     }
 
     /** What is known without a ray, of all of the light. Comes before {@link #isBlocked}. */
@@ -119,12 +141,14 @@ final class ShadowRays {
         }
         start(to);
         isFiltered = true;
-        return !walk.reaches(l, ray, to.length, path, rgb);
+        return !walk.reaches(l, ray, to.length, path, isBeyond, rgb);
     }
 
     private void start(LightSample to) {
-        ray.set(x, y, z, to.dx, to.dy, to.dz, 0).from(hit.primitive, hit.side);
-        if (glass.surfaces() > 1) {
+        ray.set(x, y, z, to.dx, to.dy, to.dz, 0).from(hit.primitive, side);
+        if (isBorder) {
+            glass.startAtBorder(ray, isBeyond);
+        } else if (glass.surfaces() > 1) {
             glass.startOnAll(ray);
         }
     }

@@ -28,12 +28,14 @@ final class ShadowWalk {
      * @param ray of a direction of length 1; is changed
      * @param distance to the point of the light
      * @param path the path whose vertex it leaves, into the medium that the path is in
+     * @param isBehind whether it leaves it into the medium behind a rough border instead
      * @param through receives what comes through of the light, by band
      */
-    boolean reaches(PhysicalLight light, Ray ray, double distance, PathFollower path, double[] through) {
+    boolean reaches(
+            PhysicalLight light, Ray ray, double distance, PathFollower path, boolean isBehind, double[] through) {
         rgb = through;
         Arrays.fill(rgb, 1);
-        follower.beginShadow(path);
+        follower.beginShadow(path, isBehind);
         double left = distance;
         while (true) {
             SurfaceMaterial medium = absorbs ? follower.medium() : null;

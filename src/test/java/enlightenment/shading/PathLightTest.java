@@ -2,6 +2,8 @@ package enlightenment.shading;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.bsdf.RoughDielectric;
+import enlightenment.bsdf.Scattering;
 import enlightenment.bsdf.ThinDielectric;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
@@ -210,5 +212,41 @@ class PathLightTest {
         double expected = new ThinDielectric(1.5).transmittance(1);
         double mean = PathTracerTest.render(scene.build(), 1024).value();
         assertEquals(expected, mean, 0.005);
+    }
+
+    /** The lamp is seen as the integral of the lobes over the directions to it says. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.3, 0.6, 1})
+    void aLampIsSeenThroughRoughGlassAsItsLobesSay(double roughness) {
+        // The eye is in the glass and looks up at its border.
+        SceneBuilder scene = PathTracerTest.scene()
+                .camera(new Camera.Orthographic(ExactPoint.of(-0.3, -1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
+                .shading(new PhysicalShading(OptionalInt.of(1), Rgb.BLACK))
+                .object(
+                        new Cube(ExactPoint.of(0, -9, 0), 9 * Math.sqrt(3), Vec3.ZERO),
+                        Material.Glass.of(PathTracerTest.grey(1), 1.5).withRoughness(roughness))
+                .light(new Light.Sphere(ExactPoint.of(0, 3, 0), 2, DisplayRgb.WHITE));
+        RoughDielectric bsdf = new RoughDielectric(roughness * roughness);
+        Scattering s = new Scattering();
+        double length = Math.sqrt(0.3 * 0.3 + 1);
+        s.ox = -0.3 / length;
+        s.oy = -1 / length;
+        s.ny = -1;
+        s.eta = 1.5;
+        s.radiance = true;
+        double sum = 0;
+        int n = 1000;
+        double height = 1 - Math.sqrt(1 - 4.0 / 9);
+        for (int i = 0; i < n; i++) {
+            for (int k = 0; k < n; k++) {
+                s.iy = 1 - height * (i + 0.5) / n;
+                double sine = Math.sqrt(1 - s.iy * s.iy);
+                s.ix = sine * Math.cos(2 * Math.PI * (k + 0.5) / n);
+                s.iz = sine * Math.sin(2 * Math.PI * (k + 0.5) / n);
+                bsdf.evaluate(s);
+                sum += s.valueR;
+            }
+        }
+        PathTracerTest.render(scene.build(), 256).agreesWith(sum / n / n * 2 * Math.PI * height);
     }
 }

@@ -70,6 +70,16 @@ public final class Closest {
     /** Tests a primitive and keeps its crossing if it is the closest. */
     public void offer(Ray ray, Primitive p, int candidate) {
         tests[kinds[candidate]]++;
+        offerCounted(ray, p, candidate);
+    }
+
+    /** Counts tests of primitives of a kind. */
+    void count(int kind, int number) {
+        tests[kind] += number;
+    }
+
+    /** As {@link #offer}, for who counts the tests himself. */
+    void offerCounted(Ray ray, Primitive p, int candidate) {
         double s = p.nearest(ray, t);
         if (s < t || s == t && wins(ray, p, candidate)) {
             t = s;

@@ -9,26 +9,40 @@ import enlightenment.primitive.Ray;
 /** A few primitives, of which each is tested: faster than a hierarchy up to some two dozen. */
 public final class PrimitiveList implements Accelerator {
     private final Primitive[] primitives;
+    private final int[] kinds;
     private final int[] members;
     private int size;
 
-    private PrimitiveList(Primitive[] primitives, int size) {
+    /** Which kinds of primitives the members are of, and how many of each: a search tests all of them, so they are counted together. */
+    private final int[] kindsThere;
+
+    private final int[] numberOfKind;
+    private int kindCount;
+
+    private PrimitiveList(Primitive[] primitives, int[] kinds, int size) {
         this.primitives = primitives;
-        this.size = size;
+        this.kinds = kinds;
         members = new int[primitives.length];
+        kindsThere = new int[primitives.length];
+        numberOfKind = new int[primitives.length];
         for (int i = 0; i < size; i++) {
             members[i] = i;
         }
+        size(size);
     }
 
-    /** A list of all of these primitives; ids are indices into the array. */
-    public static PrimitiveList of(Primitive[] primitives) {
-        return new PrimitiveList(primitives, primitives.length);
+    /**
+     * A list of all of these primitives; ids are indices into the array.
+     *
+     * @param kinds by id: the kind of primitive, for counting tests
+     */
+    public static PrimitiveList of(Primitive[] primitives, int[] kinds) {
+        return new PrimitiveList(primitives, kinds, primitives.length);
     }
 
     /** An empty list that can be filled, by {@link #members} and {@link #size(int)}, with some of this one's primitives. */
     public PrimitiveList empty() {
-        return new PrimitiveList(primitives, 0);
+        return new PrimitiveList(primitives, kinds, 0);
     }
 
     /** The ids of the members, then room for as many as there are primitives. */
@@ -39,6 +53,21 @@ public final class PrimitiveList implements Accelerator {
     /** Sets how many of {@link #members} count. */
     public void size(int count) {
         size = count;
+        kindCount = 0;
+        for (int k = 0; k < count; k++) {
+            countKind(kinds[members[k]]);
+        }
+    }
+
+    private void countKind(int kind) {
+        for (int i = 0; i < kindCount; i++) {
+            if (kindsThere[i] == kind) {
+                numberOfKind[i]++;
+                return;
+            }
+        }
+        kindsThere[kindCount] = kind;
+        numberOfKind[kindCount++] = 1;
     }
 
     /** The number of members. */
@@ -53,7 +82,10 @@ public final class PrimitiveList implements Accelerator {
         int n = size;
         for (int k = 0; k < n; k++) {
             int id = ids[k];
-            state.offer(ray, all[id], id);
+            state.offerCounted(ray, all[id], id);
+        }
+        for (int i = 0; i < kindCount; i++) {
+            state.count(kindsThere[i], numberOfKind[i]);
         }
     }
 

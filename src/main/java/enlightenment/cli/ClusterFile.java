@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.color.Encoding;
 import enlightenment.file.WholeFile;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.Method;
@@ -35,6 +36,8 @@ final class ClusterFile {
         if (!result.report().sampling().method().hasClusters()) {
             terminal.say(
                     file + " is empty: with this few samples per pixel they were evenly spaced and made no clusters");
+        } else if (result.image().encoding() == Encoding.LINEAR) {
+            terminal.say(file + " is empty: clusters of light points are made for classic shading only");
         }
     }
 }

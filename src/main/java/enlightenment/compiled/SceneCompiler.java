@@ -101,7 +101,7 @@ public final class SceneCompiler {
         CompiledPrimitives compiled = CompiledPrimitives.of(objects, frame, surfaces, placement);
         Primitive[] primitives = compiled.primitives();
         boolean many = Math.max(primitives.length, objects.size()) > loopLimit;
-        Accelerator accelerator = many ? Bvh.build(primitives) : PrimitiveList.of(primitives);
+        Accelerator accelerator = many ? Bvh.build(primitives) : PrimitiveList.of(primitives, compiled.kind());
         Features features = new Features(scene, many, surfaces.values());
         return new CompiledScene(
                 frame,

@@ -57,14 +57,14 @@ public final class Exposure {
         return sum;
     }
 
-    /** The mean of all components as a screen takes them; those that are no numbers count as 0. */
+    /** The mean of all components as a screen takes them, to 1e-6; those that are no numbers count as 0. */
     public static double meanDisplayed(Image image) {
         double sum = 0;
         for (int y = 0; y < image.height(); y++) {
             double row = 0;
             for (int x = 0; x < image.width(); x++) {
                 for (int c = 0; c < 3; c++) {
-                    float value = image.displayed(x, y, c);
+                    double value = image.curve().nearly(image.component(x, y, c));
                     row += value > 0 ? value : 0;
                 }
             }

@@ -3,6 +3,8 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.film.FilmTile;
 import enlightenment.method.cluster.ClusterCost;
+import enlightenment.method.cluster.EffortCost;
+import enlightenment.method.cluster.PhysicalClusterCost;
 import enlightenment.scene.RenderSettings;
 import java.util.HashMap;
 import java.util.Map;
@@ -13,6 +15,11 @@ final class EffortLevels implements Levels {
     /** Blocks that are surveyed to learn what an effort costs. */
     private static final int COST_BLOCKS = 512;
 
+    /** Of physical light, where first paths are followed in them: a share of the picture, but at least so many. */
+    private static final int PATH_SHARE = 32;
+
+    private static final int LEAST_PATH_BLOCKS = 32;
+
     private static final double PIXELS_OF_BLOCK = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
     /** Rays of a survey per pixel: one at each corner of a block's pixels. */
@@ -22,7 +29,7 @@ final class EffortLevels implements Levels {
     private final RenderSettings settings;
     private final BooleanSupplier cancelled;
     private final Map<Double, Double> efforts = new HashMap<>();
-    private ClusterCost cost;
+    private EffortCost cost;
 
     EffortLevels(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         this.scene = scene;
@@ -48,10 +55,17 @@ final class EffortLevels implements Levels {
         return SURVEY_RAYS * surveyed / ((double) region.width() * region.height());
     }
 
-    private ClusterCost cost() {
+    private EffortCost cost() {
         if (cost == null) {
-            cost = ClusterCost.of(scene, settings, COST_BLOCKS, cancelled);
+            cost = scene.physical == null
+                    ? ClusterCost.of(scene, settings, COST_BLOCKS, cancelled)
+                    : new PhysicalClusterCost(scene, settings, pathBlocks(), cancelled);
         }
         return cost;
+    }
+
+    private int pathBlocks() {
+        double all = settings.width() / PIXELS_OF_BLOCK * settings.height();
+        return (int) Math.min(Math.max(all / PATH_SHARE, LEAST_PATH_BLOCKS), COST_BLOCKS);
     }
 }

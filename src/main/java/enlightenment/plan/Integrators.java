@@ -10,6 +10,7 @@ import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.method.cluster.ClusterStatistics;
+import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClusterSettings;
@@ -38,6 +39,16 @@ public final class Integrators {
     /** Paths of a pass of caustics per camera sample: docs/caustics.md has what more and less of them bring. */
     private static final double CAUSTIC_PATHS = 1.0 / 8;
 
+    /**
+     * The same for physical light: its survey tells little of paths, and with few samples the first paths of each pixel are few. Measured:
+     * docs/cluster-sampler.md.
+     */
+    private static final double FEWEST_OF_PHYSICAL_CLUSTER = 8;
+
+    private static final double MOST_WITHOUT_PHYSICAL_SURVEY = 7.99;
+
+    private static final double FIRST_OF_PHYSICAL_CLUSTER = 8;
+
     private Integrators() {}
 
     /** What has to be known of a method before there is a scene. */
@@ -57,6 +68,20 @@ public final class Integrators {
                         MOST_WITHOUT_SURVEY,
                         FIRST_OF_CLUSTER);
         };
+    }
+
+    /** The same for scenes of a shading. */
+    static MethodTraits traits(Method method, boolean isPhysical) {
+        MethodTraits traits = traits(method);
+        return method == BuiltInMethod.CLUSTER && isPhysical
+                ? new MethodTraits(
+                        traits.areBatches(),
+                        traits.dividesIntoPasses(),
+                        traits.below(),
+                        FEWEST_OF_PHYSICAL_CLUSTER,
+                        MOST_WITHOUT_PHYSICAL_SURVEY,
+                        FIRST_OF_PHYSICAL_CLUSTER)
+                : traits;
     }
 
     /** Whether level 0 of a method means antialias² samples per pixel, each pixel exactly so many. */
@@ -129,14 +154,16 @@ public final class Integrators {
         return switch (method) {
             case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
             case CLUSTER ->
-                new ClusterMethod(
-                        scene,
-                        settings,
-                        counters,
-                        Distribution.of(ClusterSettings.of(settings).proposal()),
-                        plan.level(),
-                        plan.samples(),
-                        clusters);
+                scene.physical == null
+                        ? new ClusterMethod(
+                                scene,
+                                settings,
+                                counters,
+                                Distribution.of(ClusterSettings.of(settings).proposal()),
+                                plan.level(),
+                                plan.samples(),
+                                clusters)
+                        : new PhysicalClusterMethod(scene, settings, counters, plan.level(), plan.samples());
         };
     }
 

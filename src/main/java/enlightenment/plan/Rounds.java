@@ -63,7 +63,10 @@ public final class Rounds {
         if (outcome.method() != report.settings().method()) {
             // The error of the method that is used for few samples tells little of that of the other: it may be far
             // smaller.
-            next = Math.min(next, Integrators.traits(report.settings().method()).first());
+            boolean isPhysical = outcome.light().isPresent();
+            next = Math.min(
+                    next,
+                    Integrators.traits(report.settings().method(), isPhysical).first());
         }
         samples = n;
         error = outcome.errorHigh();

@@ -25,7 +25,7 @@ final class Plane {
     final int axis;
 
     /** The coordinate on that axis, the same for every vertex. */
-    private final double coordinate;
+    final double coordinate;
 
     /**
      * The plane through a and the other vertices; its normal, which points outside, is up × right.

@@ -79,27 +79,33 @@ public final class RectanglePrimitive extends Primitive {
         if (ray.start == this) {
             return MISS;
         }
-        double t = plane.distance(ray);
         if (axis == 2) {
-            return nearestAligned(ray, ray.ox, ray.dx, ray.oy, ray.dy, ray.dz, t, tMax);
+            return nearestAligned(ray, ray.ox, ray.dx, ray.oy, ray.dy, plane.coordinate - ray.oz, ray.dz, tMax);
         }
         if (axis == 1) {
-            return nearestAligned(ray, ray.ox, ray.dx, ray.oz, ray.dz, ray.dy, t, tMax);
+            return nearestAligned(ray, ray.ox, ray.dx, ray.oz, ray.dz, plane.coordinate - ray.oy, ray.dy, tMax);
         }
         if (axis == 0) {
-            return nearestAligned(ray, ray.oy, ray.dy, ray.oz, ray.dz, ray.dx, t, tMax);
+            return nearestAligned(ray, ray.oy, ray.dy, ray.oz, ray.dz, plane.coordinate - ray.ox, ray.dx, tMax);
         }
-        return nearestByEdges(ray, t, tMax);
+        return nearestByEdges(ray, plane.distance(ray), tMax);
     }
 
     /** Decides by the point where the ray meets the plane, unless rounding could put it on the other side of an edge. */
     private double nearestAligned(
-            Ray ray, double o1, double d1, double o2, double d2, double across, double t, double tMax) {
+            Ray ray, double o1, double d1, double o2, double d2, double gap, double across, double tMax) {
         double slope = Math.abs(across);
         if (slope == 0) {
             return MISS;
         }
         double width = QUICK_TEST_ERROR * (Math.abs(ray.ox) + Math.abs(ray.oy) + Math.abs(ray.oz) + edgeMagnitude);
+        // Far behind or too far ahead is known before the division; closer to the limits the next test says the same as
+        // ever.
+        double ahead = across > 0 ? gap : -gap;
+        if (ahead < -2 * width || ahead > Math.fma(tMax, slope * (1 + QUICK_TEST_ERROR), 2 * width)) {
+            return MISS;
+        }
+        double t = gap / across;
         double early = max(ray.tMin - t, t - tMax);
         if (early * slope > width) {
             return MISS;

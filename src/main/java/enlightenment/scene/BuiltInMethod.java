@@ -52,7 +52,7 @@ public enum BuiltInMethod implements Method {
 
     @Override
     public Set<Shading.Model> shadings() {
-        return this == RAYTRACE ? Set.of(Shading.Model.CLASSIC, Shading.Model.PHYSICAL) : Set.of(Shading.Model.CLASSIC);
+        return Set.of(Shading.Model.CLASSIC, Shading.Model.PHYSICAL);
     }
 
     @Override

@@ -93,6 +93,11 @@ final class GlassTracer {
         }
     }
 
+    /** Whether the last {@link #arrive} found nothing but an opaque surface, from empty space. */
+    boolean isPlain() {
+        return coincident.size() == 0 && inside.size() == 0;
+    }
+
     /** Starts a ray in the medium that another one is in, or behind the rough border that that came to. */
     void begin(GlassTracer other, boolean isBeyond) {
         next = NONE;

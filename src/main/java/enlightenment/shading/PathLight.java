@@ -68,6 +68,21 @@ final class PathLight {
     double green;
     double blue;
 
+    /** The part of it at a matte vertex that no random number has a part in. */
+    double certainRed;
+
+    double certainGreen;
+    double certainBlue;
+
+    /** How many lights there are left to chance. */
+    private int chances;
+
+    /** What is known of the lights there: a digit to base three for each, hidden, in full view, or a matter of chance. */
+    long views;
+
+    /** Whether a random number has a part in what the last light gave. */
+    private boolean isByChance;
+
     PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
         physical = scene.physical;
         lights = physical.lights;
@@ -91,6 +106,11 @@ final class PathLight {
         red = 0;
         green = 0;
         blue = 0;
+        certainRed = 0;
+        certainGreen = 0;
+        certainBlue = 0;
+        views = 0;
+        chances = 0;
         shadow.begin();
     }
 
@@ -115,6 +135,11 @@ final class PathLight {
         }
     }
 
+    /** Whether no light that was gathered at a matte vertex was left to chance. */
+    boolean isCertain() {
+        return chances == 0;
+    }
+
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
         if (isIn(l)) {
@@ -122,11 +147,21 @@ final class PathLight {
         }
         shadow.isFiltered = false;
         counters.lightSamples++;
+        isByChance = !tookAll;
         double e = l.isPoint ? ofPoint(l) : irradiance(l, tookAll ? index : -1, probability, sampler, address);
+        // What is dimmed on its way is no matter of chance, but not the same at the next corner either.
+        isByChance |= shadow.isFiltered;
         if (e > 0) {
             double f = e / (Math.PI * probability);
             add(l, f, f, f);
+            if (!isByChance) {
+                certainRed = Math.fma(f, l.r, certainRed);
+                certainGreen = Math.fma(f, l.g, certainGreen);
+                certainBlue = Math.fma(f, l.b, certainBlue);
+            }
         }
+        chances += isByChance ? 1 : 0;
+        views = 3 * views + (isByChance ? 2 : e > 0 ? 1 : 0);
     }
 
     /** Adds what arrives of a light's radiance or intensity, if nothing absorbs, times these. */
@@ -198,6 +233,7 @@ final class PathLight {
     /** The irradiance of a ball of which a part may be hidden. */
     private double ofHiddenBall(PhysicalLight l, double e, int index, Sampler sampler, int address) {
         SphereLight ball = (SphereLight) l.form;
+        isByChance = true;
         lightPoint(index, sampler, address);
         if (ball.samplesByCosine(view, nx, ny, nz)) {
             ball.sampleByCosine(view, nx, ny, nz, pair[0], pair[1]);
@@ -211,6 +247,7 @@ final class PathLight {
     /** The same by a point of the light, weighted against directions by the cosine. */
     private double sampled(
             PhysicalLight l, int index, double probability, Sampler sampler, int address, Tracer.Visibility known) {
+        isByChance = true;
         lightPoint(index, sampler, address);
         sample(l.form);
         double cosine = nx * view.dx + ny * view.dy + nz * view.dz;

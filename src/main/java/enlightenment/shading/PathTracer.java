@@ -8,7 +8,9 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
@@ -40,6 +42,7 @@ public final class PathTracer implements Shader {
     private final MirrorCaustics mirrors;
 
     private final double[] surface = new double[3];
+    private final Ray shareRay = new Ray();
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
 
@@ -54,6 +57,24 @@ public final class PathTracer implements Shader {
     private double red;
     private double green;
     private double blue;
+
+    /** Where the path is cut; null for a path that is whole. */
+    private PathCut cut;
+
+    /** Whether no random number has had a part in the path so far. */
+    private boolean certain;
+
+    /** What was added until then. */
+    private double certainRed;
+
+    private double certainGreen;
+    private double certainBlue;
+
+    /** Whether that ended at a matte surface of which the lights are certain. */
+    private boolean lightIsCertain;
+
+    /** What the path came to until then. */
+    private long certainKey;
 
     /** How many scattering events have used random numbers: the address of the next ones. */
     private int address;
@@ -132,6 +153,135 @@ public final class PathTracer implements Shader {
 
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
+        begin(ray);
+        while (step(ray, sampler)) {
+            events++;
+        }
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    /**
+     * Follows a path no further than {@link #certain} takes it, which tells the same after it as after {@link #shade}.
+     *
+     * @param ray the camera ray, within the tile; the path overwrites it
+     */
+    public void glimpse(Ray ray, Sampler sampler) {
+        begin(ray);
+        while (step(ray, sampler) && certain) {
+            events++;
+        }
+    }
+
+    /**
+     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first
+     * matte surface the light of lamps that nothing can hide there, or that are points. No random number has a part in it but the place
+     * on the film.
+     *
+     * @param out receives red, green and blue
+     * @return a hash of what was met on the way there, and of which lamps are hidden, in full view, or neither: two paths with the same
+     *     have met the same, but for one case in 2⁶⁴
+     */
+    public long certain(double[] out) {
+        out[0] = certainRed;
+        out[1] = certainGreen;
+        out[2] = certainBlue;
+        return certain ? path.key : certainKey;
+    }
+
+    /**
+     * As {@link #shade}, for a path that may be shared.
+     *
+     * @param out receives the path: its value is what {@link #connect} makes of it
+     */
+    public void shade(Ray ray, Sampler sampler, PathCut out) {
+        cut = out;
+        cut.clear();
+        begin(ray);
+        while (step(ray, sampler)) {
+            events++;
+        }
+        if (cut.gives) {
+            cut.given[0] = red;
+            cut.given[1] = green;
+            cut.given[2] = blue;
+        } else {
+            cut.own[0] = red;
+            cut.own[1] = green;
+            cut.own[2] = blue;
+        }
+        cut = null;
+    }
+
+    /** Notes the first vertex: others may give to it if it is sure that its path goes on. */
+    private void noteFirst() {
+        cut.takes = path.glass.isPlain()
+                && PathCut.isOpen(path.hit)
+                && Math.max(surface[0], Math.max(surface[1], surface[2])) >= FAINT;
+        if (cut.takes) {
+            cut.first.set(path.hit);
+            System.arraycopy(surface, 0, cut.albedo, 0, 3);
+        }
+    }
+
+    /** Cuts the path at its second vertex: from here on it is worth what leaves this. */
+    private void cutHere() {
+        cut.gives = cut.takes && path.glass.isPlain() && path.hit.primitive.isFlat();
+        if (cut.gives) {
+            cut.second.set(path.hit);
+            cut.own[0] = red;
+            cut.own[1] = green;
+            cut.own[2] = blue;
+            red = 0;
+            green = 0;
+            blue = 0;
+            throughputR = 1;
+            throughputG = 1;
+            throughputB = 1;
+        }
+    }
+
+    /**
+     * How much of what the second vertex of a path gives goes to the first vertex of another, in proportion to others; 0 if that does not see
+     * it. It is the density per area, but for a factor, with which paths from there would have found it.
+     */
+    public double connect(PathCut from, PathCut to) {
+        if (!from.takes || !to.gives) {
+            return 0;
+        }
+        Hit a = from.first;
+        Hit b = to.second;
+        double dx = b.px - a.px;
+        double dy = b.py - a.py;
+        double dz = b.pz - a.pz;
+        double dd = dx * dx + dy * dy + dz * dz;
+        double leaving = (a.nx * dx + a.ny * dy + a.nz * dz) * a.side;
+        double arriving = -(b.nx * dx + b.ny * dy + b.nz * dz) * b.side;
+        if (!(leaving > 0 && arriving > 0)) {
+            return 0;
+        }
+        if (from != to) {
+            shareRay.set(a.px, a.py, a.pz, dx, dy, dz, 0).from(a.primitive, a.side);
+            shareRay.alsoFrom(b.primitive, b.side);
+            if (path.tracer.occluded(shareRay, 1)) {
+                return 0;
+            }
+        }
+        return leaving / dd * (arriving / dd);
+    }
+
+    /** Whether the last path began at a matte surface at which no lamp's light is left to chance. */
+    public boolean isLightCertain() {
+        return lightIsCertain;
+    }
+
+    /** How many scattering events the last path had. */
+    public int events() {
+        return events;
+    }
+
+    private void begin(Ray ray) {
         red = 0;
         green = 0;
         blue = 0;
@@ -146,17 +296,16 @@ public final class PathTracer implements Shader {
         delta = false;
         gathered = false;
         compression = 1;
+        certain = true;
+        lightIsCertain = false;
+        certainRed = 0;
+        certainGreen = 0;
+        certainBlue = 0;
         if (mirrors != null) {
             mirrors.begin();
         }
         path.begin(ray);
         firstIndex = path.glass.indexOfRefraction();
-        while (step(ray, sampler)) {
-            events++;
-        }
-        out[0] = red;
-        out[1] = green;
-        out[2] = blue;
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
@@ -166,6 +315,7 @@ public final class PathTracer implements Shader {
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
             }
             return false;
         }
@@ -204,6 +354,7 @@ public final class PathTracer implements Shader {
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
+            addCertain(material.glowR, material.glowG, material.glowB);
         }
     }
 
@@ -243,8 +394,21 @@ public final class PathTracer implements Shader {
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
+        // Counted with panes, which are no events: what is shared has come straight.
+        if (cut != null && path.surfaces < 2) {
+            if (path.surfaces == 0) {
+                noteFirst();
+            } else {
+                cutHere();
+            }
+        }
         light.gatherMatte(sampler, address, !scattered);
         add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        if (certain) {
+            addCertain(surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
+            leaveToChance(light.views);
+            lightIsCertain = light.isCertain();
+        }
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
@@ -270,6 +434,7 @@ public final class PathTracer implements Shader {
 
     /** Any other lobes. */
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        leaveToChance(0);
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
@@ -294,6 +459,7 @@ public final class PathTracer implements Shader {
 
     /** At a border of glass, or at a pane. */
     private boolean glass(Ray ray, Sampler sampler) {
+        leaveToChance(0);
         sampler.pair(address, Sampler.Purpose.CHOICE, pair);
         double choice = pair[0];
         if (physical.hasPartialGlass) {
@@ -374,6 +540,22 @@ public final class PathTracer implements Shader {
         blue = Math.fma(throughputB * compression, b, blue);
     }
 
+    private void addCertain(double r, double g, double b) {
+        if (certain) {
+            certainRed = Math.fma(throughputR, r, certainRed);
+            certainGreen = Math.fma(throughputG, g, certainGreen);
+            certainBlue = Math.fma(throughputB, b, certainBlue);
+        }
+    }
+
+    /** From here on random numbers have a part in the path. */
+    private void leaveToChance(long views) {
+        if (certain) {
+            certain = false;
+            certainKey = Hash.mix(path.key + views);
+        }
+    }
+
     private void filter(double r, double g, double b) {
         throughputR *= r;
         throughputG *= g;
@@ -390,6 +572,7 @@ public final class PathTracer implements Shader {
         if (events + 1 < ROULETTE_FROM && most >= FAINT) {
             return true;
         }
+        leaveToChance(0);
         if (!(most > 0)) {
             return false;
         }

@@ -62,7 +62,7 @@ class AcceleratorTest {
     void aListFindsWhatTheLoopFinds() {
         RandomPrimitives random = new RandomPrimitives(4);
         Primitive[] all = random.ofAllKinds(20);
-        PrimitiveList list = PrimitiveList.of(all);
+        PrimitiveList list = PrimitiveList.of(all, new int[all.length]);
         for (int i = 0; i < 2_000; i++) {
             compare(all, list, list, random.ray(60));
         }

@@ -235,6 +235,12 @@ class FloatingLiteralsTest {
             new Explained("method/cluster/Allocation.java", "3", "light points that are worth a ray"),
             new Explained("method/cluster/Allocation.java", "0.25", "share of the samples"),
             new Explained("method/cluster/Allocation.java", "0.125", "share of a step of binary logarithms"),
+            new Explained("method/cluster/PathNoise.java", "8", "paths that a block counts as, measured"),
+            new Explained(
+                    "method/cluster/PhysicalAllocation.java", "1.5", "exponent: how fast variances fall with samples"),
+            new Explained("method/cluster/PhysicalAllocation.java", "0.125", "share of a step of binary logarithms"),
+            new Explained("method/cluster/PhysicalAllocation.java", "0x1p-27", "variance of colours as shown"),
+            new Explained("method/cluster/PhysicalAllocation.java", "1.41421356237309504880", "the root of 2"),
             new Explained("method/cluster/Evidence.java", "8", "ratio of weights, measured"),
             new Explained("method/cluster/Evidence.java", "6", "ratio of variances, measured"),
             new Explained("method/cluster/Evidence.java", "0.3", "share of a variance, measured"),

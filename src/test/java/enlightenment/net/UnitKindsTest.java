@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.net.protocol.Timing;
+import enlightenment.physical.InvarianceScenes;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
@@ -30,7 +31,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Passes over tiles and batches of paths go wherever tiles do, and make the picture of one process. */
 @Timeout(120)
 class UnitKindsTest {
-    private static final Scene SCENE = TestScenes.whiteFireAndIce().build();
+    private static final Scene ROOM = TestScenes.whiteFireAndIce().build();
+    private static final Scene PHYSICAL_ROOM = InvarianceScenes.byRadiance();
     private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
 
     @TempDir
@@ -39,7 +41,8 @@ class UnitKindsTest {
     enum Kind {
         /** Two tiles of a pixel, in four passes each. */
         PASSES(
-                RenderSettings.of(SCENE)
+                ROOM,
+                RenderSettings.of(ROOM)
                         .withSize(64, 48)
                         .withCrop(new RenderSettings.Crop(31, 20, 2, 1))
                         .with(new RayTraceSettings(1))
@@ -48,21 +51,28 @@ class UnitKindsTest {
 
         /** Eight batches, the last not full. */
         BATCHES(
-                RenderSettings.of(SCENE)
+                ROOM,
+                RenderSettings.of(ROOM)
                         .withMethod(Method.named("toy"))
                         .withSize(64, 50)
                         .withCrop(new RenderSettings.Crop(3, 1, 50, 49))
                         .withAntialias(12),
-                8);
+                8),
 
+        /** Twelve tiles of linear light, some not full, and four batches of light paths that are added to them. */
+        PHYSICAL(
+                PHYSICAL_ROOM, RenderSettings.of(PHYSICAL_ROOM).withAntialias(2).withTileSize(9), 16);
+
+        final Scene scene;
         final RenderSettings settings;
         final int units;
         final RenderResult alone;
 
-        Kind(RenderSettings settings, int units) {
+        Kind(Scene scene, RenderSettings settings, int units) {
+            this.scene = scene;
             this.settings = settings.withThreads(1);
             this.units = units;
-            alone = Renderer.render(RenderRequest.of(SCENE, settings));
+            alone = Renderer.render(RenderRequest.of(scene, settings));
         }
 
         void check(RenderResult result) {
@@ -82,7 +92,7 @@ class UnitKindsTest {
             Path file = folder.resolve(part + ".film");
             RenderProgress progress = (done, total, soFar) -> assertTrue(done <= total);
             assertTrue(RenderParts.render(
-                    SCENE, kind.settings, part, 3, n -> Map.of("n", "" + n), file, progress, () -> false));
+                    kind.scene, kind.settings, part, 3, n -> Map.of("n", "" + n), file, progress, () -> false));
             files.add(file);
         }
         RenderParts.Merged some = RenderParts.merge(files.subList(0, 2));
@@ -97,7 +107,7 @@ class UnitKindsTest {
     void anotherEngineMakesItFromTheContentsAloneAndGoesOnFromACheckpoint(Kind kind) throws Exception {
         Path checkpoint = folder.resolve("ck");
         IntFunction<byte[]> maker;
-        try (EngineJob job = EngineJob.start(SCENE, kind.settings, checkpoint, text -> {}, () -> false)) {
+        try (EngineJob job = EngineJob.start(kind.scene, kind.settings, checkpoint, text -> {}, () -> false)) {
             maker = EngineJob.makers(job.contents()).get();
             assertEquals(kind.units, job.missing().length);
             for (int unit = 0; unit < kind.units; unit += 2) {
@@ -108,7 +118,7 @@ class UnitKindsTest {
             }
             assertThrows(IllegalArgumentException.class, () -> job.put(1, new byte[99], "a liar"));
         }
-        try (EngineJob job = EngineJob.start(SCENE, kind.settings, checkpoint, text -> {}, () -> false)) {
+        try (EngineJob job = EngineJob.start(kind.scene, kind.settings, checkpoint, text -> {}, () -> false)) {
             assertEquals(kind.units / 2, job.missing().length);
             for (int unit : job.missing()) {
                 job.put(unit, maker.apply(unit), "one");
@@ -121,7 +131,7 @@ class UnitKindsTest {
     @EnumSource
     void aServerAndItsWorkersMakeIt(Kind kind) throws Exception {
         ServerOptions.Builder options = Farm.options().timing(PATIENT).localThreads(1);
-        try (Farm farm = new Farm(SCENE, kind.settings, options.awaitWorkers(2, 60)).begin()) {
+        try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, 60)).begin()) {
             farm.join(Farm.worker(1));
             farm.join(Farm.worker(2));
             kind.check(farm.result());
@@ -133,7 +143,7 @@ class UnitKindsTest {
     void aServerThatWasStoppedGoesOnFromItsCheckpoint(Kind kind) throws Exception {
         Path checkpoint = folder.resolve("ck");
         int done;
-        try (Farm farm = new Farm(SCENE, kind.settings, Farm.options().checkpoint(checkpoint)).begin()) {
+        try (Farm farm = new Farm(kind.scene, kind.settings, Farm.options().checkpoint(checkpoint)).begin()) {
             farm.join(Farm.slow(40));
             Farm.until(() -> farm.server.round().job().film().done() >= 4, "some units are done, and a tile of them");
             RenderResult stopped = farm.stop();
@@ -141,7 +151,7 @@ class UnitKindsTest {
             assertTrue(!stopped.complete() && stopped.report().pixels() > 0);
         }
         try (Farm farm = new Farm(
-                SCENE, kind.settings, Farm.options().checkpoint(checkpoint).awaitWorkers(1, 60))) {
+                kind.scene, kind.settings, Farm.options().checkpoint(checkpoint).awaitWorkers(1, 60))) {
             assertEquals(done, farm.server.round().job().film().done());
             farm.begin().join(Farm.worker(2));
             kind.check(farm.result());
@@ -154,7 +164,7 @@ class UnitKindsTest {
     void whatAMachineSaidThatIsFoundOutLeavesNothing(Kind kind) throws Exception {
         ServerOptions.Builder options =
                 Farm.options().timing(PATIENT).auditRate(1).localThreads(1);
-        try (Farm farm = new Farm(SCENE, kind.settings, options.awaitWorkers(2, 60)).begin()) {
+        try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, 60)).begin()) {
             farm.join(Farm.worker(1).machine("liar").tamper((unit, bytes) -> liesLike(kind, bytes)));
             farm.join(Farm.worker(1).machine("honest"));
             kind.check(farm.result());

@@ -1,6 +1,7 @@
 package enlightenment.render;
 
 import enlightenment.camera.Camera;
+import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -11,8 +12,11 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
+import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.math.BigDecimal;
@@ -20,10 +24,14 @@ import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.UnaryOperator;
 
-/** The same scene in other coordinates: every position goes through one function, every length through another. */
+/**
+ * The same scene in other coordinates: every position goes through one function, every length through another. Power and intensity
+ * grow with areas and absorption falls with lengths, so that all radiance stays; in classic shading, which looks at neither, they stay as they are.
+ */
 final class MovedScene {
     private final UnaryOperator<BigDecimal> coordinate;
     private final DoubleUnaryOperator length;
+    private boolean physical;
 
     private MovedScene(UnaryOperator<BigDecimal> coordinate, DoubleUnaryOperator length) {
         this.coordinate = coordinate;
@@ -71,6 +79,7 @@ final class MovedScene {
     }
 
     private Scene scene(Scene s) {
+        physical = s.shading() instanceof PhysicalShading;
         return new Scene(
                 s.name(),
                 s.width(),
@@ -116,17 +125,37 @@ final class MovedScene {
 
     private Light light(Light light) {
         if (light instanceof Light.Sphere s) {
-            return new Light.Sphere(point(s.center()), length(s.radius()), s.color(), s.emission());
+            return new Light.Sphere(point(s.center()), length(s.radius()), s.color(), emission(s.emission()));
         }
         if (light instanceof Light.Rectangle r) {
             List<ExactPoint> c = r.anchors().stream().map(this::point).toList();
-            return new Light.Rectangle(c.get(0), c.get(1), c.get(2), c.get(3), r.color(), r.twoSided(), r.emission());
+            return new Light.Rectangle(
+                    c.get(0), c.get(1), c.get(2), c.get(3), r.color(), r.twoSided(), emission(r.emission()));
         }
-        return new Light.Point(point(((Light.Point) light).position()), light.color(), light.emission());
+        return new Light.Point(point(((Light.Point) light).position()), light.color(), emission(light.emission()));
+    }
+
+    private Emission emission(Emission e) {
+        boolean stays = !physical || e.quantity() == Emission.Quantity.RADIANCE;
+        return stays ? e : new Emission(e.quantity(), times(e.value(), length(1) * length(1)));
+    }
+
+    private static Rgb times(Rgb v, double factor) {
+        return new Rgb(v.r() * factor, v.g() * factor, v.b() * factor);
     }
 
     private SceneObject object(SceneObject o) {
-        return new SceneObject(o.name(), shape(o.shape()), o.material(), o.faces());
+        List<Material> faces = o.faces().stream().map(this::material).toList();
+        return new SceneObject(o.name(), shape(o.shape()), material(o.material()), faces);
+    }
+
+    private Material material(Material m) {
+        boolean absorbs = m instanceof Material.Glass g && g.absorption().max() > 0;
+        return absorbs ? ((Material.Glass) m).withAbsorption(absorption(((Material.Glass) m).absorption())) : m;
+    }
+
+    private Rgb absorption(Rgb a) {
+        return new Rgb(a.r() / length(1), a.g() / length(1), a.b() / length(1));
     }
 
     private Shape shape(Shape shape) {

@@ -171,7 +171,7 @@ class CausticTest {
         assertSame(scene(fov(50), PANEL.replace("SIDES", "false"), FLOOR, GLASS), 256, 8_192);
     }
 
-    /** To paths from the eye a border of rough glass is no place for light samples, so that its light is a matter of the pass, too. */
+    /** Light that comes to rough glass first is found by light samples there, and is no matter of the pass. */
     @Test
     void roughGlassAndGlassThatIsOpaqueInPart() {
         String rough = GLASS.replace("1.5, ", "1.5, \"roughness\": 0.4, ");

@@ -1,6 +1,9 @@
 package enlightenment.method.cluster;
 
 import enlightenment.film.FilmTile;
+import enlightenment.method.SpreadPlaces;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * A rectangle of pixels that is sampled as one: 8 × 8, fixed by the picture and never by threads or crops; smaller at its
@@ -19,5 +22,16 @@ record Block(int x, int y, int width, int height) {
         int x = column / SIDE * SIDE;
         int y = row / SIDE * SIDE;
         return new Block(x, y, Math.min(SIDE, pictureWidth - x), Math.min(SIDE, pictureHeight - y));
+    }
+
+    /** This many blocks of a picture, or all of them if there are no more, evenly spread over it. */
+    static List<Block> spread(int pictureWidth, int pictureHeight, int count) {
+        int across = (pictureWidth + SIDE - 1) / SIDE;
+        int down = (pictureHeight + SIDE - 1) / SIDE;
+        List<Block> blocks = new ArrayList<>();
+        for (int[] place : SpreadPlaces.of(across, down, count)) {
+            blocks.add(Block.around(place[0] * SIDE, place[1] * SIDE, pictureWidth, pictureHeight));
+        }
+        return blocks;
     }
 }

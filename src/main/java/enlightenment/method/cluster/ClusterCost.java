@@ -3,7 +3,6 @@ package enlightenment.method.cluster;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.method.Dither;
-import enlightenment.method.SpreadPlaces;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.ClusterSettings;
@@ -14,17 +13,9 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /** How many camera rays an effort costs, judged by the survey of some blocks spread over the picture. */
-public final class ClusterCost {
+public final class ClusterCost implements EffortCost {
     /** Keeps the random numbers of what is tried apart from the picture's. */
     private static final long PURPOSE = 0x636f7374L;
-
-    private static final double LEAST_EFFORT = 1;
-
-    /** Binary logarithm of the largest effort: variances below the rounding of pixels are worth nothing. */
-    private static final int MOST_EFFORT = 64;
-
-    /** Halvings of the interval of logarithms: where all pixels need the same, a step of samples is crossed within 1/64 of it. */
-    private static final int HALVINGS = 18;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
@@ -88,24 +79,19 @@ public final class ClusterCost {
     }
 
     private List<Block> blocks(int times) {
-        int across = (settings.width() + Block.SIDE - 1) / Block.SIDE;
-        int down = (settings.height() + Block.SIDE - 1) / Block.SIDE;
-        List<Block> blocks = new ArrayList<>();
-        for (int[] place : SpreadPlaces.of(across, down, times * blockCount)) {
-            blocks.add(Block.around(place[0] * Block.SIDE, place[1] * Block.SIDE, settings.width(), settings.height()));
-        }
-        return blocks;
+        return Block.spread(settings.width(), settings.height(), times * blockCount);
     }
 
     /**
      * The largest effort that costs at most this many samples per pixel, as far as the blocks tell; at least the smallest one,
      * whatever it costs. Blocks that learn are taken as they are with the effort that would be right if they did not.
      */
+    @Override
     public double effort(double samples) {
         try {
             return effortFor(samples);
         } catch (CancellationException e) {
-            return LEAST_EFFORT;
+            return EffortSearch.LEAST_EFFORT;
         }
     }
 
@@ -144,7 +130,7 @@ public final class ClusterCost {
         Surveyed(List<Block> blocks, double samples) {
             this.blocks = blocks;
             needed = new Needed(blocks.size());
-            ClusterMethod method = method(LEAST_EFFORT, samples);
+            ClusterMethod method = method(EffortSearch.LEAST_EFFORT, samples);
             for (int k = 0; k < blocks.size(); k++) {
                 Block block = blocks.get(k);
                 method.prepare(block);
@@ -219,23 +205,7 @@ public final class ClusterCost {
         }
 
         double effort(double samples) {
-            double low = 0;
-            double high = MOST_EFFORT;
-            for (int k = 0; k < HALVINGS; k++) {
-                double middle = (low + high) / 2;
-                if (samples(power(middle), samples) <= samples) {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            return power(low);
+            return EffortSearch.effort(effort -> samples(effort, samples), samples);
         }
-    }
-
-    private static double power(double exponent) {
-        int whole = (int) exponent;
-        // Between powers of two a straight line does: the effort need only grow.
-        return Math.scalb(1 + (exponent - whole), whole);
     }
 }

@@ -54,8 +54,7 @@ public final class ClusterMethod implements TileIntegrator {
     private final SampleSpread spread = new SampleSpread();
     private final double[] color = new double[3];
 
-    /** Interpolation of the corners' colours: constant, by x, by y and by xy, for red, green and blue. */
-    private final double[] corners = new double[12];
+    private final Interpolation interpolation = new Interpolation();
 
     private final Evidence evidence = new Evidence();
 
@@ -274,7 +273,7 @@ public final class ClusterMethod implements TileIntegrator {
     private void turn(Block block, int i, int j, long seed) {
         shader.lightPoints(1 << points[Block.SIDE * j + i]);
         sampler.pixel(seed, block.x() + i, block.y() + j);
-        interpolate(i, j);
+        interpolation.between(survey, i, j);
         if (guided) {
             guide.pixel(i, j);
         }
@@ -302,7 +301,13 @@ public final class ClusterMethod implements TileIntegrator {
             }
         }
         if (tile != null) {
-            tile.known(x, y, mean(0), mean(1), mean(2), needs.ofLight(k, 1 << points[k]));
+            tile.known(
+                    x,
+                    y,
+                    interpolation.mean(0),
+                    interpolation.mean(1),
+                    interpolation.mean(2),
+                    needs.ofLight(k, 1 << points[k]));
             tile.spread(x, y, spread);
         }
     }
@@ -327,32 +332,6 @@ public final class ClusterMethod implements TileIntegrator {
         if (guided) {
             guide.read(shader.report());
         }
-        double dxy = dx * dy;
-        for (int c = 0; c < 3; c++) {
-            int k = 4 * c;
-            color[c] -= Math.fma(
-                    corners[k + 3], dxy, Math.fma(corners[k + 2], dy, Math.fma(corners[k + 1], dx, corners[k])));
-        }
-    }
-
-    private void interpolate(int i, int j) {
-        int upper = 3 * Survey.node(i, j);
-        int lower = upper + 3 * Survey.SIDE;
-        for (int c = 0; c < 3; c++) {
-            double p = survey.rgb[upper + c];
-            double q = survey.rgb[upper + 3 + c];
-            double r = survey.rgb[lower + c];
-            double s = survey.rgb[lower + 3 + c];
-            corners[4 * c] = p;
-            corners[4 * c + 1] = q - p;
-            corners[4 * c + 2] = r - p;
-            corners[4 * c + 3] = p - q - r + s;
-        }
-    }
-
-    /** The mean of the control variate over the pixel, in closed form. */
-    private double mean(int c) {
-        int k = 4 * c;
-        return corners[k] + (corners[k + 1] + corners[k + 2]) / 2 + corners[k + 3] / 4;
+        interpolation.subtract(dx, dy, color);
     }
 }

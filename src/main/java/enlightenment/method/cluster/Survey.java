@@ -15,11 +15,7 @@ import enlightenment.shading.PathReport;
  *
  * <p>A corner's ray is a pure function of scene, seed and corner, so that neighbouring blocks see the same at their border.
  */
-final class Survey {
-    static final int SIDE = Block.SIDE + 1;
-
-    private static final int NODES = SIDE * SIDE;
-
+final class Survey extends Corners {
     /** Light points of a corner's ray at first, and where it turns out that a light is partly hidden. */
     private static final int FEW = 4;
 
@@ -34,9 +30,6 @@ final class Survey {
     /** Keeps the survey's random numbers apart from those of pixels, which have the same places. */
     private static final long PURPOSE = 0x737572766579L;
 
-    /** No path's key, but for one in 2⁶⁴. */
-    static final long DIFFERENT = Long.MIN_VALUE;
-
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final ClassicShader shader;
@@ -46,10 +39,6 @@ final class Survey {
     private final SobolSampler sampler = new SobolSampler();
     private final double[] color = new double[3];
 
-    /** Red, green and blue of each corner, row by row. */
-    final double[] rgb = new double[3 * NODES];
-
-    final long[] keys = new long[NODES];
     private final int[] asked = new int[NODES];
     private final int[] blocked = new int[NODES];
     private final double[] contrast = new double[NODES];
@@ -161,18 +150,6 @@ final class Survey {
         for (int c = 0; c < 3; c++) {
             rgb[3 * node + c] += share * (color[c] - rgb[3 * node + c]);
         }
-    }
-
-    /** What all corners of a pixel met, or {@link #DIFFERENT} if they did not meet the same. */
-    long commonKey(int i, int j) {
-        int k = node(i, j);
-        int below = k + SIDE;
-        long key = keys[k];
-        return key == keys[k + 1] && key == keys[below] && key == keys[below + 1] ? key : DIFFERENT;
-    }
-
-    static int node(int i, int j) {
-        return SIDE * j + i;
     }
 
     /** The share of the rarer kind of light points, hidden or visible; 0 if all are of one kind. */

@@ -1,0 +1,41 @@
+package enlightenment.method.cluster;
+
+import java.util.function.DoubleUnaryOperator;
+
+/** Finds the effort that leads to a number of samples. */
+final class EffortSearch {
+    static final double LEAST_EFFORT = 1;
+
+    /** Binary logarithm of the largest effort: variances below the rounding of pixels are worth nothing. */
+    private static final int MOST_EFFORT = 64;
+
+    /** Halvings of the interval of logarithms: where all pixels need the same, a step of samples is crossed within 1/64 of it. */
+    private static final int HALVINGS = 18;
+
+    private EffortSearch() {}
+
+    /**
+     * The largest effort that costs at most this many samples; at least the smallest one, whatever it costs.
+     *
+     * @param cost how many samples an effort costs; grows with it
+     */
+    static double effort(DoubleUnaryOperator cost, double samples) {
+        double low = 0;
+        double high = MOST_EFFORT;
+        for (int k = 0; k < HALVINGS; k++) {
+            double middle = (low + high) / 2;
+            if (cost.applyAsDouble(power(middle)) <= samples) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return power(low);
+    }
+
+    private static double power(double exponent) {
+        int whole = (int) exponent;
+        // Between powers of two a straight line does: the effort need only grow.
+        return Math.scalb(1 + (exponent - whole), whole);
+    }
+}

@@ -1,0 +1,328 @@
+package enlightenment.method.cluster;
+
+import enlightenment.color.DisplayCurve;
+import java.util.Arrays;
+
+/**
+ * How much single paths through the pixels of a block vary in what a screen shows, as the first paths of other pixels tell.
+ *
+ * <p>The pixels of a block are the fields of a chessboard: what is told of the black ones comes from paths through the white ones alone,
+ * and the other way round. So no pixel's own paths have a part in how many it gets.
+ *
+ * <p>Paths are clustered by what is certain of them ({@link Corners#keys}): the surface that they met first, and which lamps are hidden
+ * there, in full view, or neither. The rest of a path's value, beside what is certain, is taken for a sample of its cluster. Its deviation
+ * counts as a screen would show it, were it that of the pixel's mean: on dark ground it counts more than on bright ground, and nothing
+ * where all is white.
+ */
+final class PathNoise {
+    private static final int PIXELS = Block.SIDE * Block.SIDE;
+
+    private static final int MOST_CLUSTERS = 32;
+
+    /** Clusters beyond the others are one. */
+    private static final int OTHERS = MOST_CLUSTERS - 1;
+
+    /** How much more a touching pixel tells than one that is further away. */
+    private static final double NEAR = 2;
+
+    /** The block counts in a cluster like this many paths. */
+    private static final double OF_BLOCK = 8;
+
+    private final DisplayCurve curve;
+    private final Corners corners;
+
+    private final long[] keys = new long[MOST_CLUSTERS];
+    private int clusters;
+    private final int[] clusterOfCorner = new int[Corners.NODES];
+
+    /** The cluster of each pixel whose corners are of the same, or -1. */
+    private final int[] clusterOfPixel = new int[PIXELS];
+
+    private Block block;
+    private int perPixel;
+
+    /** Per path: the rest of its value, and its cluster. */
+    private double[] rest = new double[0];
+
+    private int[] clusterOfPath = new int[0];
+
+    private int[] costOfPath = new int[0];
+
+    /** Per field colour and cluster: the number of paths, the sums of their rest, and of their squared deviations as shown. */
+    private final int[] counts = new int[2 * MOST_CLUSTERS];
+
+    private final double[] sums = new double[3 * 2 * MOST_CLUSTERS];
+    private final double[] squares = new double[2 * MOST_CLUSTERS];
+    private final long[] costs = new long[2 * MOST_CLUSTERS];
+
+    /** Per field colour, over all clusters: the mean of squares. */
+    private final double[] meanSquare = new double[2];
+
+    private final double[] meanCost = new double[2];
+
+    private final double[] meanRest = new double[6];
+
+    /** Per pixel the sum of squared deviations as shown. */
+    private final double[] ofPixel = new double[PIXELS];
+
+    private final double[] level = new double[3];
+    private final double[] shownLevel = new double[3];
+    private final double[] corner = new double[3];
+
+    /** The root of the number of samples that the pixels' means are of. */
+    private double root;
+
+    PathNoise(DisplayCurve curve, Corners corners) {
+        this.curve = curve;
+        this.corners = corners;
+    }
+
+    /**
+     * Starts over with a block whose corners were looked at.
+     *
+     * @param paths how many will be told of, per pixel
+     * @param samplesPerPixel how many the means will be of
+     */
+    void begin(Block target, int paths, double samplesPerPixel) {
+        block = target;
+        perPixel = paths;
+        root = Math.sqrt(samplesPerPixel);
+        clusters = 0;
+        int n = PIXELS * paths;
+        if (clusterOfPath.length < n) {
+            clusterOfPath = new int[n];
+            costOfPath = new int[n];
+            rest = new double[3 * n];
+        }
+        for (int j = 0; j <= block.height(); j++) {
+            for (int i = 0; i <= block.width(); i++) {
+                int k = Corners.node(i, j);
+                clusterOfCorner[k] = cluster(corners.keys[k]);
+            }
+        }
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                boolean isQuiet = corners.commonKey(i, j) != Corners.DIFFERENT;
+                clusterOfPixel[pixel(i, j)] = isQuiet ? clusterOfCorner[Corners.node(i, j)] : -1;
+            }
+        }
+    }
+
+    private int cluster(long key) {
+        for (int k = 0; k < clusters; k++) {
+            if (keys[k] == key) {
+                return k;
+            }
+        }
+        if (clusters == OTHERS) {
+            return OTHERS;
+        }
+        keys[clusters] = key;
+        return clusters++;
+    }
+
+    private static int pixel(int i, int j) {
+        return Block.SIDE * j + i;
+    }
+
+    /** Whether all corners of a pixel met the same. */
+    boolean isQuiet(int i, int j) {
+        return clusterOfPixel[pixel(i, j)] >= 0;
+    }
+
+    /**
+     * Tells of a path.
+     *
+     * @param k its number among those of the pixel
+     * @param key what it met
+     * @param cost about how many rays it took, in any unit
+     * @param r its value beside what is certain; of a quiet pixel beside what its corners let expect
+     */
+    void tell(int i, int j, int k, long key, int cost, double r, double g, double b) {
+        int pixel = pixel(i, j);
+        int n = perPixel * pixel + k;
+        int own = clusterOfPixel[pixel];
+        clusterOfPath[n] = own >= 0 ? own : cluster(key);
+        costOfPath[n] = cost;
+        rest[3 * n] = r;
+        rest[3 * n + 1] = g;
+        rest[3 * n + 2] = b;
+    }
+
+    /** Works out what was told. */
+    void finish() {
+        Arrays.fill(counts, 0);
+        Arrays.fill(sums, 0);
+        Arrays.fill(costs, 0);
+        Arrays.fill(squares, 0);
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                addSums(i, j);
+            }
+        }
+        findMeans();
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                addSquares(i, j);
+            }
+        }
+        for (int field = 0; field < 2; field++) {
+            double sum = 0;
+            double cost = 0;
+            long paths = 0;
+            for (int k = 0; k < MOST_CLUSTERS; k++) {
+                sum += squares[MOST_CLUSTERS * field + k];
+                cost += costs[MOST_CLUSTERS * field + k];
+                paths += counts[MOST_CLUSTERS * field + k];
+            }
+            meanSquare[field] = paths == 0 ? 0 : sum / paths;
+            meanCost[field] = paths == 0 ? 1 : cost / paths;
+        }
+    }
+
+    private static int field(int i, int j) {
+        return (i + j) & 1;
+    }
+
+    private void addSums(int i, int j) {
+        int first = perPixel * pixel(i, j);
+        for (int n = first; n < first + perPixel; n++) {
+            int k = MOST_CLUSTERS * field(i, j) + clusterOfPath[n];
+            counts[k]++;
+            costs[k] += costOfPath[n];
+            for (int c = 0; c < 3; c++) {
+                sums[3 * k + c] += rest[3 * n + c];
+            }
+        }
+    }
+
+    /** Sums become means; clusters that had no paths get that of all. */
+    private void findMeans() {
+        for (int field = 0; field < 2; field++) {
+            int from = MOST_CLUSTERS * field;
+            for (int c = 0; c < 3; c++) {
+                double sum = 0;
+                long paths = 0;
+                for (int k = from; k < from + MOST_CLUSTERS; k++) {
+                    sum += sums[3 * k + c];
+                    paths += counts[k];
+                }
+                meanRest[3 * field + c] = paths == 0 ? 0 : sum / paths;
+                for (int k = from; k < from + MOST_CLUSTERS; k++) {
+                    sums[3 * k + c] = counts[k] == 0 ? meanRest[3 * field + c] : sums[3 * k + c] / counts[k];
+                }
+            }
+        }
+    }
+
+    private void addSquares(int i, int j) {
+        int field = field(i, j);
+        findLevel(i, j, field);
+        int pixel = pixel(i, j);
+        int first = perPixel * pixel;
+        double sum = 0;
+        for (int n = first; n < first + perPixel; n++) {
+            int k = MOST_CLUSTERS * field + clusterOfPath[n];
+            double square = 0;
+            for (int c = 0; c < 3; c++) {
+                double d = shown(rest[3 * n + c] - sums[3 * k + c], c);
+                square += d * d;
+            }
+            squares[k] += square / 3;
+            sum += square / 3;
+        }
+        ofPixel[pixel] = sum;
+    }
+
+    /** The light that is to be expected in a pixel. */
+    private void findLevel(int i, int j, int field) {
+        Arrays.fill(level, 0);
+        for (int k = 0; k < 4; k++) {
+            toCorner(i, j, k, field);
+            for (int c = 0; c < 3; c++) {
+                level[c] += corner[c] / 4;
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            shownLevel[c] = curve.nearly(level[c]);
+        }
+    }
+
+    /** Sets the light that is to be expected at a corner of a pixel. */
+    private void toCorner(int i, int j, int which, int field) {
+        int node = Corners.node(i + (which & 1), j + (which >> 1));
+        int k = MOST_CLUSTERS * field + clusterOfCorner[node];
+        for (int c = 0; c < 3; c++) {
+            corner[c] = corners.rgb[3 * node + c] + sums[3 * k + c];
+        }
+    }
+
+    /** What a deviation of a sample shows, as large as that of the mean of the pixel's samples: multiplied by the root of their number again. */
+    private double shown(double deviation, int c) {
+        return root * (curve.nearly(level[c] + deviation / root) - shownLevel[c]);
+    }
+
+    /** The variance, as shown, of one of a pixel's samples, as far as it does not come from its place among the corners. */
+    double variance(int i, int j) {
+        int field = 1 - field(i, j);
+        int own = clusterOfPixel[pixel(i, j)];
+        if (own < 0) {
+            double sum = 0;
+            for (int k = 0; k < 4; k++) {
+                int cluster = clusterOfCorner[Corners.node(i + (k & 1), j + (k >> 1))];
+                sum += of(field, cluster, 0, 0);
+            }
+            return sum / 4;
+        }
+        double near = 0;
+        int count = 0;
+        for (int k = 0; k < 4; k++) {
+            int x = i + (k < 2 ? 2 * k - 1 : 0);
+            int y = j + (k < 2 ? 0 : 2 * k - 5);
+            if (x >= 0 && y >= 0 && x < block.width() && y < block.height() && clusterOfPixel[pixel(x, y)] == own) {
+                near += ofPixel[pixel(x, y)];
+                count += perPixel;
+            }
+        }
+        return of(field, own, near, count);
+    }
+
+    /** The mean square of a cluster, in which some paths have told more. */
+    private double of(int field, int cluster, double near, int nearPaths) {
+        int k = MOST_CLUSTERS * field + cluster;
+        return ((NEAR - 1) * near + squares[k] + OF_BLOCK * meanSquare[field])
+                / ((NEAR - 1) * nearPaths + counts[k] + OF_BLOCK);
+    }
+
+    /** What a path through a pixel costs, in the unit in which it was told. */
+    double cost(int i, int j) {
+        int field = 1 - field(i, j);
+        double sum = 0;
+        for (int k = 0; k < 4; k++) {
+            int n = MOST_CLUSTERS * field + clusterOfCorner[Corners.node(i + (k & 1), j + (k >> 1))];
+            sum += (costs[n] + OF_BLOCK * meanCost[field]) / (counts[n] + OF_BLOCK);
+        }
+        return sum / 4;
+    }
+
+    /** The variance, as shown, of what the corners of a pixel let expect: of an edge that passes between them. */
+    double edge(int i, int j) {
+        int own = clusterOfPixel[pixel(i, j)];
+        if (own >= 0) {
+            return 0;
+        }
+        int field = 1 - field(i, j);
+        Arrays.fill(level, 0);
+        double sum = 0;
+        for (int k = 0; k < 4; k++) {
+            toCorner(i, j, k, field);
+            for (int c = 0; c < 3; c++) {
+                double v = curve.nearly(corner[c]);
+                level[c] += v / 4;
+                sum += v * v;
+            }
+        }
+        double squaredMeans = level[0] * level[0] + level[1] * level[1] + level[2] * level[2];
+        return Math.max(sum / 12 - squaredMeans / 3, 0);
+    }
+}

@@ -1,0 +1,335 @@
+package enlightenment.method.cluster;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
+import enlightenment.film.SampleSpread;
+import enlightenment.film.TilePasses;
+import enlightenment.method.Dither;
+import enlightenment.method.TileIntegrator;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
+import enlightenment.scene.RenderSettings;
+import enlightenment.shading.PathCut;
+import enlightenment.shading.PathTracer;
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The sampler of {@link ClusterMethod} for physical light. Rays through the corners of a block's pixels show what is certain: surfaces,
+ * edges, and light that is not left to chance, which is interpolated between them as a control variate. The first paths of each pixel show
+ * how much paths vary, in what a screen shows; by that the other paths are allotted. See docs/cluster-sampler.md.
+ *
+ * <p>Unbiased, because a pixel's number of samples depends on the corners and on paths of other pixels only.
+ */
+public final class PhysicalClusterMethod implements TileIntegrator {
+    private static final int PIXELS = Block.SIDE * Block.SIDE;
+
+    /** Groups of a block; and the most members of one: every other pixel of every other row, and those between. */
+    private static final int GROUPS = 8;
+
+    private static final int MOST_MEMBERS = PIXELS / GROUPS;
+
+    private static final int STEP = 4;
+
+    /** Binary logarithm of the largest number of first paths; more would tell little more. */
+    private static final int MOST_FIRST = 4;
+
+    /** Binary logarithm of the largest number of samples that a path's deviation is thought to be spread over: then it shows in proportion. */
+    private static final int MOST_SPREAD = 6;
+
+    private final CompiledScene scene;
+    private final RenderSettings settings;
+    private final PhysicalAllocation allocation;
+    private final PathTracer tracer;
+    private final PhysicalSurvey survey;
+    private final PathNoise noise;
+    private final Interpolation interpolation = new Interpolation();
+    private final Ray ray = new Ray();
+    private final SobolSampler sampler = new SobolSampler();
+
+    private int members;
+    private final int[] column = new int[MOST_MEMBERS];
+    private final int[] row = new int[MOST_MEMBERS];
+    private final int[] count = new int[MOST_MEMBERS];
+    private final long[] keys = new long[MOST_MEMBERS];
+    private final int[] events = new int[MOST_MEMBERS];
+    private final double[] placeX = new double[MOST_MEMBERS];
+    private final double[] placeY = new double[MOST_MEMBERS];
+    private final double[] shares = new double[MOST_MEMBERS];
+    private final double[][] colors = new double[MOST_MEMBERS][3];
+    private final double[][] certain = new double[MOST_MEMBERS][3];
+    private final PathCut[] paths = new PathCut[MOST_MEMBERS];
+    private final SampleSpread[] spreads = new SampleSpread[MOST_MEMBERS];
+
+    /** Binary logarithm of the number of first paths of each pixel; and their colours, one after another. */
+    private final int firstSamples;
+
+    private final double[] first;
+
+    /** How many samples a pixel's mean is of, about. */
+    private final double spreadOver;
+
+    /**
+     * @param scene of physical shading
+     * @param effort how much is spent: the inverse of the smallest reduction of variance for which one more sample is taken
+     * @param samples the camera rays per pixel that this is expected to take: a share of them goes everywhere
+     */
+    public PhysicalClusterMethod(
+            CompiledScene scene, RenderSettings settings, RayCounters counters, double effort, double samples) {
+        this.scene = scene;
+        this.settings = settings;
+        allocation = new PhysicalAllocation(effort, samples);
+        firstSamples = Math.min(PhysicalAllocation.leastSamples(samples), MOST_FIRST);
+        first = new double[3 * PIXELS << firstSamples];
+        spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
+        tracer = new PathTracer(scene, counters);
+        survey = new PhysicalSurvey(scene, settings, tracer);
+        noise = new PathNoise(scene.display, survey);
+        for (int m = 0; m < MOST_MEMBERS; m++) {
+            paths[m] = new PathCut();
+            spreads[m] = new SampleSpread();
+        }
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier cancelled) {
+        tracer.stopWhen(cancelled);
+    }
+
+    /** Pixels learn from the first samples of others. */
+    @Override
+    public boolean dividesIntoPasses() {
+        return false;
+    }
+
+    @Override
+    public void render(FilmTile tile, int pass, int passes) {
+        TilePasses.checkOne(pass, passes);
+        int right = tile.x + tile.width;
+        int bottom = tile.y + tile.height;
+        for (int y = tile.y / Block.SIDE * Block.SIDE; y < bottom; y += Block.SIDE) {
+            for (int x = tile.x / Block.SIDE * Block.SIDE; x < right; x += Block.SIDE) {
+                render(Block.around(x, y, settings.width(), settings.height()), tile);
+            }
+        }
+    }
+
+    private void render(Block block, FilmTile tile) {
+        look(block, settings.seed());
+        tile.addSurveyRays(survey.rays());
+        for (int group = 0; group < GROUPS; group++) {
+            gather(block, group);
+            if (isWanted(block, tile)) {
+                renderGroup(block, tile);
+            }
+        }
+    }
+
+    /** Finds the members of a group. */
+    private void gather(Block block, int group) {
+        members = 0;
+        for (int j = group / STEP; j < block.height(); j += STEP / 2) {
+            int shift = (j - group / STEP) % STEP;
+            for (int i = (group + shift) % STEP; i < block.width(); i += STEP) {
+                column[members] = i;
+                row[members++] = j;
+            }
+        }
+    }
+
+    private boolean isWanted(Block block, FilmTile tile) {
+        for (int m = 0; m < members; m++) {
+            if (tile.contains(block.x() + column[m], block.y() + row[m])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void renderGroup(Block block, FilmTile tile) {
+        int most = 0;
+        for (int m = 0; m < members; m++) {
+            int i = column[m];
+            int j = row[m];
+            count[m] = 1
+                    << allocation.samples(
+                            noise.variance(i, j),
+                            noise.edge(i, j),
+                            noise.cost(i, j),
+                            Dither.at(block.x() + i, block.y() + j));
+            most = Math.max(most, count[m]);
+            spreads[m].begin(count[m]);
+        }
+        int done = 1 << firstSamples;
+        for (int s = 0; s < most; s++) {
+            if (s >= done) {
+                sample(block, s, settings.seed());
+            }
+            for (int m = 0; m < members; m++) {
+                if (s < count[m]) {
+                    add(block, m, s, tile);
+                }
+            }
+        }
+        for (int m = 0; m < members; m++) {
+            finish(block, m, tile);
+        }
+    }
+
+    private void add(Block block, int m, int s, FilmTile tile) {
+        int x = block.x() + column[m];
+        int y = block.y() + row[m];
+        if (!tile.contains(x, y)) {
+            return;
+        }
+        double[] from = colors[m];
+        int at = 0;
+        if (s < 1 << firstSamples) {
+            from = first;
+            at = 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s);
+            if (s < 2) {
+                sampler.pixel(settings.seed(), x, y);
+                sampler.sample(s);
+                spreads[m].at(sampler.filmX(), sampler.filmY());
+            }
+        } else {
+            spreads[m].at(0, 0);
+        }
+        tile.add(x, y, from[at], from[at + 1], from[at + 2]);
+        spreads[m].add(from[at], from[at + 1], from[at + 2]);
+    }
+
+    private void finish(Block block, int m, FilmTile tile) {
+        int x = block.x() + column[m];
+        int y = block.y() + row[m];
+        if (!tile.contains(x, y)) {
+            return;
+        }
+        if (noise.isQuiet(column[m], row[m])) {
+            interpolation.between(survey, column[m], row[m]);
+            tile.known(x, y, interpolation.mean(0), interpolation.mean(1), interpolation.mean(2), 0);
+        } else {
+            tile.known(x, y, 0, 0, 0, 0);
+        }
+        tile.spread(x, y, spreads[m]);
+    }
+
+    /** Surveys the block and takes the first samples of its pixels. */
+    void look(Block block, long seed) {
+        double width = settings.width();
+        double height = settings.height();
+        tracer.beginTile(
+                block.x() / width,
+                block.y() / height,
+                (block.x() + block.width()) / width,
+                (block.y() + block.height()) / height);
+        survey.take(block);
+        int count = 1 << firstSamples;
+        noise.begin(block, count, spreadOver);
+        for (int group = 0; group < GROUPS; group++) {
+            gather(block, group);
+            Arrays.fill(this.count, 0, members, count);
+            for (int s = 0; s < count; s++) {
+                sample(block, s, seed);
+                for (int m = 0; m < members; m++) {
+                    System.arraycopy(
+                            colors[m], 0, first, 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s), 3);
+                    tell(m, s);
+                }
+            }
+        }
+        noise.finish();
+    }
+
+    /** Tells of a member's last sample. */
+    private void tell(int m, int s) {
+        int i = column[m];
+        int j = row[m];
+        double known = noise.isQuiet(i, j) ? 0 : 1;
+        double[] color = colors[m];
+        double[] c = certain[m];
+        noise.tell(
+                i,
+                j,
+                s,
+                keys[m],
+                2 + events[m],
+                color[0] - known * c[0],
+                color[1] - known * c[1],
+                color[2] - known * c[2]);
+    }
+
+    /** How many rays the last survey took. */
+    int surveyRays() {
+        return survey.rays();
+    }
+
+    /** What the last block's pixel needs. */
+    double noise(int i, int j) {
+        return noise.variance(i, j);
+    }
+
+    /** The same for an edge. */
+    double edge(int i, int j) {
+        return noise.edge(i, j);
+    }
+
+    /** What a path through it costs. */
+    double cost(int i, int j) {
+        return noise.cost(i, j);
+    }
+
+    /** Takes a sample of each member of the group that has so many. */
+    private void sample(Block block, int index, long seed) {
+        for (int m = 0; m < members; m++) {
+            if (index >= count[m]) {
+                continue;
+            }
+            int x = block.x() + column[m];
+            int y = block.y() + row[m];
+            sampler.pixel(seed, x, y);
+            sampler.sample(index);
+            placeX[m] = sampler.filmX();
+            placeY[m] = sampler.filmY();
+            scene.camera.ray((x + placeX[m]) / settings.width(), (y + placeY[m]) / settings.height(), ray);
+            if (survey.isIndirect(column[m], row[m])) {
+                tracer.shade(ray, sampler, paths[m]);
+                paths[m].own(colors[m]);
+            } else {
+                tracer.shade(ray, sampler, colors[m]);
+                paths[m].clear();
+            }
+            keys[m] = tracer.certain(certain[m]);
+            events[m] = tracer.events();
+        }
+        share(index);
+        for (int m = 0; m < members; m++) {
+            if (index < count[m] && noise.isQuiet(column[m], row[m])) {
+                interpolation.between(survey, column[m], row[m]);
+                interpolation.subtract(placeX[m], placeY[m], colors[m]);
+            }
+        }
+    }
+
+    /** Shares what the second vertices of the group's paths give among all first vertices that see them. */
+    private void share(int index) {
+        for (int q = 0; q < members; q++) {
+            if (index >= count[q] || !paths[q].gives()) {
+                continue;
+            }
+            double sum = 0;
+            for (int p = 0; p < members; p++) {
+                shares[p] = index < count[p] ? tracer.connect(paths[p], paths[q]) : 0;
+                sum += shares[p];
+            }
+            for (int p = 0; p < members; p++) {
+                if (shares[p] > 0) {
+                    for (int c = 0; c < 3; c++) {
+                        colors[p][c] += paths[p].brings(paths[q], shares[p] / sum, c);
+                    }
+                }
+            }
+        }
+    }
+}

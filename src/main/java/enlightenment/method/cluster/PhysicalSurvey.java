@@ -1,0 +1,86 @@
+package enlightenment.method.cluster;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Hash;
+import enlightenment.sampling.SobolSampler;
+import enlightenment.scene.RenderSettings;
+import enlightenment.shading.PathTracer;
+
+/**
+ * What is certain of the paths through the corners of a block's pixels: the light that no random number has a part in, and what
+ * they meet ({@link PathTracer#certain}). They are followed no further; so they cost a fraction of a path.
+ *
+ * <p>What a corner shows is a pure function of the scene and the corner.
+ */
+final class PhysicalSurvey extends Corners {
+    private final CompiledScene scene;
+    private final RenderSettings settings;
+    private final PathTracer tracer;
+    private final Ray ray = new Ray();
+    private final SobolSampler sampler = new SobolSampler();
+    private final double[] color = new double[3];
+    /** Whether all light at a corner's first surface is certain but what comes from other surfaces. */
+    private final boolean[] lit = new boolean[NODES];
+
+    private int rays;
+    private boolean empty;
+
+    PhysicalSurvey(CompiledScene scene, RenderSettings settings, PathTracer tracer) {
+        this.scene = scene;
+        this.settings = settings;
+        this.tracer = tracer;
+    }
+
+    /** Looks through each corner of the pixels of a block. */
+    void take(Block block) {
+        empty = tracer.seesNothing();
+        if (empty) {
+            // The background is the same everywhere.
+            look(block, 0, 0);
+            for (int k = 1; k < NODES; k++) {
+                System.arraycopy(rgb, 0, rgb, 3 * k, 3);
+                keys[k] = keys[0];
+                lit[k] = false;
+            }
+            rays = 1;
+            return;
+        }
+        for (int j = 0; j <= block.height(); j++) {
+            for (int i = 0; i <= block.width(); i++) {
+                look(block, i, j);
+            }
+        }
+        rays = (block.width() + 1) * (block.height() + 1);
+    }
+
+    private void look(Block block, int i, int j) {
+        int column = block.x() + i;
+        int row = block.y() + j;
+        // What is certain does not depend on it, but paths ask for numbers.
+        sampler.pixel(Hash.mix(settings.seed()), column, row);
+        sampler.sample(0);
+        scene.camera.ray((double) column / settings.width(), (double) row / settings.height(), ray);
+        tracer.glimpse(ray, sampler);
+        int k = node(i, j);
+        keys[k] = tracer.certain(color);
+        System.arraycopy(color, 0, rgb, 3 * k, 3);
+        lit[k] = tracer.isLightCertain();
+    }
+
+    /** Whether what is not certain of a pixel's light is what comes from other surfaces, and not whether lamps are hidden. */
+    boolean isIndirect(int i, int j) {
+        int k = node(i, j);
+        return lit[k] && lit[k + 1] && lit[k + SIDE] && lit[k + SIDE + 1];
+    }
+
+    /** Whether the block is known to show nothing but the background. */
+    boolean isEmpty() {
+        return empty;
+    }
+
+    /** How many rays were followed. */
+    int rays() {
+        return rays;
+    }
+}

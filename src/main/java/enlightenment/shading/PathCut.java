@@ -1,0 +1,60 @@
+package enlightenment.shading;
+
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+
+/**
+ * A path that is cut at its second vertex, so that what comes from there can be shared: by all paths whose first vertices see it
+ * (P. Bekaert, M. Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002).
+ *
+ * <p>It can be if the first vertex is a matte surface that the camera sees directly, and the second a flat matte one: then the light that
+ * leaves the latter is the same in all directions, and where directions come from is known.
+ */
+public final class PathCut {
+    /** Whether the first vertex can take light from the second ones of other paths. */
+    boolean takes;
+
+    /** Whether the second vertex can give light to the first ones of other paths. */
+    boolean gives;
+
+    final Hit first = new Hit();
+    final Hit second = new Hit();
+    final double[] albedo = new double[3];
+
+    /** What the path brings without what leaves the second vertex. */
+    final double[] own = new double[3];
+
+    /** Radiance that leaves the second vertex, but for its own emission. */
+    final double[] given = new double[3];
+
+    /** A path that is yet to be followed. */
+    public PathCut() {}
+
+    /** Whether a ray that leaves the surface there cannot meet it again. */
+    static boolean isOpen(Hit place) {
+        Primitive p = place.primitive;
+        return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
+    }
+
+    /** Makes this a path that shares nothing. */
+    public void clear() {
+        takes = false;
+        gives = false;
+    }
+
+    /** Writes what the path brings without what leaves the second vertex. */
+    public void own(double[] out) {
+        System.arraycopy(own, 0, out, 0, 3);
+    }
+
+    /** What a share of what another path's second vertex gives brings: of component 0, 1 or 2. */
+    public double brings(PathCut other, double share, int c) {
+        return albedo[c] * share * other.given[c];
+    }
+
+    /** Whether the second vertex can give light to the first ones of other paths. */
+    public boolean gives() {
+        return gives;
+    }
+}

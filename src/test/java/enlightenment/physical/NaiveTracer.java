@@ -1,0 +1,294 @@
+package enlightenment.physical;
+
+import enlightenment.material.Material;
+import enlightenment.math.Vec3;
+import enlightenment.scene.Scene;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.IntStream;
+
+/**
+ * The rendering equation solved the slow way: paths go back from the eye until they happen to meet a light. No light is aimed at
+ * (but for lights without extent, which nobody can meet), nothing is known in closed form, no path is ended before its fiftieth
+ * event, and nothing of the renderer is used but the description of the scene. So it makes the same picture only if both are right.
+ *
+ * <p>Scenes have a size of about 1, and no surfaces that coincide.
+ */
+final class NaiveTracer {
+    private static final int CHUNKS = 32;
+    private static final int CERTAIN_EVENTS = 50;
+    private static final double SURVIVAL = 0.9;
+
+    private final NaiveScene scene;
+
+    /** Metals of one colour have tables, which are made once. */
+    private final Map<List<Object>, NaiveReflector> metals = new ConcurrentHashMap<>();
+
+    NaiveTracer(Scene scene) {
+        this.scene = new NaiveScene(scene);
+    }
+
+    /**
+     * Means of independent paths through a part of the picture.
+     *
+     * @return for each band, one mean per chunk of paths: independent numbers of one distribution
+     */
+    double[][] means(int left, int top, int right, int bottom, int paths, long seed) {
+        double[][] chunks = IntStream.range(0, CHUNKS)
+                .parallel()
+                .mapToObj(k -> chunk(left, top, right, bottom, paths / CHUNKS, new SplittableRandom(seed + 1000L * k)))
+                .toArray(double[][]::new);
+        double[][] bands = new double[3][CHUNKS];
+        for (int k = 0; k < CHUNKS; k++) {
+            for (int band = 0; band < 3; band++) {
+                bands[band][k] = chunks[k][band];
+            }
+        }
+        return bands;
+    }
+
+    private double[] chunk(int left, int top, int right, int bottom, int paths, SplittableRandom random) {
+        double[] sum = new double[3];
+        for (int i = 0; i < paths; i++) {
+            double x = left + (right - left) * random.nextDouble();
+            double y = top + (bottom - top) * random.nextDouble();
+            Vec3[] ray = scene.ray(x / scene.width(), y / scene.height());
+            add(sum, 1.0 / paths, radiance(ray[0], ray[1], 0, 0, random));
+        }
+        return sum;
+    }
+
+    private static void add(double[] sum, double factor, double[] value) {
+        for (int band = 0; band < 3; band++) {
+            sum[band] += factor * value[band];
+        }
+    }
+
+    private static double[] scaled(double[] value, double factor) {
+        return new double[] {factor * value[0], factor * value[1], factor * value[2]};
+    }
+
+    /** What comes to a point against a direction, by one path. */
+    private double[] radiance(Vec3 o, Vec3 d, int scattered, int events, SplittableRandom random) {
+        NaiveScene.Hit hit = scene.nearest(o, d);
+        if (hit == null) {
+            return scene.background;
+        }
+        NaiveScene.Surface s = hit.surface();
+        double[] emitted = hit.front() ? s.front() : s.back();
+        double[] kept = transmittance(o.plus(d.times(hit.distance() / 2)), hit.distance());
+        if (s.material() == null) {
+            return NaiveColors.product(kept, emitted);
+        }
+        double survival = events < CERTAIN_EVENTS ? 1 : SURVIVAL;
+        double[] sum = emitted.clone();
+        if (survival == 1 || random.nextDouble() < survival) {
+            add(sum, 1 / survival, scattered(hit, d, scattered, events + 1, random));
+        }
+        return NaiveColors.product(kept, sum);
+    }
+
+    /** What is left of light after a way through the medium at a point of it. */
+    private double[] transmittance(Vec3 inside, double length) {
+        NaiveScene.Surface medium = scene.medium(inside);
+        if (medium == null) {
+            return new double[] {1, 1, 1};
+        }
+        double[] left = NaiveColors.of(((Material.Glass) medium.material()).absorption());
+        for (int band = 0; band < 3; band++) {
+            left[band] = Math.exp(-left[band] * length);
+        }
+        return left;
+    }
+
+    private double[] scattered(NaiveScene.Hit hit, Vec3 d, int scattered, int events, SplittableRandom random) {
+        Material material = hit.surface().material();
+        if (material instanceof Material.Glass g) {
+            return random.nextDouble() < g.transparency()
+                    ? throughGlass(g, hit, d, scattered, events, random)
+                    : scattered == scene.maxBounces
+                            ? new double[3]
+                            : reflected(new NaiveReflector.Lambert(color(hit)), hit, d, scattered + 1, events, random);
+        }
+        if (scattered == scene.maxBounces) {
+            return new double[3];
+        }
+        if (material instanceof Material.Mirror) {
+            Vec3 on = d.minus(hit.normal().times(2 * d.dot(hit.normal())));
+            return NaiveColors.product(color(hit), radiance(hit.point(), on, scattered + 1, events, random));
+        }
+        return reflected(reflector(material, hit), hit, d, scattered + 1, events, random);
+    }
+
+    private static double[] color(NaiveScene.Hit hit) {
+        return NaiveColors.of(hit.surface().material().color(), hit.surface().shape(), hit.point());
+    }
+
+    private NaiveReflector reflector(Material material, NaiveScene.Hit hit) {
+        if (material instanceof Material.Glossy g) {
+            double[] color = color(hit);
+            List<Object> key = List.of(g, color[0], color[1], color[2]);
+            return metals.computeIfAbsent(key, any -> new NaiveReflector.Facets(color, g));
+        }
+        double roughness = ((Material.Matte) material).roughness();
+        return roughness > 0 ? new NaiveReflector.Rough(color(hit), roughness) : new NaiveReflector.Lambert(color(hit));
+    }
+
+    private double[] reflected(
+            NaiveReflector reflector, NaiveScene.Hit hit, Vec3 d, int scattered, int events, SplittableRandom random) {
+        Vec3[] axes = axes(hit.normal());
+        Vec3 out = local(axes, d.negated());
+        double[] sum = new double[3];
+        for (NaiveScene.Point p : scene.points) {
+            Vec3 way = p.position().minus(hit.point());
+            Vec3 in = local(axes, way.normalized());
+            if (in.z() > 0) {
+                double[] visible = visibility(hit.point(), way.normalized(), way.length());
+                for (int band = 0; band < 3; band++) {
+                    sum[band] += visible[band]
+                            * p.intensity()[band]
+                            * reflector.value(band, out, in)
+                            * in.z()
+                            / way.dot(way);
+                }
+            }
+        }
+        Vec3 in = reflector.sample(out, random);
+        if (in == null || in.z() <= 0) {
+            return sum;
+        }
+        double density = reflector.density(out, in);
+        Vec3 on = axes[0].times(in.x()).plus(axes[1].times(in.y())).plus(axes[2].times(in.z()));
+        double[] arriving = radiance(hit.point(), on, scattered, events, random);
+        for (int band = 0; band < 3; band++) {
+            sum[band] += reflector.value(band, out, in) * in.z() / density * arriving[band];
+        }
+        return sum;
+    }
+
+    /** What a point light's light keeps on its straight way: all, or what panes let through, or nothing. */
+    private double[] visibility(Vec3 from, Vec3 d, double length) {
+        double[] left = {1, 1, 1};
+        Vec3 o = from;
+        double rest = length;
+        while (true) {
+            NaiveScene.Hit hit = scene.nearest(o, d);
+            double way = hit == null ? rest : Math.min(rest, hit.distance());
+            left = NaiveColors.product(left, transmittance(o.plus(d.times(way / 2)), way));
+            if (hit == null || hit.distance() >= rest) {
+                return left;
+            }
+            if (!(hit.surface().material() instanceof Material.Glass g)
+                    || hit.surface().isSolid()) {
+                return new double[3];
+            }
+            double cosine = -d.dot(hit.normal());
+            left = NaiveColors.product(
+                    left, scaled(color(hit), 1 - NaiveFresnel.pane(cosine, 1, g.indexOfRefraction())));
+            o = hit.point();
+            rest -= hit.distance();
+        }
+    }
+
+    private double[] throughGlass(
+            Material.Glass glass, NaiveScene.Hit hit, Vec3 d, int scattered, int events, SplittableRandom random) {
+        double cosine = Math.min(1, -d.dot(hit.normal()));
+        NaiveScene.Surface before = scene.medium(hit, 1);
+        double from = NaiveScene.index(before);
+        if (!hit.surface().isSolid()) {
+            boolean reflects = random.nextDouble() < NaiveFresnel.pane(cosine, from, glass.indexOfRefraction());
+            return reflects
+                    ? mirrored(hit, hit.normal(), d, scattered, events, random)
+                    : NaiveColors.product(color(hit), radiance(hit.point(), d, scattered, events, random));
+        }
+        NaiveScene.Surface after = scene.medium(hit, -1);
+        double to = NaiveScene.index(after);
+        if (before == after || from == to) {
+            double[] through = radiance(hit.point(), d, scattered, events, random);
+            return before == after ? through : NaiveColors.product(color(hit), through);
+        }
+        if (glass.roughness() > 0) {
+            return throughFacets(glass, hit, d, from, to, scattered, events, random);
+        }
+        if (random.nextDouble() < NaiveFresnel.dielectric(cosine, from, to)) {
+            return mirrored(hit, hit.normal(), d, scattered, events, random);
+        }
+        return refracted(hit, hit.normal(), d, from, to, scattered, events, random);
+    }
+
+    private double[] mirrored(
+            NaiveScene.Hit hit, Vec3 facet, Vec3 d, int scattered, int events, SplittableRandom random) {
+        Vec3 on = d.minus(facet.times(2 * d.dot(facet)));
+        return scattered == scene.maxBounces || on.dot(hit.normal()) <= 0
+                ? new double[3]
+                : radiance(hit.point(), on, scattered + 1, events, random);
+    }
+
+    /** Radiance on the two sides of a border is in the ratio of the squares of the indices. */
+    private double[] refracted(
+            NaiveScene.Hit hit,
+            Vec3 facet,
+            Vec3 d,
+            double from,
+            double to,
+            int scattered,
+            int events,
+            SplittableRandom random) {
+        double cosine = -d.dot(facet);
+        double beyond = NaiveFresnel.refracted(Math.min(1, cosine), from, to);
+        Vec3 on = d.times(from / to)
+                .plus(facet.times(from / to * cosine - beyond))
+                .normalized();
+        if (scattered == scene.maxBounces || on.dot(hit.normal()) >= 0) {
+            return new double[3];
+        }
+        double[] arriving = radiance(hit.point(), on, scattered + 1, events, random);
+        return scaled(NaiveColors.product(color(hit), arriving), from * from / (to * to));
+    }
+
+    /** Rough glass, single scattering: the weight of Walter's equation 41. */
+    private double[] throughFacets(
+            Material.Glass glass,
+            NaiveScene.Hit hit,
+            Vec3 d,
+            double from,
+            double to,
+            int scattered,
+            int events,
+            SplittableRandom random) {
+        NaiveFacets facets = new NaiveFacets(glass.roughness() * glass.roughness());
+        Vec3[] axes = axes(hit.normal());
+        Vec3 out = local(axes, d.negated());
+        Vec3 m = facets.sample(random);
+        double cosine = out.dot(m);
+        if (cosine <= 0) {
+            return new double[3];
+        }
+        Vec3 facet = axes[0].times(m.x()).plus(axes[1].times(m.y())).plus(axes[2].times(m.z()));
+        boolean reflects = random.nextDouble() < NaiveFresnel.dielectric(cosine, from, to);
+        double beyond = NaiveFresnel.refracted(Math.min(1, cosine), from, to);
+        Vec3 in = reflects
+                ? m.times(2 * cosine).minus(out)
+                : m.times(from / to * cosine - beyond).minus(out.times(from / to));
+        if (reflects != in.z() > 0) {
+            return new double[3];
+        }
+        double weight = facets.visible(out, in.z() > 0 ? in : in.negated()) * cosine / (out.z() * m.z());
+        return scaled(
+                reflects
+                        ? mirrored(hit, facet, d, scattered, events, random)
+                        : refracted(hit, facet, d, from, to, scattered, events, random),
+                weight);
+    }
+
+    private static Vec3 local(Vec3[] axes, Vec3 v) {
+        return new Vec3(axes[0].dot(v), axes[1].dot(v), axes[2].dot(v));
+    }
+
+    private static Vec3[] axes(Vec3 z) {
+        Vec3 x = (Math.abs(z.x()) < 0.6 ? Vec3.X : Vec3.Y).cross(z).normalized();
+        return new Vec3[] {x, z.cross(x), z};
+    }
+}

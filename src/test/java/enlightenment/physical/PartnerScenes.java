@@ -1,0 +1,280 @@
+package enlightenment.physical;
+
+import static enlightenment.physical.PhysicalScenes.at;
+import static enlightenment.physical.PhysicalScenes.atMost;
+import static enlightenment.physical.PhysicalScenes.ball;
+import static enlightenment.physical.PhysicalScenes.linear;
+import static enlightenment.physical.PhysicalScenes.matte;
+import static enlightenment.physical.PhysicalScenes.panel;
+import static enlightenment.physical.PhysicalScenes.room;
+import static enlightenment.physical.PhysicalScenes.shading;
+import static enlightenment.physical.PhysicalScenes.sphereLight;
+import static enlightenment.physical.PhysicalScenes.view;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Triangle;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.Vec3;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * Small scenes, each with something that the path tracer does in its own way and the naive tracer does not know. Lights are large
+ * enough to be met by chance.
+ */
+final class PartnerScenes {
+    private static final Rgb WARM = new Rgb(5, 4, 2);
+    private static final Texture WHITE = linear(1, 1, 1);
+    private static final Material MIRROR = Material.Mirror.of(linear(0.95, 0.9, 0.85));
+    private static final Material GLASS = Material.Glass.of(linear(0.95, 1, 0.9), 1.5);
+    private static final Material.Conductor COPPER =
+            new Material.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
+    private static final Shape BALL = ball(-0.35, 0.45, -0.1, 0.42);
+    private static final Shape BLOCK = new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1));
+    private static final Light CEILING = panel(0.05, 1.9, 0, 0.6, WARM, false);
+    private static final Light LAMP = sphereLight(0.2, 1.5, -0.1, 0.3, 6);
+
+    private PartnerScenes() {}
+
+    static Map<String, Scene> all() {
+        Map<String, SceneBuilder> scenes = new TreeMap<>();
+        lights(scenes);
+        glowing(scenes);
+        surfaces(scenes);
+        glass(scenes);
+        surroundings(scenes);
+        limits(scenes);
+        MeetingScenes.addTo(scenes);
+        UnusualScenes.addTo(scenes);
+        Map<String, Scene> built = new TreeMap<>();
+        scenes.forEach((name, scene) -> built.put(name, scene.name(name).build()));
+        return built;
+    }
+
+    private static SceneBuilder furnished() {
+        return room().object(BALL, PhysicalScenes.WHITE).object(BLOCK, PhysicalScenes.GREEN);
+    }
+
+    private static void lights(Map<String, SceneBuilder> scenes) {
+        scenes.put("sphere light", furnished().light(LAMP));
+        scenes.put("sphere light in a wall", furnished().light(sphereLight(-0.9, 1.1, 0.4, 0.35, 6)));
+        scenes.put(
+                "sphere light of a power",
+                furnished()
+                        .light(new Light.Sphere(
+                                at(0.2, 1.5, -0.1),
+                                0.3,
+                                DisplayRgb.of(1, 0.8, 0.6),
+                                Emission.power(new Rgb(20, 30, 40)))));
+        scenes.put("panel to one side", furnished().light(CEILING));
+        scenes.put("panel to two sides", furnished().light(panel(0.1, 1.2, 0.1, 0.35, WARM, true)));
+        scenes.put(
+                "leaning panel of a power",
+                furnished()
+                        .light(new Light.Rectangle(
+                                at(-0.9, 0.9, 0.85),
+                                at(-0.9, 1.7, 0.55),
+                                at(-0.1, 1.8, 0.65),
+                                at(-0.1, 1.0, 0.95),
+                                new Rgb(1, 0.5, 0.25),
+                                false,
+                                Emission.power(Rgb.gray(20)))));
+        scenes.put(
+                "point light",
+                furnished().light(new Light.Point(at(0.1, 1.5, -0.4), Rgb.WHITE, Emission.intensity(WARM))));
+        scenes.put(
+                "point light behind a pane",
+                room().light(new Light.Point(at(0.1, 1.7, 0.1), Rgb.WHITE, Emission.intensity(WARM)))
+                        .object(
+                                TestScenes.rectangle(-0.9, 1.3, -0.6, -0.9, 1.1, 0.9, 0.5, 1.1, 0.9, 0.5, 1.3, -0.6),
+                                GLASS));
+        scenes.put(
+                "lights that hide each other",
+                furnished().light(LAMP).light(panel(0.2, 1.1, -0.1, 0.4, new Rgb(0.5, 1, 2), true)));
+        scenes.put(
+                "lights of all kinds",
+                furnished()
+                        .light(sphereLight(-0.6, 1.5, 0.3, 0.2, 8))
+                        .light(panel(0.3, 1.8, 0.2, 0.4, WARM, false))
+                        .light(new Light.Point(at(0, 1.2, -0.7), Rgb.WHITE, Emission.intensity(Rgb.gray(0.5))))
+                        .object(ball(0.8, 0.2, -0.7, 0.15), matte(0.5, 0.5, 0.5).withRadiance(Rgb.gray(4))));
+        SceneBuilder many = furnished();
+        for (int k = 0; k < 24; k++) {
+            double angle = k * 2.399963;
+            double r = 0.2 + 0.03 * k;
+            many.light(sphereLight(r * Math.cos(angle), 1.3 + 0.025 * k, r * Math.sin(angle), 0.05, 6 + k));
+        }
+        scenes.put("many lights", many);
+        scenes.put(
+                "within a light",
+                view(16, 16)
+                        .object(BALL, PhysicalScenes.WHITE)
+                        .object(BLOCK, MIRROR)
+                        .light(sphereLight(0, 1, 0, 5, 0.5)));
+    }
+
+    private static void glowing(Map<String, SceneBuilder> scenes) {
+        Material.Matte glow = matte(0.6, 0.3, 0.1).withRadiance(new Rgb(1, 2, 4));
+        scenes.put("glowing ball", room().object(BALL, glow).object(BLOCK, PhysicalScenes.WHITE));
+        scenes.put("glowing block", room().object(BALL, PhysicalScenes.WHITE).object(BLOCK, glow));
+        scenes.put(
+                "glowing disk and triangle",
+                room().object(new Disk(at(-0.3, 1.3, 0.2), new Vec3(0.2, -1, 0.3), 0.4), glow)
+                        .object(new Triangle(at(0.2, 0.1, 0.6), at(0.3, 1.1, 0.8), at(0.9, 0.2, 0.1)), glow)
+                        .object(BALL, PhysicalScenes.WHITE));
+        scenes.put(
+                "glowing tubes",
+                room().object(new Cylinder(at(-0.7, 1.6, 0.2), at(0.6, 1.5, 0), 0.15, true), glow)
+                        .object(new Cylinder(at(0.5, 0.3, -0.2), at(0.6, 0.9, 0.2), 0.3, false), glow));
+        scenes.put(
+                "glowing mirror and metal",
+                room().object(BALL, new Material.Mirror(linear(0.8, 0.8, 0.8), true, new Rgb(1, 2, 1)))
+                        .object(
+                                BLOCK,
+                                new Material.Glossy(WHITE, 0.6, Optional.of(COPPER), true, new Rgb(0.5, 0.2, 2))));
+    }
+
+    private static void surfaces(Map<String, SceneBuilder> scenes) {
+        scenes.put("mirror", room().light(LAMP).object(BALL, MIRROR).object(BLOCK, PhysicalScenes.WHITE));
+        scenes.put(
+                "mirrors facing each other",
+                room().light(CEILING)
+                        .object(BLOCK, MIRROR)
+                        .object(BALL, MIRROR)
+                        .object(
+                                TestScenes.rectangle(-0.9, 0.1, -0.9, -0.9, 1.9, -0.9, -0.9, 1.9, 0.9, -0.9, 0.1, 0.9),
+                                MIRROR));
+        scenes.put(
+                "rough matte",
+                room().light(LAMP)
+                        .object(BALL, matte(0.8, 0.5, 0.3).withRoughness(1))
+                        .object(BLOCK, matte(0.8, 0.5, 0.9).withRoughness(0.5)));
+        scenes.put(
+                "metals",
+                room().light(CEILING)
+                        .object(BALL, Material.Glossy.metal(linear(1, 0.9, 0.8), COPPER, 0.5))
+                        .object(BLOCK, Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.8)));
+        scenes.put(
+                "metals that scatter once",
+                room().light(LAMP)
+                        .object(BALL, new Material.Glossy(WHITE, 0.9, Optional.of(COPPER), false, Rgb.BLACK))
+                        .object(
+                                BLOCK,
+                                new Material.Glossy(linear(0.7, 0.8, 0.9), 0.4, Optional.empty(), false, Rgb.BLACK)));
+        scenes.put(
+                "checkered",
+                view(16, 16)
+                        .light(LAMP)
+                        .object(
+                                TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1),
+                                Material.Matte.of(new Texture.Checker(
+                                        List.of(DisplayRgb.of(0.9, 0.8, 0.7), new Rgb(0.05, 0.1, 0.2)), 5)))
+                        .object(
+                                BALL,
+                                Material.Matte.of(new Texture.Checker(
+                                        List.of(DisplayRgb.of(0.9, 0.8, 0.7), DisplayRgb.of(0.2, 0.3, 0.4)), 6))));
+    }
+
+    private static void glass(Map<String, SceneBuilder> scenes) {
+        scenes.put("glass", room().light(CEILING).object(BALL, GLASS).object(BLOCK, PhysicalScenes.WHITE));
+        scenes.put(
+                "glass that absorbs",
+                room().light(CEILING)
+                        .object(BALL, Material.Glass.of(WHITE, 1.3).withAbsorption(new Rgb(0.2, 1, 3)))
+                        .object(BLOCK, Material.Glass.of(WHITE, 1.7).withAbsorption(new Rgb(2, 0.5, 0))));
+        Material.Glass water = new Material.Glass(linear(0.9, 0.95, 1), 1.33, 1, 0, true);
+        Material.Glass inner = new Material.Glass(linear(1, 0.9, 0.9), 1.8, 1, 2, true);
+        scenes.put(
+                "nested glass",
+                room().light(CEILING)
+                        .object(ball(0, 0.8, -0.2, 0.7), water.withAbsorption(new Rgb(0.5, 0.1, 0)))
+                        .object(ball(0.1, 0.7, -0.3, 0.3), inner.withAbsorption(new Rgb(0, 0.4, 1)))
+                        .object(ball(-0.5, 1.1, -0.3, 0.35), new Material.Glass(WHITE, 1, 1, 3, true))
+                        .object(ball(0.4, 1.2, -0.1, 0.1), matte(0.7, 0.2, 0.2)));
+        scenes.put(
+                "equal glass",
+                room().light(CEILING)
+                        .object(ball(0, 0.8, -0.2, 0.6), Material.Glass.of(linear(0.9, 0.8, 1), 1.4))
+                        .object(ball(0.3, 0.9, -0.3, 0.5), Material.Glass.of(linear(0.7, 1, 0.9), 1.4)));
+        scenes.put(
+                "half of glass",
+                room().light(CEILING).object(BALL, new Material.Glass(linear(0.9, 0.6, 0.5), 1.5, 0.4, 0, true)));
+        scenes.put(
+                "rough glass",
+                room().light(CEILING)
+                        .object(BALL, new Material.Glass(WHITE, 1.5, 1, 0, true, 0.6, Rgb.BLACK, false))
+                        .object(
+                                BLOCK,
+                                new Material.Glass(linear(0.8, 1, 1), 1.3, 1, 0, true, 0.4, Rgb.gray(0.3), false)));
+        scenes.put(
+                "pane",
+                furnished()
+                        .light(CEILING)
+                        .object(
+                                TestScenes.rectangle(-0.6, 0.2, -0.9, -0.7, 1.7, -0.5, 0.6, 1.7, -0.8, 0.7, 0.2, -1.2),
+                                Material.Glass.of(linear(0.9, 0.7, 1), 1.5)));
+        scenes.put(
+                "pane over a lamp",
+                furnished()
+                        .light(sphereLight(0, 1.6, 0, 0.3, 6))
+                        .object(new Disk(at(0, 1.2, 0), new Vec3(0.1, 1, 0), 0.5), GLASS));
+        scenes.put("bulb", room().light(sphereLight(0, 1, 0, 0.3, 6)).object(ball(0.05, 1, 0, 0.5), GLASS));
+        scenes.put(
+                "eye in glass",
+                furnished().light(CEILING).object(ball(0, 1, -3.4, 0.4), Material.Glass.of(WHITE, 1.5)));
+        scenes.put(
+                "eye in two solids",
+                furnished()
+                        .light(CEILING)
+                        .object(ball(0, 1, -3.4, 0.4), water.withAbsorption(Rgb.gray(0.5)))
+                        .object(ball(0.1, 1, -3.4, 0.6), inner));
+    }
+
+    private static void surroundings(Map<String, SceneBuilder> scenes) {
+        SceneBuilder open = view(16, 16)
+                .shading(shading(0.4))
+                .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), PhysicalScenes.RED)
+                .object(BLOCK, Material.Glossy.of(linear(0.9, 0.8, 0.7), 0.6));
+        scenes.put("background", open);
+        scenes.put(
+                "background and lights",
+                furnished().shading(shading(0.3)).light(LAMP).object(ball(0.3, 1.2, 0.2, 0.2), GLASS));
+        scenes.put(
+                "window",
+                furnished()
+                        .light(LAMP)
+                        .camera(new Camera.Window(
+                                at(0.1, 1.1, -3),
+                                at(-0.9, 0, -0.95),
+                                at(-0.9, 1.9, -0.9),
+                                at(0.9, 1.9, -0.8),
+                                at(0.9, 0, -0.85),
+                                0)));
+    }
+
+    private static void limits(Map<String, SceneBuilder> scenes) {
+        for (int most = 0; most <= 3; most++) {
+            scenes.put(
+                    "at most " + most,
+                    furnished()
+                            .light(LAMP)
+                            .shading(atMost(most, 0.2))
+                            .object(ball(0.3, 1.2, -0.3, 0.25), GLASS)
+                            .object(ball(-0.5, 1.4, -0.3, 0.25), MIRROR));
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package enlightenment.physical;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.render.Renderer;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** Linear pictures through the public interface. */
+final class Rendered {
+    private Rendered() {}
+
+    /** Pictures of a scene with one seed after the other. */
+    static List<Image> seeds(Scene scene, RenderSettings settings, int first, int count) {
+        return IntStream.range(first, first + count)
+                .parallel()
+                .mapToObj(seed -> Renderer.render(scene, settings.withThreads(1).withSeed(seed)))
+                .toList();
+    }
+
+    static List<Image> seeds(Scene scene, int antialias, int first, int count) {
+        return seeds(scene, RenderSettings.of(scene).withAntialias(antialias), first, count);
+    }
+
+    /** A band's mean over a part of each picture. */
+    static double[] means(List<Image> pictures, int left, int top, int right, int bottom, int band) {
+        return pictures.stream()
+                .mapToDouble(image -> {
+                    assertEquals(Encoding.LINEAR, image.encoding());
+                    double sum = 0;
+                    for (int y = top; y < bottom; y++) {
+                        for (int x = left; x < right; x++) {
+                            assertTrue(image.component(x, y, band) >= 0, "negative or not a number");
+                            sum += image.component(x, y, band);
+                        }
+                    }
+                    return sum / ((right - left) * (bottom - top));
+                })
+                .toArray();
+    }
+}

@@ -1,0 +1,202 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.film.FilmTile;
+import enlightenment.image.Image;
+import enlightenment.method.cluster.PhysicalClusterMethod;
+import enlightenment.render.BlockMeans.Verdict;
+import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.RenderSettings.Crop;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the cluster method makes of physical light. */
+class PhysicalClusterTest {
+    private static final int WIDTH = 48;
+    private static final int HEIGHT = 24;
+
+    /** The methods have their random numbers in common. */
+    private static final long APART = 1000;
+
+    private static RenderSettings settings(Scene scene, Method method, double samples) {
+        return RenderSettings.of(scene)
+                .withMethod(method)
+                .withSize(WIDTH, HEIGHT)
+                .withThreads(2)
+                .withBudget(Budget.NONE.withSamples(samples));
+    }
+
+    private static Image image(Scene scene, RenderSettings settings) {
+        return Renderer.render(scene, settings);
+    }
+
+    private static List<double[]> pictures(Scene scene, RenderSettings settings, long first, int count) {
+        List<double[]> all = new ArrayList<>();
+        for (int k = 0; k < count; k++) {
+            float[] rgb = image(scene, settings.withSeed(first + k)).toArray();
+            double[] values = new double[rgb.length];
+            for (int i = 0; i < rgb.length; i++) {
+                values[i] = rgb[i];
+            }
+            all.add(values);
+        }
+        return all;
+    }
+
+    private static void compare(String name, double samples, int seeds) {
+        Scene scene = ManySeeds.shipped(name);
+        List<double[]> clustered = pictures(scene, settings(scene, Method.CLUSTER, samples), 1, seeds);
+        List<double[]> traced = pictures(scene, settings(scene, Method.RAYTRACE, samples), APART, seeds);
+        Verdict verdict = new BlockMeans(WIDTH, HEIGHT).compare(clustered, traced);
+        assertFalse(verdict.isDifferent(), name + ": " + verdict);
+    }
+
+    /** By Welch's test for each block and the whole, at 1 % for all together. */
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice-physical", "cornell-box", "glass-physical"})
+    void itMeansThePictureOfRaytrace(String name) {
+        compare(name, 9, 24);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice-physical", "cornell-box", "metals", "lamp-room", "glass-physical", "furnace"})
+    void itMeansThePictureOfRaytraceWithManySeeds(String name) {
+        compare(name, 16, 128);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice-physical", "lamp-room"})
+    void threadsTilesAndCropsChangeNoBit(String name) {
+        Scene scene = ManySeeds.shipped(name);
+        RenderSettings settings = settings(scene, Method.CLUSTER, 9.7).withThreads(1);
+        float[] whole = image(scene, settings).toArray();
+        assertArrayEquals(
+                whole, image(scene, settings.withThreads(3).withTileSize(5)).toArray(), "three threads and tiles of 5");
+        Crop crop = new Crop(19, 5, 23, 17);
+        float[] part = image(scene, settings.withCrop(crop)).toArray();
+        for (int k = 0; k < part.length; k++) {
+            int x = crop.x() + k / 3 % crop.width();
+            int y = crop.y() + k / 3 / crop.width();
+            assertEquals(whole[3 * (y * WIDTH + x) + k % 3], part[k], "pixel " + x + ", " + y);
+        }
+    }
+
+    @Test
+    void withTooFewSamplesForASurveyItIsRaytraceToTheBit() {
+        Scene scene = ManySeeds.shipped("fire-and-ice-physical");
+        assertArrayEquals(
+                image(scene, settings(scene, Method.RAYTRACE, 2)).toArray(),
+                image(scene, settings(scene, Method.CLUSTER, 2)).toArray());
+    }
+
+    /** Two matte walls that light each other, one of them under a lamp so bright that it shows white whatever a path finds. */
+    private static Scene burntOut(double exposure) {
+        return SceneReader.readString(
+                """
+                {
+                  "image": { "width": 48, "height": 24 },
+                  "camera": { "type": "perspective", "eye": [0, 1, -6], "lookAt": [0, 1, 0], "fieldOfView": 40 },
+                  "shading": { "model": "physical" },
+                  "display": { "exposure": EXPOSURE },
+                  "materials": { "white": { "type": "matte", "color": { "linear": [0.7, 0.7, 0.7] } } },
+                  "lights": [ { "type": "sphere", "center": [-2, 1, -1], "radius": 0.2, "color": "#ffffff", "radiance": 200 } ],
+                  "objects": [
+                    { "type": "rectangle", "corners": [[-9, -9, 1], [-9, 9, 1], [9, 9, 1], [9, -9, 1]], "material": "white" },
+                    { "type": "rectangle", "corners": [[-9, -1, -9], [-9, -1, 9], [9, -1, 9], [9, -1, -9]], "material": "white" }
+                  ]
+                }
+                """
+                        .replace("EXPOSURE", Double.toString(exposure)),
+                Path.of("."),
+                "burnt out");
+    }
+
+    private static FilmTile tile(Scene scene, double effort, double samples) {
+        RenderSettings settings = settings(scene, Method.CLUSTER, samples);
+        CompiledScene compiled = SceneCompiler.compile(scene, settings);
+        FilmTile tile = new FilmTile(0, 0, WIDTH, HEIGHT, compiled.display);
+        new PhysicalClusterMethod(compiled, settings, new RayCounters(compiled.kindNames.size()), effort, samples)
+                .render(tile);
+        return tile;
+    }
+
+    /** The same light, displayed four times as bright: where that is white samples are worth nothing any more. */
+    @Test
+    void whatIsBurntOutGetsTheLeastOfAll() {
+        Scene scene = burntOut(12);
+        FilmTile tile = tile(scene, 1e9, 16);
+        int white = 0;
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                // A block of which a part is not white may need more.
+                if (allWhite(tile, x / 8 * 8, y / 8 * 8)) {
+                    white++;
+                    assertEquals(8, tile.count(x, y), "pixel " + x + ", " + y);
+                }
+            }
+        }
+        assertTrue(white >= WIDTH * HEIGHT / 4, white + " pixels");
+    }
+
+    private static boolean allWhite(FilmTile tile, int left, int top) {
+        for (int y = top; y < top + 8; y++) {
+            for (int x = left; x < left + 8; x++) {
+                for (int c = 0; c < 3; c++) {
+                    if (tile.mean(x, y, c) * 4096 < 64) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    /** Where paths vary, and the screen shows it, there are more samples than the least. */
+    @Test
+    void samplesAreWhereTheScreenShowsNoise() {
+        FilmTile tile = tile(burntOut(0), 1e6, 16);
+        int[] counts = new int[WIDTH * HEIGHT];
+        for (int k = 0; k < counts.length; k++) {
+            counts[k] = tile.count(k % WIDTH, k / WIDTH);
+        }
+        assertTrue(Arrays.stream(counts).max().orElseThrow() > 8);
+        assertTrue(Arrays.stream(counts).allMatch(n -> Integer.bitCount(n) == 1 && n >= 8));
+    }
+
+    @Test
+    void whatIsSpentIsAboutWhatIsAskedFor() {
+        Scene scene = ManySeeds.shipped("fire-and-ice-physical");
+        RenderSettings settings = settings(scene, Method.CLUSTER, 24).withSize(128, 64);
+        RenderResult result = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
+        assertEquals(24, result.report().sampling().samplesPerPixel(), 2.4);
+        assertEquals(Method.CLUSTER, result.report().sampling().method());
+    }
+
+    /** Of many pictures with an error to keep, as good as all keep it. */
+    @Test
+    void anErrorThatIsAskedForIsReportedAsKept() {
+        Scene scene = ManySeeds.shipped("fire-and-ice-physical");
+        RenderSettings settings = settings(scene, Method.CLUSTER, 64)
+                .withBudget(Budget.NONE.withError(0.03).withSamples(256));
+        RenderResult result = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
+        assertTrue(result.report().sampling().errorHigh() <= 0.03);
+    }
+}

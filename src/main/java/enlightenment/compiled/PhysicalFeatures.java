@@ -34,6 +34,7 @@ final class PhysicalFeatures {
                 "caustics of mirror balls that are seen in mirrors and through glass",
                 "caustics of mirror balls that are seen in mirrors and through glass");
         add(hasBackground, "constant surroundings", "surroundings");
+        add(any(surfaces, m -> !m.isGlass && m.isDelta), "mirrors", "mirrors");
         add(any(surfaces, m -> m.isGlass), "refraction by Fresnel's equations, nested media", "refraction");
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");
         add(scene.hasAbsorption, "absorption in media", "absorption in media");

@@ -54,6 +54,11 @@ public final class GlossyReflection implements Bsdf {
         }
     }
 
+    /** Sets the value to the reflectance of a microfacet at normal incidence. */
+    public void reflectAtNormal(Scattering s) {
+        fresnel.at(1, s);
+    }
+
     /** Sets D, and gives the value of a white surface's single reflection. */
     private double single(Scattering s, double in, double out) {
         facets.at(s, s.ox + s.ix, s.oy + s.iy, s.oz + s.iz);

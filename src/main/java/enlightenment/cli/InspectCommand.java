@@ -6,6 +6,8 @@ import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Renderer;
 import enlightenment.scene.MethodSetting;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -53,7 +55,7 @@ final class InspectCommand extends Subcommand {
         RenderSettings settings = options.settings(scene, input.name());
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);
-        list("method", method(settings));
+        list("method", method(settings, scene));
         line("settings", options.line(settings) + " threads=" + settings.threads());
         list("modelled", inspection.modelled());
         list("not modelled", inspection.notModelled());
@@ -68,11 +70,15 @@ final class InspectCommand extends Subcommand {
     }
 
     /** What the method does, and what each of its settings is. */
-    private static List<String> method(RenderSettings settings) {
+    private static List<String> method(RenderSettings settings, Scene scene) {
         List<String> lines = new ArrayList<>();
         lines.add(settings.method().word() + ": " + settings.method().description());
         for (MethodSetting setting : settings.method().settings()) {
-            lines.add(setting.key() + "=" + settings.chosen().value(setting) + ": " + setting.description());
+            boolean isIdle = setting == RayTraceSettings.SHADOW_SAMPLES && scene.shading() instanceof PhysicalShading;
+            lines.add(setting.key() + "=" + settings.chosen().value(setting) + ": "
+                    + (isIdle
+                            ? "of classic shading; a physical path takes one point of a light at a time"
+                            : setting.description()));
         }
         return lines;
     }

@@ -98,6 +98,7 @@ final class RenderCommand extends Subcommand {
         RenderSettings settings = PictureOutput.withRounding(
                 options.settings(scene, input.name()), part == null ? output.writtenDepth() : output.depth());
         view.check(scene);
+        aovFiles.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         if (clusters != null) {
             ClusterFile.check(clusters, settings);
@@ -186,7 +187,7 @@ final class RenderCommand extends Subcommand {
         PngOptions png = new PngOptions(output.depth(), PictureText.of(scene, line));
         Image shown = view.view(result.image(), terminal);
         output.write(shown, png, terminal);
-        aovFiles.write(result.auxiliary(), png);
+        aovFiles.write(result.auxiliary(), shown, png);
         report.write(result, output, terminal);
         if (clusters != null) {
             ClusterFile.write(clusters, result, terminal);

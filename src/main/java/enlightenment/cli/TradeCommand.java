@@ -1,13 +1,14 @@
 package enlightenment.cli;
 
 import enlightenment.image.Image;
-import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.Trade;
 import enlightenment.measure.trade.Sweep;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Method;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -124,7 +125,7 @@ final class TradeCommand extends Subcommand {
                 .check();
         TradeOutput output = new TradeOutput(terminal, folder, sceneFile, options.given(), scene.name());
         if (evaluate) {
-            evaluate(settings, output);
+            evaluate(scene, settings, output);
         } else {
             measure(scene, settings, output);
         }
@@ -147,13 +148,19 @@ final class TradeCommand extends Subcommand {
     }
 
     private TradeSettings settings(Scene scene) throws IOException {
+        if (scene.shading() instanceof PhysicalShading
+                && sweeps.stream().anyMatch(s -> s.name().equals(RayTraceSettings.SHADOW_SAMPLES.key()))) {
+            throw CliException.wrongUsage(
+                    "--sweep shadowSamples has nothing to vary with physical shading, where a path takes"
+                            + " one light sample at a time");
+        }
         RenderSettings base = options.settings(scene, sceneFile.toString());
         options.warnOfStretch(scene, base, terminal);
         if (!methods.methods().contains(base.method())) {
             base = base.withMethod(methods.methods().get(0));
         }
         List<String> words = methods.methods().stream().map(Method::word).toList();
-        Optional<Image> given = reference.equals(AUTO) ? Optional.empty() : Optional.of(readReference());
+        Optional<Image> given = reference.equals(AUTO) ? Optional.empty() : Optional.of(readReference(scene));
         String frame = options.frame() == null ? "" : ", frame " + options.frame();
         String sceneKey = sceneFile.getFileName() + ", SHA-256 " + SceneFingerprint.of(scene) + frame;
         try {
@@ -163,9 +170,9 @@ final class TradeCommand extends Subcommand {
         }
     }
 
-    private Image readReference() {
+    private Image readReference(Scene scene) {
         try {
-            return ImageFiles.read(reference);
+            return Trade.readReference(scene, reference);
         } catch (IOException e) {
             throw CliException.wrongUsage("--reference: " + FileFailures.describe(e));
         }
@@ -176,9 +183,9 @@ final class TradeCommand extends Subcommand {
         return List.of("methods", "budget", "seeds", "reference").contains(key) ? key : "sweep " + key;
     }
 
-    private void evaluate(TradeSettings settings, TradeOutput output) throws IOException {
+    private void evaluate(Scene scene, TradeSettings settings, TradeOutput output) throws IOException {
         try {
-            output.write(Trade.read(settings, folder));
+            output.write(Trade.read(scene, settings, folder));
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--evaluate: " + e.problem());
         }

@@ -6,6 +6,7 @@ import enlightenment.image.Image;
 import enlightenment.picture.Exposure;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
@@ -76,7 +77,20 @@ final class ViewOption {
 
         @Override
         public Choice convert(String text) {
-            return new Choice(text.equals("auto") ? OptionalDouble.empty() : OptionalDouble.of(stops.convert(text)));
+            if (text.equals("auto")) {
+                return new Choice(OptionalDouble.empty());
+            }
+            try {
+                return new Choice(OptionalDouble.of(stops.convert(text)));
+            } catch (BadValue e) {
+                throw BadValue.expected(
+                        String.format(
+                                Locale.ROOT,
+                                "auto or a number in %.0f..%.0f",
+                                -DisplayCurve.MOST_EXPOSURE,
+                                DisplayCurve.MOST_EXPOSURE),
+                        text);
+            }
         }
     }
 

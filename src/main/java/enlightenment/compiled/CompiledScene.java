@@ -88,6 +88,9 @@ public final class CompiledScene {
     /** The number of objects in the scene's list, including duplicates of which only one became a primitive. */
     public final int objects;
 
+    /** Images of lights that can be aimed at; null if there are none. */
+    public final MirrorBalls mirrorBalls;
+
     private ConeSearch coneSearch;
     private final List<String> features;
     private final List<String> absent;
@@ -152,7 +155,9 @@ public final class CompiledScene {
         if (physical != null && accelerator instanceof PrimitiveList all) {
             physical.findOccluders(primitives, occluders, all);
         }
-        PhysicalFeatures more = physical == null ? null : new PhysicalFeatures(physical, materials.distinct());
+        mirrorBalls = physical == null ? null : MirrorBalls.of(this, physical);
+        PhysicalFeatures more =
+                physical == null ? null : new PhysicalFeatures(physical, materials.distinct(), mirrorBalls);
         this.features = more == null ? List.copyOf(features) : joined(more.present, features);
         this.absent = more == null ? List.copyOf(absent) : joined(more.absent, absent);
     }

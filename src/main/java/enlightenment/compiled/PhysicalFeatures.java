@@ -15,8 +15,9 @@ final class PhysicalFeatures {
      * Looks at a scene.
      *
      * @param surfaces its materials, those of its lights included
+     * @param mirrors images of lights that can be aimed at, or null
      */
-    PhysicalFeatures(PhysicalScene scene, Collection<SurfaceMaterial> surfaces) {
+    PhysicalFeatures(PhysicalScene scene, Collection<SurfaceMaterial> surfaces, MirrorBalls mirrors) {
         int lights = scene.lights.length;
         boolean hasBackground = scene.backgroundR > 0 || scene.backgroundG > 0 || scene.backgroundB > 0;
         add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
@@ -28,7 +29,12 @@ final class PhysicalFeatures {
                 lights > 0 && isWeighted,
                 "multiple importance sampling of lights and directions",
                 "multiple importance sampling (direct light has closed forms)");
+        add(
+                scene.hasCausticPass() && mirrors != null,
+                "caustics of mirror balls that are seen in mirrors and through glass",
+                "caustics of mirror balls that are seen in mirrors and through glass");
         add(hasBackground, "constant surroundings", "surroundings");
+        add(any(surfaces, m -> !m.isGlass && m.isDelta), "mirrors", "mirrors");
         add(any(surfaces, m -> m.isGlass), "refraction by Fresnel's equations, nested media", "refraction");
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");
         add(scene.hasAbsorption, "absorption in media", "absorption in media");

@@ -105,7 +105,7 @@ final class EqualTimeRenders {
             String method = runs.get(i).method();
             ImageFiles.writePng(image, session.folder.file(EqualTimeComparison.pictureName(method)));
             ImageFiles.writePng(
-                    HeatMap.withScale(Flip.between(image, reference)),
+                    HeatMap.withScale(Flip.between(image.toDisplay(), reference.toDisplay())),
                     session.folder.file(EqualTimeComparison.flipName(method)));
             ImageFiles.writePng(
                     difference(image, reference, gain),

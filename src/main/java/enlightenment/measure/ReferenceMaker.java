@@ -88,7 +88,7 @@ final class ReferenceMaker {
         Path note = session.folder.file("reference-" + (index + 1) + ".txt");
         Path file = session.folder.file("reference-" + (index + 1) + ".pfm");
         if (Files.exists(note) && Files.exists(file)) {
-            images.add(ImageFiles.read(file));
+            images.add(session.read(file));
             parts.add(part(configuration, samples(note), index));
             return;
         }
@@ -143,7 +143,8 @@ final class ReferenceMaker {
     /**
      * The mean of independent renders. The mean squared difference of two of them estimates the sum of their variances, so the
      * differences of all pairs estimate the variance of the mean without any assumption about the methods: for n renders, their
-     * sum over all pairs divided by n²(n − 1).
+     * sum over all pairs divided by n²(n − 1). The mean is one of light where the renders are, the differences are those of what a screen
+     * shows.
      *
      * @param images at least two, of one size
      */
@@ -159,10 +160,10 @@ final class ReferenceMaker {
                 for (int c = 0; c < 3; c++) {
                     double sum = 0;
                     for (int a = 0; a < n; a++) {
-                        double value = images.get(a).component(x, y, c);
-                        sum += value;
+                        sum += images.get(a).component(x, y, c);
+                        double value = images.get(a).displayed(x, y, c);
                         for (int b = 0; b < a; b++) {
-                            double d = value - images.get(b).component(x, y, c);
+                            double d = value - images.get(b).displayed(x, y, c);
                             squares += d * d;
                         }
                     }
@@ -172,7 +173,7 @@ final class ReferenceMaker {
         }
         double variance = squares / mean.length / ((double) n * n * (n - 1));
         return new Reference(
-                Optional.of(new Image(width, height, mean, images.get(0).encoding())), variance, parts);
+                Optional.of(new Image(width, height, mean, images.get(0).curve())), variance, parts);
     }
 
     /**
@@ -184,8 +185,8 @@ final class ReferenceMaker {
         for (int y = 0; y < reference.height(); y++) {
             for (int x = 0; x < reference.width(); x++) {
                 for (int c = 0; c < 3; c++) {
-                    double r = reference.component(x, y, c);
-                    sum += (a.component(x, y, c) - r) * (b.component(x, y, c) - r);
+                    double r = reference.displayed(x, y, c);
+                    sum += (a.displayed(x, y, c) - r) * (b.displayed(x, y, c) - r);
                 }
             }
         }

@@ -1,5 +1,6 @@
 package enlightenment.measure;
 
+import enlightenment.image.Image;
 import enlightenment.measure.analysis.Configuration;
 import enlightenment.measure.analysis.MeasuredCosts;
 import enlightenment.measure.analysis.TradeAnalysis;
@@ -9,6 +10,7 @@ import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -41,6 +43,11 @@ final class Session {
         this.folder = folder;
         this.listener = listener;
         renderer = new TimedRenderer(scene, cancelled, this::tick);
+    }
+
+    /** Reads a picture of the scene that was kept in a file. */
+    Image read(Path file) throws IOException {
+        return renderer.read(file);
     }
 
     double elapsed() {

@@ -11,6 +11,8 @@ import enlightenment.report.RenderReport;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 
@@ -32,6 +34,11 @@ final class TimedRenderer {
     /** A render and the seconds it took. */
     record Timed(Image image, RenderSettings settings, double wall, double cpu, RenderReport.Sampling sampling) {}
 
+    /** Reads a picture of the scene that was kept in a file. */
+    Image read(Path file) throws IOException {
+        return StoredPicture.read(scene, file);
+    }
+
     /** Renders; throws {@link CancelledException} if the render was cancelled. */
     Timed render(RenderSettings settings) {
         if (cancelled.getAsBoolean()) {
@@ -49,12 +56,14 @@ final class TimedRenderer {
         return new Timed(result.image(), settings, wall, cpu, result.report().sampling());
     }
 
-    /** Compares renders with the reference, several at once: nothing is being timed meanwhile. */
+    /** Compares renders with the reference, as a screen shows them, several at once: nothing is being timed meanwhile. */
     static List<TradeRun> judge(String kind, List<Timed> renders, Image reference) {
-        return renders.parallelStream().map(r -> judge(kind, r, reference)).toList();
+        Image shown = reference.toDisplay();
+        return renders.parallelStream().map(r -> judge(kind, r, shown)).toList();
     }
 
     private static TradeRun judge(String kind, Timed r, Image reference) {
+        Image shown = r.image.toDisplay();
         RenderSettings s = r.settings;
         return new TradeRun(
                 kind,
@@ -67,8 +76,8 @@ final class TimedRenderer {
                 r.wall,
                 r.cpu,
                 r.sampling.samplesPerPixel(),
-                ImageError.between(r.image, reference).meanSquaredError(),
-                Flip.between(r.image, reference).mean(),
+                ImageError.between(shown, reference).meanSquaredError(),
+                Flip.between(shown, reference).mean(),
                 r.sampling.estimatedError(),
                 r.sampling.errorLow(),
                 r.sampling.errorHigh());

@@ -1,5 +1,6 @@
 package enlightenment.measure;
 
+import enlightenment.image.Image;
 import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.trade.Advice;
@@ -73,15 +74,26 @@ public final class Trade {
      * Reads the result that a folder holds, without measuring. The runs and the figures of the reference are enough; its picture is
      * part of the result if it was kept.
      *
+     * @param scene what was rendered: says how pictures of light are shown
      * @param settings as the folder was measured with; budget, number of seeds and sweeps may differ
      * @throws enlightenment.math.InvalidValueException key "evaluate", if the folder holds no finished measurement, or one with other
      *     settings or of another scene
      * @throws IOException if a file cannot be read or is damaged
      */
-    public static TradeResult read(TradeSettings settings, Path folder) throws IOException {
+    public static TradeResult read(Scene scene, TradeSettings settings, Path folder) throws IOException {
         TradeFolder files = TradeFolder.stored(folder, settings);
-        MeasurementFile.Content kept = files.kept();
+        MeasurementFile.Content kept = files.kept(scene);
         return new TradeResult(settings, kept.reference(), files.journal().runs(), kept.conditions());
+    }
+
+    /**
+     * Reads a picture that a scene is to be compared with. A float map is taken for what the scene's shading makes: light, or colours of a
+     * screen.
+     *
+     * @throws IOException if the file cannot be read
+     */
+    public static Image readReference(Scene scene, Path file) throws IOException {
+        return StoredPicture.read(scene, file);
     }
 
     /**

@@ -2,7 +2,6 @@ package enlightenment.measure;
 
 import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
-import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.analysis.EqualTimeComparison;
 import enlightenment.measure.trade.Reference;
@@ -13,6 +12,7 @@ import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -119,11 +119,11 @@ final class TradeFolder {
     }
 
     /** Reads them, with the reference's picture if that is still there. */
-    MeasurementFile.Content kept() throws IOException {
+    MeasurementFile.Content kept(Scene scene) throws IOException {
         Optional<Image> picture = Optional.empty();
         for (String name : List.of("reference.png", "reference.pfm")) {
             if (Files.exists(file(name))) {
-                picture = Optional.of(ImageFiles.read(file(name)));
+                picture = Optional.of(StoredPicture.read(scene, file(name)));
             }
         }
         return MeasurementFile.parse(file(KEPT), picture);

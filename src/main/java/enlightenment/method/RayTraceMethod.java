@@ -10,6 +10,7 @@ import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
+import enlightenment.shading.PathPart;
 import enlightenment.shading.PathTracer;
 import enlightenment.shading.Shader;
 import java.util.function.BooleanSupplier;
@@ -61,6 +62,18 @@ public final class RayTraceMethod implements TileIntegrator {
         }
         int lightPoints = RayTraceSettings.of(settings).shadowSamples();
         return new RayTraceMethod(scene, settings, ClassicShader.ofColors(scene, lightPoints, counters), samples);
+    }
+
+    /** Of physical shading, that part of each sample which is direct light: {@link PathPart#DIRECT}. */
+    public static RayTraceMethod ofDirectLight(
+            CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
+        return new RayTraceMethod(scene, settings, new PathTracer(scene, counters, PathPart.DIRECT), samples);
+    }
+
+    /** Of physical shading, in place of light the reflectance of what is seen: {@link PathPart#ALBEDO}. */
+    public static RayTraceMethod ofAlbedo(
+            CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
+        return new RayTraceMethod(scene, settings, new PathTracer(scene, counters, PathPart.ALBEDO), samples);
     }
 
     @Override

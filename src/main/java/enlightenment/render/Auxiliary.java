@@ -38,7 +38,27 @@ public enum Auxiliary {
      * Which object it is: its place in the scene's list of objects, counted from 0. Lights count on after the last object; −1
      * where there is nothing.
      */
-    OBJECT;
+    OBJECT,
+
+    /**
+     * What share of light the first surface reflects that is neither a mirror nor glass: linear, 0..1, its colour, or of a metal its
+     * reflectance at normal incidence; the mean over the samples of the pixel. Where mirrors and glass show it, with their colours.
+     * Black where there is nothing. Physical shading only, as are those that follow.
+     */
+    ALBEDO,
+
+    /**
+     * The part of the picture that comes from lights, glowing things and the background straight: as they are seen, and from them to the
+     * first surface that is neither a mirror nor glass; also where mirrors and glass show it. Linear light.
+     */
+    DIRECT,
+
+    /**
+     * The rest of the picture: light that has been scattered at least twice, and caustics, which are light that came by way of mirrors
+     * or glass to the surface that is seen. The picture less {@link #DIRECT}, so that both add up to it; noise can make it negative
+     * where the picture is not made of the same paths, as by method {@code cluster}.
+     */
+    INDIRECT;
 
     /** The names that the command line knows, in order. */
     public static List<String> words() {
@@ -55,8 +75,13 @@ public enum Auxiliary {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** Whether it is told by rays of its own rather than by the samples of the picture. */
+    /** Whether it is told by one ray to each pixel rather than by the samples of the picture. */
     boolean needsRays() {
-        return this != ERROR && this != SAMPLES;
+        return this == DEPTH || this == NORMAL || this == OBJECT;
+    }
+
+    /** Whether it is light or reflectance, of physical shading. */
+    public boolean needsPaths() {
+        return this == ALBEDO || this == DIRECT || this == INDIRECT;
     }
 }

@@ -1,5 +1,6 @@
 package enlightenment.render;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.image.Image;
 import enlightenment.picture.HeatMap;
 import java.math.BigDecimal;
@@ -35,7 +36,20 @@ public record AuxiliaryPicture(Image image, String explanation) {
             case DEPTH -> depth(numbers);
             case NORMAL -> normal(numbers);
             case OBJECT -> object(numbers);
+            case ALBEDO -> albedo(numbers);
+            case DIRECT ->
+                new AuxiliaryPicture(
+                        numbers, "light straight from lights, to what is seen or shown; as the picture is shown");
+            case INDIRECT ->
+                new AuxiliaryPicture(numbers, "light scattered more than once, and caustics; as the picture is shown");
         };
+    }
+
+    /** Reflectance is no light: the exposure is of no concern to it. */
+    private static AuxiliaryPicture albedo(Image numbers) {
+        return new AuxiliaryPicture(
+                numbers.withCurve(DisplayCurve.SRGB),
+                "reflectance of the first surface that is neither mirror nor glass: sRGB, white is 1");
     }
 
     private static AuxiliaryPicture error(Image numbers) {

@@ -21,12 +21,14 @@ final class RenderRounds {
     private final Planner planner;
     private final Preview preview;
     private final AuxiliaryPass pass;
+    private final PathPartPass parts;
     private final Phases phases;
     private final Stopwatch time;
 
     /**
      * @param preview what is shown where nothing is finished yet, or null
      * @param pass what is told of pixels beside their colours, as far as it needs rays of its own
+     * @param parts what is told of the beginnings of paths
      * @param time since the render began
      */
     RenderRounds(
@@ -35,6 +37,7 @@ final class RenderRounds {
             Planner planner,
             Preview preview,
             AuxiliaryPass pass,
+            PathPartPass parts,
             Phases phases,
             Stopwatch time) {
         this.request = request;
@@ -43,6 +46,7 @@ final class RenderRounds {
         this.planner = planner;
         this.preview = preview;
         this.pass = pass;
+        this.parts = parts;
         this.phases = phases;
         this.time = time;
     }
@@ -78,14 +82,19 @@ final class RenderRounds {
         if (request.clusters()) {
             render.gatherClusters();
         }
+        if (parts.isNeeded()) {
+            // Before the picture: what is left of that if the render is stopped has its parts.
+            phases.run("auxiliary", () -> parts.run(plan, request.cancelled()));
+        }
         phases.run("render", render::run);
         Image image = phases.run("finish", render::image);
         Map<Auxiliary, Image> auxiliary = pass.images();
         for (Auxiliary kind : request.auxiliary()) {
-            if (!kind.needsRays()) {
+            if (!kind.needsRays() && !kind.needsPaths()) {
                 auxiliary.put(kind, new PixelStatistics(render.film(), settings.region()).of(kind));
             }
         }
+        parts.addTo(image, auxiliary);
         double rounding = Rounding.of(image, settings.budget().depth());
         RenderReport report = render.report(phases, rounding, round);
         return new RenderResult(

@@ -109,10 +109,11 @@ public final class Renderer {
         if (request.auxiliary().stream().anyMatch(Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(cancelled));
         }
+        PathPartPass parts = new PathPartPass(scene, settings, request.auxiliary());
         // Paths that may end anywhere show something of the whole picture from the first on.
         boolean previewed = request.progressive() && settings.method().kind() == Method.Kind.TILES;
         Planner planner = new Planner(scene, settings, cancelled);
-        RenderPlan plan = phases.run("plan", () -> planner.plan(time, previewed ? Preview.SHARE : 0));
+        RenderPlan plan = phases.run("plan", () -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share()));
         PictureMemory.check(settings, images + (plan.lightPaths() > 0 ? PictureMemory.IMAGES_OF_ADDED_SPLATS : 0));
         planner.notes().forEach(request.progress()::note);
         request.progress().planned(plan.samples(), plan.decidedBy());
@@ -121,7 +122,7 @@ public final class Renderer {
             phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
         }
         RenderRequest stoppable = request.withCancelled(cancelled);
-        return new RenderRounds(stoppable, scene, planner, preview, pass, phases, time).run(plan);
+        return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time).run(plan);
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */

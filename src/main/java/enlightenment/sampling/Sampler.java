@@ -17,7 +17,9 @@ public interface Sampler {
         /** Whether a path goes on at all. */
         ROULETTE,
         /** The point of the one light that is sampled. */
-        LIGHT
+        LIGHT,
+        /** The point of a light's image in a mirror. */
+        MIRROR
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

@@ -1,6 +1,7 @@
 package enlightenment.shading;
 
 import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
@@ -45,10 +46,10 @@ public final class PathTracer implements Shader {
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
 
-    private final PathParts parts = new PathParts();
+    private final boolean isAlbedo;
 
-    /** The number of vertices so far that were not those of delta lobes. */
-    private int vertices;
+    /** Whether a path ends where light has come to its first vertex straight. */
+    private final boolean endsSoon;
 
     private double throughputR;
     private double throughputG;
@@ -102,25 +103,37 @@ public final class PathTracer implements Shader {
     /** Radiance at the eye per radiance here, where the index of refraction is another one. */
     private double compression;
 
+    /** A path tracer for one thread that follows whole paths. */
+    public PathTracer(CompiledScene scene, RayCounters counters) {
+        this(scene, counters, PathPart.WHOLE);
+    }
+
     /**
      * A path tracer for one thread.
      *
      * @param scene a scene of physical shading
      * @param counters what this thread counts
+     * @param part what is wanted of each path
      */
-    public PathTracer(CompiledScene scene, RayCounters counters) {
-        this(scene, counters, scene.physical.hasCausticPass());
+    public PathTracer(CompiledScene scene, RayCounters counters, PathPart part) {
+        this(scene, counters, part, scene.physical.hasCausticPass());
     }
 
     /** @param leavesOut whether what a pass of caustics makes is left out, and what it cannot make is sought in its own way */
     PathTracer(CompiledScene scene, RayCounters counters, boolean leavesOut) {
+        this(scene, counters, PathPart.WHOLE, leavesOut);
+    }
+
+    private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
+        isAlbedo = part == PathPart.ALBEDO;
+        endsSoon = part != PathPart.WHOLE;
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
-        mirrors = leavesOut ? MirrorCaustics.of(scene, counters, path) : null;
+        mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
     @Override
@@ -136,11 +149,6 @@ public final class PathTracer implements Shader {
     @Override
     public void stopWhen(BooleanSupplier condition) {
         path.poll.stopWhen(condition);
-    }
-
-    /** Of what the last path consists; the same object for all of them. */
-    public PathParts parts() {
-        return parts;
     }
 
     @Override
@@ -280,8 +288,6 @@ public final class PathTracer implements Shader {
         throughputR = 1;
         throughputG = 1;
         throughputB = 1;
-        parts.clear();
-        vertices = 0;
         address = 0;
         events = 0;
         scattered = false;
@@ -307,8 +313,10 @@ public final class PathTracer implements Shader {
         SurfaceMaterial medium = absorbs ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
-            add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-            addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            if (!isAlbedo) {
+                add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            }
             return false;
         }
         if (medium != null && medium.absorbs) {
@@ -320,13 +328,16 @@ public final class PathTracer implements Shader {
     /** At an opaque surface. */
     private boolean surface(Ray ray, Sampler sampler) {
         SurfaceMaterial material = path.material();
-        if (material.glows) {
+        if (material.glows && !isAlbedo) {
             glow(ray, material);
         }
-        if (material.isBlack || !path.mayScatter()) {
+        if (material.isBlack || !path.mayScatter() || endsSoon && scattered) {
             return false;
         }
         path.color(material, surface);
+        if (isAlbedo && !material.isDelta) {
+            return albedo(ray, material);
+        }
         if (material.bsdf == Lambert.INSTANCE) {
             return matte(ray, sampler);
         }
@@ -344,9 +355,6 @@ public final class PathTracer implements Shader {
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
             addCertain(material.glowR, material.glowG, material.glowB);
-            if (vertices == 0 || vertices == 1 && !delta) {
-                parts.direct(red, green, blue);
-            }
         }
     }
 
@@ -355,18 +363,33 @@ public final class PathTracer implements Shader {
         if (hasCausticPass && scatteredFirst) {
             return 0;
         }
-        return mirrors != null && mirrors.covers(physical.lightOf(path.id, path.hit.face)) ? 0 : 1;
+        return mirrors == null ? 1 : mirrors.weight();
     }
 
     /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
     private boolean isSeenByMirrors() {
-        return mirrors != null && events > 0 && !scatteredFirst;
+        return mirrors != null && (scattered ? !scatteredFirst : deltaFirst);
     }
 
     /** Adds light that balls reflect to the surface. */
     private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
         mirrors.gather(bsdf, s, sampler, address);
         add(mirrors.red, mirrors.green, mirrors.blue);
+    }
+
+    /** Ends the path with the reflectance of the surface that it is at, whose colour is known. */
+    private boolean albedo(Ray ray, SurfaceMaterial material) {
+        if (material.bsdf instanceof GlossyReflection metal) {
+            Scattering s = path.arrive(ray, surface);
+            metal.reflectAtNormal(s);
+            surface[0] = s.valueR;
+            surface[1] = s.valueG;
+            surface[2] = s.valueB;
+        }
+        red = throughputR * surface[0];
+        green = throughputG * surface[1];
+        blue = throughputB * surface[2];
+        return false;
     }
 
     /** Lambert's law: direct light has closed forms. */
@@ -386,10 +409,6 @@ public final class PathTracer implements Shader {
             leaveToChance(light.views);
             lightIsCertain = light.isCertain();
         }
-        if (vertices++ == 0) {
-            parts.albedo(surface);
-            parts.direct(red, green, blue);
-        }
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
@@ -398,7 +417,7 @@ public final class PathTracer implements Shader {
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
         if (seen) {
-            mirrors.left(s.ix, s.iy, s.iz);
+            mirrors.left(s);
         }
         leave(false);
         return s.pdf > 0 && filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
@@ -419,10 +438,6 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !scattered);
         add(light.red, light.green, light.blue);
-        if (vertices++ == 0) {
-            parts.albedo(surface);
-            parts.direct(red, green, blue);
-        }
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(material.bsdf, s, sampler);
@@ -432,10 +447,8 @@ public final class PathTracer implements Shader {
             return false;
         }
         light.left(s.pdf);
-        if (seen && s.delta) {
-            mirrors.begin();
-        } else if (seen) {
-            mirrors.left(s.ix, s.iy, s.iz);
+        if (seen) {
+            mirrors.left(s);
         }
         path.leave(ray, s);
         leave(s.delta);
@@ -452,7 +465,10 @@ public final class PathTracer implements Shader {
             if (opaque >= 0) {
                 path.turnTo(opaque);
                 path.color(path.material(), surface);
-                return path.mayScatter() && matte(ray, sampler);
+                if (!path.mayScatter() || endsSoon && scattered) {
+                    return false;
+                }
+                return isAlbedo ? albedo(ray, path.material()) : matte(ray, sampler);
             }
         }
         boolean isRough = false;
@@ -479,6 +495,9 @@ public final class PathTracer implements Shader {
             deltaFirst |= !scattered;
             filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
+        }
+        if (endsSoon && scattered) {
+            return false;
         }
         leave(true);
         if (isRough) {

@@ -41,7 +41,7 @@ class CompletionTest {
                 "render  | --progress | auto bar plain none",
                 "render  | --depth    | 8 16",
                 "render  | --format   | png pfm",
-                "render  | --aov      | error samples depth normal object",
+                "render  | --aov      | error samples depth normal object albedo direct indirect",
                 "trade   | --methods  | METHODS"
             })
     void wordsAreCompleted(String command, String option, String known) {

@@ -66,6 +66,59 @@ class LightCommandsTest {
     }
 
     @Test
+    void directAndIndirectLightAreShownAsThePictureIs() throws IOException {
+        CliRun run = render(png, "--aov", "albedo,direct,indirect", "--exposure", "1");
+        assertEquals(new CliRun(0, "", ""), run);
+        assertEquals(0, render(map, "--aov", "direct,indirect").code());
+        Image direct = ImageFiles.read(folder.resolve("out.direct.pfm"), Encoding.LINEAR);
+        assertArrayEquals(
+                asPng(direct, DisplayCurve.of(1, Tone.CLIP), folder.resolve("a.png"))
+                        .toArray(),
+                shown(folder.resolve("out.direct.png")).toArray());
+        float[] light = ImageFiles.read(map, Encoding.LINEAR).toArray();
+        float[] rest = ImageFiles.read(folder.resolve("out.indirect.pfm"), Encoding.LINEAR)
+                .toArray();
+        for (int i = 0; i < light.length; i++) {
+            assertEquals(light[i], direct.toArray()[i] + rest[i], 1e-6f * (1 + light[i]));
+        }
+        assertTrue(Files.exists(folder.resolve("out.albedo.png")));
+    }
+
+    @Test
+    void inspectSaysWhatHasNoEffect() {
+        String out = CliRun.of("inspect", "scenes/lamp-room.json").out();
+        assertTrue(out.contains("shadowSamples=10: of classic shading"), out);
+        assertTrue(out.contains("mirrors") && out.contains("indirect light"), out);
+    }
+
+    @Test
+    void lightSamplesAreNothingToSweep() {
+        CliRun run = CliRun.of("trade", CORNELL, "-o", folder.resolve("t"), "--sweep", "shadowSamples=1..4");
+        assertEquals(2, run.code());
+        assertTrue(run.err().contains("--sweep shadowSamples has nothing to vary with physical shading"), run.err());
+        assertFalse(Files.exists(folder.resolve("t")));
+    }
+
+    @Test
+    void anExposureIsANumberOrAutomatic() {
+        assertEquals(
+                new CliRun(
+                        2, "", "enlightenment: --exposure must be auto or a number in -1000..1000, not \"bright\"\n"),
+                render(png, "--exposure", "bright"));
+    }
+
+    @Test
+    void classicShadingDoesNotTellDirectLightApart() {
+        assertEquals(
+                new CliRun(
+                        2,
+                        "",
+                        "enlightenment: --aov albedo,direct is for physical shading: classic shading does not tell it apart\n"),
+                CliRun.of("render", "scenes/cube.json", "-o", png, "--size", "4x4", "--aov", "direct,depth,albedo"));
+        assertFalse(Files.exists(png));
+    }
+
+    @Test
     void anExposureIsAViewAndAutomaticSaysWhichItWas() throws IOException {
         assertEquals(0, render(map).code());
         Image light = ImageFiles.read(map, Encoding.LINEAR);

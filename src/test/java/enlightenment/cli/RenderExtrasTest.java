@@ -103,8 +103,14 @@ class RenderExtrasTest {
 
     @Test
     void whatIsWrongWithTheListIsToldBeforeAnythingIsDone() throws IOException {
-        refused("--aov must be one of error, samples, depth, normal, object, not \"eror\"", "--aov", "error,eror");
-        refused("--aov must be one of error, samples, depth, normal, object, not \"\"", "--aov", "error,");
+        refused(
+                "--aov must be one of error, samples, depth, normal, object, albedo, direct, indirect, not \"eror\"",
+                "--aov",
+                "error,eror");
+        refused(
+                "--aov must be one of error, samples, depth, normal, object, albedo, direct, indirect, not \"\"",
+                "--aov",
+                "error,");
         refused("--aov names depth twice", "--aov", "depth,error,depth");
         Path report = folder.resolve("p.error.png");
         refused(

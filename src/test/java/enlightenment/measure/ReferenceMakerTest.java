@@ -3,6 +3,8 @@ package enlightenment.measure;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Tone;
 import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.measure.analysis.SyntheticImages;
@@ -34,6 +36,20 @@ class ReferenceMakerTest {
         Reference reference = ReferenceMaker.meanOf(parts, List.of());
         double truth = ImageError.between(reference.image(), TRUTH).meanSquaredError();
         assertEquals(truth, reference.variance(), 2 * SCATTER * truth);
+    }
+
+    /** Light is averaged; what differs beyond the white of the screen is no difference. */
+    @Test
+    void ofLightTheMeanIsLightAndTheErrorIsThatOfWhatIsShown() {
+        DisplayCurve curve = DisplayCurve.of(1, Tone.CLIP);
+        Image a = new Image(1, 1, new float[] {0.1f, 8, 0}, curve);
+        Image b = new Image(1, 1, new float[] {0.2f, 2, 0}, curve);
+        Reference reference = ReferenceMaker.meanOf(List.of(a, b), List.of());
+        assertEquals(0.15f, reference.image().component(0, 0, 0), 1e-7f);
+        assertEquals(5, reference.image().component(0, 0, 1));
+        assertEquals(curve, reference.image().curve());
+        double d = curve.of(0.1) - curve.of(0.2);
+        assertEquals(d * d / 12, reference.variance(), 1e-6);
     }
 
     @Test

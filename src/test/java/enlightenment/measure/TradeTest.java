@@ -1,10 +1,14 @@
 package enlightenment.measure;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.image.ImageError;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.Sweep;
@@ -12,6 +16,9 @@ import enlightenment.measure.trade.TradeListener;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
+import enlightenment.render.Renderer;
+import enlightenment.scene.Budget;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -76,11 +83,40 @@ class TradeTest {
     @Test
     void aFolderIsReadAsItWasMeasured() throws IOException {
         TradeResult result = run(settings, false).orElseThrow();
-        TradeResult read = Trade.read(settings, folder);
+        TradeResult read = Trade.read(scene, settings, folder);
         assertEquals(result.runs(), read.runs());
         assertEquals(result.reference().variance(), read.reference().variance());
         assertEquals(result.conditions(), read.conditions());
         assertEquals(Trade.advice(result, 0.01), Trade.advice(read, 0.01));
+    }
+
+    @Test
+    void ofPhysicalLightErrorsAreThoseOfWhatIsShown() throws IOException {
+        Scene room = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
+        RenderSettings base = RenderSettings.of(room).withSize(12, 12).withThreads(1);
+        TradeSettings what = TradeSettings.of(base, "a room")
+                .withMethods(List.of("raytrace"))
+                .withBudgetSeconds(NO_TIME)
+                .withSeeds(1);
+        TradeResult result = Trade.run(room, what, folder, false, TradeListener.NONE, () -> false)
+                .orElseThrow();
+        Image reference = result.reference().image();
+        assertEquals(Encoding.LINEAR, reference.encoding());
+        TradeRun run = result.runs().stream()
+                .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES))
+                .findFirst()
+                .orElseThrow();
+        Image again = Renderer.render(
+                room,
+                base.withMethod(Method.RAYTRACE)
+                        .withSeed(run.seed())
+                        .withBudget(Budget.NONE.withSamples(run.samples())));
+        assertEquals(
+                ImageError.between(again.toDisplay(), reference.toDisplay()).meanSquaredError(),
+                run.meanSquaredDifference());
+        Image read = Trade.read(room, what, folder).reference().image();
+        assertEquals(reference.curve(), read.curve());
+        assertArrayEquals(reference.toArray(), read.toArray());
     }
 
     @Test

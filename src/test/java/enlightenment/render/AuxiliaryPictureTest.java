@@ -96,7 +96,9 @@ class AuxiliaryPictureTest {
 
     @Test
     void theWordsAreTheNamesInSmallLetters() {
-        assertEquals(List.of("error", "samples", "depth", "normal", "object"), Auxiliary.words());
+        assertEquals(
+                List.of("error", "samples", "depth", "normal", "object", "albedo", "direct", "indirect"),
+                Auxiliary.words());
         assertEquals(Optional.of(Auxiliary.DEPTH), Auxiliary.of("depth"));
         assertEquals(Optional.empty(), Auxiliary.of("DEPTH"));
     }

@@ -34,7 +34,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class RenderRequestTest {
-    private static final Set<Auxiliary> ALL = EnumSet.allOf(Auxiliary.class);
+    private static final Set<Auxiliary> ALL = EnumSet.range(Auxiliary.ERROR, Auxiliary.OBJECT);
     private static final Scene SMALL = TestScenes.whiteFireAndIce()
             .size(80, 40)
             .shading(new ClassicShading(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))

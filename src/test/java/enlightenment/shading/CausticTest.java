@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Caustics by paths from lights, and those seen in mirrors by cones, are what plain path tracing finds by chance. */
+/** Caustics by paths from lights, and those seen in mirrors by images, are what plain path tracing finds by chance. */
 class CausticTest {
     private static final int SIDE = 8;
     private static final int PIXELS = SIDE * SIDE;

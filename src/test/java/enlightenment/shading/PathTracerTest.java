@@ -1,6 +1,8 @@
 package enlightenment.shading;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
@@ -27,6 +29,7 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.SplittableRandom;
@@ -283,24 +286,30 @@ class PathTracerTest {
         assertTrue(Math.abs(own - mean) < 4 * error, () -> own + ", naive " + mean + " ± " + error);
     }
 
-    /** Of the same paths, what is direct does not depend on how many bounces follow; the rest of one bounce is 0. */
+    /** Of the same paths, what is direct does not depend on how many bounces follow: with one bounce it is all there is. */
     @Test
     void withOneBounceAllLightIsDirect() {
-        for (int bounces = 0; bounces < 2; bounces++) {
-            Scene scene = room(bounces);
-            CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
-            PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()));
-            tracer.beginTile(0, 0, 1, 1);
-            SobolSampler sampler = new SobolSampler();
-            Ray ray = new Ray();
-            double[] out = new double[3];
-            for (int k = 0; k < 2000; k++) {
-                sampler.pixel(1, k, 0);
-                sampler.sample(0);
-                compiled.camera.ray(sampler.filmX(), sampler.filmY(), ray);
-                tracer.shade(ray, sampler, out);
-                assertEquals(out[0], tracer.parts().directR);
-            }
+        double[] whole = firstValues(room(1), PathPart.WHOLE);
+        assertArrayEquals(whole, firstValues(room(1), PathPart.DIRECT));
+        assertArrayEquals(whole, firstValues(room(7), PathPart.DIRECT));
+        assertFalse(Arrays.equals(whole, firstValues(room(7), PathPart.WHOLE)));
+    }
+
+    private static double[] firstValues(Scene scene, PathPart part) {
+        CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
+        PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()), part);
+        tracer.beginTile(0, 0, 1, 1);
+        SobolSampler sampler = new SobolSampler();
+        Ray ray = new Ray();
+        double[] out = new double[3];
+        double[] values = new double[2000];
+        for (int k = 0; k < values.length; k++) {
+            sampler.pixel(1, k, 0);
+            sampler.sample(0);
+            compiled.camera.ray(sampler.filmX(), sampler.filmY(), ray);
+            tracer.shade(ray, sampler, out);
+            values[k] = out[0];
         }
+        return values;
     }
 }

@@ -1,0 +1,27 @@
+package enlightenment.measure;
+
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.ImageFormat;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/** Pictures of a scene in files: of physical shading a float map holds light, and the scene says how it is shown. */
+final class StoredPicture {
+    private StoredPicture() {}
+
+    static Image read(Scene scene, Path file) throws IOException {
+        boolean isFloats =
+                ImageFormat.ofExtension(file).filter(ImageFormat::holdsFloats).isPresent();
+        if (!isFloats || !(scene.shading() instanceof PhysicalShading)) {
+            return ImageFiles.read(file);
+        }
+        return ImageFiles.read(file, Encoding.LINEAR)
+                .withCurve(DisplayCurve.of(
+                        scene.display().exposure(), scene.display().tone()));
+    }
+}

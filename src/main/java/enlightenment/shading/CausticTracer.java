@@ -104,7 +104,7 @@ public final class CausticTracer {
         red = source.red;
         green = source.green;
         blue = source.blue;
-        faint = PathTracer.FAINT * Math.max(red, Math.max(green, blue));
+        faint = PathValue.FAINT * Math.max(red, Math.max(green, blue));
         events = 0;
         pieces = 0;
         isAimed = false;
@@ -264,17 +264,17 @@ public final class CausticTracer {
         blue *= b;
     }
 
-    /** Multiplies by the weight of an event, and plays roulette by it as {@link PathTracer} does. */
+    /** Multiplies by the weight of an event, and plays roulette by it as {@link PathValue} does. */
     private boolean filterAndSurvive(double r, double g, double b) {
         filter(r, g, b);
         double most = Math.max(red, Math.max(green, blue));
-        if (events + 1 < PathTracer.ROULETTE_FROM && most >= faint) {
+        if (events + 1 < PathValue.ROULETTE_FROM && most >= faint) {
             return true;
         }
         if (!(most > 0)) {
             return false;
         }
-        double survival = Math.min(Math.max(r, Math.max(g, b)), PathTracer.LARGEST_SURVIVAL);
+        double survival = Math.min(Math.max(r, Math.max(g, b)), PathValue.LARGEST_SURVIVAL);
         if (!(unit(4) < survival)) {
             return false;
         }

@@ -32,7 +32,7 @@ public final class PathCut {
     public PathCut() {}
 
     /** Whether a ray that leaves the surface there cannot meet it again. */
-    static boolean isOpen(Hit place) {
+    private static boolean isOpen(Hit place) {
         Primitive p = place.primitive;
         return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
     }
@@ -41,6 +41,29 @@ public final class PathCut {
     public void clear() {
         takes = false;
         gives = false;
+    }
+
+    /**
+     * Notes the first vertex: others may give to it if it is sure that its path goes on.
+     *
+     * @param color of the surface there
+     * @param isPlain whether it is in empty space and coincides with no other
+     */
+    void begin(Hit at, double[] color, boolean isPlain) {
+        takes = isPlain && isOpen(at) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
+        if (takes) {
+            first.set(at);
+            System.arraycopy(color, 0, albedo, 0, 3);
+        }
+    }
+
+    /** Notes the second vertex; returns whether it can give light to others. */
+    boolean end(Hit at, boolean isPlain) {
+        gives = takes && isPlain && at.primitive.isFlat();
+        if (gives) {
+            second.set(at);
+        }
+        return gives;
     }
 
     /** Writes what the path brings without what leaves the second vertex. */

@@ -1,6 +1,7 @@
 package enlightenment.shading;
 
 import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledLight;
 import enlightenment.compiled.CompiledScene;
@@ -150,6 +151,20 @@ final class PathFollower {
         }
         hit.primitive.textureCoordinates(hit);
         material.color(hit.u, hit.v, hit.primitive instanceof SpherePrimitive, rgb);
+    }
+
+    /**
+     * Turns the colour of the surface that the path is at into its reflectance.
+     *
+     * @param rgb the colour; receives what share of light that comes along the normal is reflected, by band
+     */
+    void reflectance(Ray ray, SurfaceMaterial material, double[] rgb) {
+        if (material.bsdf instanceof GlossyReflection metal) {
+            metal.reflectAtNormal(arrive(ray, rgb));
+            rgb[0] = scattering.valueR;
+            rgb[1] = scattering.valueG;
+            rgb[2] = scattering.valueB;
+        }
     }
 
     /**

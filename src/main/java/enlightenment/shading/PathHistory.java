@@ -2,6 +2,9 @@ package enlightenment.shading;
 
 /** Of what kinds the events of a path from the eye were: that decides which technique finds the light that it comes to. */
 final class PathHistory {
+    /** How many scattering events there were. */
+    int events;
+
     /** Whether a direction was sampled from a lobe that is not a delta lobe. */
     boolean scattered;
 
@@ -9,12 +12,13 @@ final class PathHistory {
     boolean scatteredFirst;
 
     /** Whether there were events of delta lobes before. */
-    boolean deltaFirst;
+    private boolean deltaFirst;
 
     /** Whether light was gathered at the last vertex, so that light that the path runs into is weighted. */
     boolean gathered;
 
     void begin() {
+        events = 0;
         scattered = false;
         scatteredFirst = false;
         deltaFirst = false;
@@ -34,5 +38,10 @@ final class PathHistory {
     /** Notes surfaces that the path passed straight: no event, and the last vertex stays what it was. */
     void pass() {
         deltaFirst |= !scattered;
+    }
+
+    /** Whether the eye sees the surface that the path is at, or the first that it was scattered by, in a mirror or through glass. */
+    boolean isSeenByMirrors() {
+        return scattered ? !scatteredFirst : deltaFirst;
     }
 }

@@ -1,16 +1,13 @@
 package enlightenment.shading;
 
 import enlightenment.bsdf.Bsdf;
-import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
-import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
-import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
@@ -23,15 +20,6 @@ import java.util.function.BooleanSupplier;
  * ({@link PathLight}). Nothing is clamped: the mean over paths is the solution. See docs/physical-light.md.
  */
 public final class PathTracer implements Shader {
-    /** From this scattering event on roulette may end a path. */
-    static final int ROULETTE_FROM = 5;
-
-    /** Sooner, if less than this is left of a path's throughput. */
-    static final double FAINT = 0.05;
-
-    /** Paths of a closed white room must end, too. */
-    static final double LARGEST_SURVIVAL = 0.99;
-
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
@@ -41,8 +29,10 @@ public final class PathTracer implements Shader {
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
+    private final PathValue value = new PathValue();
+    private final PathHistory history = new PathHistory();
+    private final PathConnections connections;
     private final double[] surface = new double[3];
-    private final Ray shareRay = new Ray();
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
 
@@ -51,57 +41,11 @@ public final class PathTracer implements Shader {
     /** Whether a path ends where light has come to its first vertex straight. */
     private final boolean endsSoon;
 
-    private double throughputR;
-    private double throughputG;
-    private double throughputB;
-    private double red;
-    private double green;
-    private double blue;
-
     /** Where the path is cut; null for a path that is whole. */
     private PathCut cut;
 
-    /** Whether no random number has had a part in the path so far. */
-    private boolean certain;
-
-    /** What was added until then. */
-    private double certainRed;
-
-    private double certainGreen;
-    private double certainBlue;
-
-    /** Whether that ended at a matte surface of which the lights are certain. */
-    private boolean lightIsCertain;
-
-    /** What the path came to until then. */
-    private long certainKey;
-
     /** How many scattering events have used random numbers: the address of the next ones. */
     private int address;
-
-    /** How many scattering events there were. */
-    private int events;
-
-    /** Whether a direction was sampled from a lobe that is not a delta lobe. */
-    private boolean scattered;
-
-    /** Whether that was the first event of the path. */
-    private boolean scatteredFirst;
-
-    /** Whether there were events of delta lobes before. */
-    private boolean deltaFirst;
-
-    /** Whether the last event was one of a delta lobe. */
-    private boolean delta;
-
-    /** Whether light was gathered at the last vertex, so that light that the path runs into is weighted. */
-    private boolean gathered;
-
-    /** The index of refraction of the medium that the eye is in. */
-    private double firstIndex;
-
-    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
-    private double compression;
 
     /** A path tracer for one thread that follows whole paths. */
     public PathTracer(CompiledScene scene, RayCounters counters) {
@@ -131,6 +75,7 @@ public final class PathTracer implements Shader {
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
+        connections = new PathConnections(path.tracer);
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
@@ -153,13 +98,8 @@ public final class PathTracer implements Shader {
 
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
-        begin(ray);
-        while (step(ray, sampler)) {
-            events++;
-        }
-        out[0] = red;
-        out[1] = green;
-        out[2] = blue;
+        follow(ray, sampler);
+        value.get(out);
     }
 
     /**
@@ -169,8 +109,8 @@ public final class PathTracer implements Shader {
      */
     public void glimpse(Ray ray, Sampler sampler) {
         begin(ray);
-        while (step(ray, sampler) && certain) {
-            events++;
+        while (step(ray, sampler) && value.certain) {
+            history.events++;
         }
     }
 
@@ -184,128 +124,52 @@ public final class PathTracer implements Shader {
      *     have met the same, but for one case in 2⁶⁴
      */
     public long certain(double[] out) {
-        out[0] = certainRed;
-        out[1] = certainGreen;
-        out[2] = certainBlue;
-        return certain ? path.key : certainKey;
+        return value.certain(out, path.key);
     }
 
     /**
      * As {@link #shade}, for a path that may be shared.
      *
-     * @param out receives the path: its value is what {@link #connect} makes of it
+     * @param out receives the path: its value is what {@link #connections} make of it
      */
     public void shade(Ray ray, Sampler sampler, PathCut out) {
         cut = out;
         cut.clear();
-        begin(ray);
-        while (step(ray, sampler)) {
-            events++;
-        }
-        if (cut.gives) {
-            cut.given[0] = red;
-            cut.given[1] = green;
-            cut.given[2] = blue;
-        } else {
-            cut.own[0] = red;
-            cut.own[1] = green;
-            cut.own[2] = blue;
-        }
+        follow(ray, sampler);
+        value.get(cut.gives ? cut.given : cut.own);
         cut = null;
     }
 
-    /** Notes the first vertex: others may give to it if it is sure that its path goes on. */
-    private void noteFirst() {
-        cut.takes = path.glass.isPlain()
-                && PathCut.isOpen(path.hit)
-                && Math.max(surface[0], Math.max(surface[1], surface[2])) >= FAINT;
-        if (cut.takes) {
-            cut.first.set(path.hit);
-            System.arraycopy(surface, 0, cut.albedo, 0, 3);
-        }
-    }
-
-    /** Cuts the path at its second vertex: from here on it is worth what leaves this. */
-    private void cutHere() {
-        cut.gives = cut.takes && path.glass.isPlain() && path.hit.primitive.isFlat();
-        if (cut.gives) {
-            cut.second.set(path.hit);
-            cut.own[0] = red;
-            cut.own[1] = green;
-            cut.own[2] = blue;
-            red = 0;
-            green = 0;
-            blue = 0;
-            throughputR = 1;
-            throughputG = 1;
-            throughputB = 1;
-        }
-    }
-
-    /**
-     * How much of what the second vertex of a path gives goes to the first vertex of another, in proportion to others; 0 if that does not see
-     * it. It is the density per area, but for a factor, with which paths from there would have found it.
-     */
-    public double connect(PathCut from, PathCut to) {
-        if (!from.takes || !to.gives) {
-            return 0;
-        }
-        Hit a = from.first;
-        Hit b = to.second;
-        double dx = b.px - a.px;
-        double dy = b.py - a.py;
-        double dz = b.pz - a.pz;
-        double dd = dx * dx + dy * dy + dz * dz;
-        double leaving = (a.nx * dx + a.ny * dy + a.nz * dz) * a.side;
-        double arriving = -(b.nx * dx + b.ny * dy + b.nz * dz) * b.side;
-        if (!(leaving > 0 && arriving > 0)) {
-            return 0;
-        }
-        if (from != to) {
-            shareRay.set(a.px, a.py, a.pz, dx, dy, dz, 0).from(a.primitive, a.side);
-            shareRay.alsoFrom(b.primitive, b.side);
-            if (path.tracer.occluded(shareRay, 1)) {
-                return 0;
-            }
-        }
-        return leaving / dd * (arriving / dd);
+    /** What connects paths of this thread that may be shared. */
+    public PathConnections connections() {
+        return connections;
     }
 
     /** Whether the last path began at a matte surface at which no lamp's light is left to chance. */
     public boolean isLightCertain() {
-        return lightIsCertain;
+        return value.lightIsCertain;
     }
 
     /** How many scattering events the last path had. */
     public int events() {
-        return events;
+        return history.events;
+    }
+
+    private void follow(Ray ray, Sampler sampler) {
+        begin(ray);
+        while (step(ray, sampler)) {
+            history.events++;
+        }
     }
 
     private void begin(Ray ray) {
-        red = 0;
-        green = 0;
-        blue = 0;
-        throughputR = 1;
-        throughputG = 1;
-        throughputB = 1;
+        history.begin();
         address = 0;
-        events = 0;
-        scattered = false;
-        scatteredFirst = false;
-        deltaFirst = false;
-        delta = false;
-        gathered = false;
-        compression = 1;
-        certain = true;
-        lightIsCertain = false;
-        certainRed = 0;
-        certainGreen = 0;
-        certainBlue = 0;
         if (mirrors != null) {
             mirrors.begin();
         }
         path.begin(ray);
-        firstIndex = path.glass.indexOfRefraction();
+        value.begin(path.glass.indexOfRefraction());
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
@@ -314,13 +178,13 @@ public final class PathTracer implements Shader {
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
-                add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-                addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
             }
             return false;
         }
         if (medium != null && medium.absorbs) {
-            absorb(medium, path.distance(ray));
+            value.absorb(medium, path.distance(ray));
         }
         return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
     }
@@ -331,12 +195,13 @@ public final class PathTracer implements Shader {
         if (material.glows && !isAlbedo) {
             glow(ray, material);
         }
-        if (material.isBlack || !path.mayScatter() || endsSoon && scattered) {
+        if (material.isBlack || !mayScatter()) {
             return false;
         }
         path.color(material, surface);
         if (isAlbedo && !material.isDelta) {
-            return albedo(ray, material);
+            path.reflectance(ray, material, surface);
+            return value.endsWith(surface);
         }
         if (material.bsdf == Lambert.INSTANCE) {
             return matte(ray, sampler);
@@ -344,23 +209,28 @@ public final class PathTracer implements Shader {
         return material.isDelta ? reflect(ray, material, sampler) : rough(ray, material, sampler);
     }
 
+    /** Whether the path may have one more scattering event. */
+    private boolean mayScatter() {
+        return path.mayScatter() && !(endsSoon && history.scattered);
+    }
+
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
         double weight = 1;
-        if (gathered) {
+        if (history.gathered) {
             weight = light.weight(ray);
-        } else if (scattered) {
+        } else if (history.scattered) {
             weight = weightOfCaustic();
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
-            add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
-            addCertain(material.glowR, material.glowG, material.glowB);
+            value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
+            value.addCertain(material.glowR, material.glowG, material.glowB);
         }
     }
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        if (hasCausticPass && scatteredFirst) {
+        if (hasCausticPass && history.scatteredFirst) {
             return 0;
         }
         return mirrors == null ? 1 : mirrors.weight();
@@ -368,46 +238,27 @@ public final class PathTracer implements Shader {
 
     /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
     private boolean isSeenByMirrors() {
-        return mirrors != null && (scattered ? !scatteredFirst : deltaFirst);
+        return mirrors != null && history.isSeenByMirrors();
     }
 
     /** Adds light that balls reflect to the surface. */
     private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
         mirrors.gather(bsdf, s, sampler, address);
-        add(mirrors.red, mirrors.green, mirrors.blue);
-    }
-
-    /** Ends the path with the reflectance of the surface that it is at, whose colour is known. */
-    private boolean albedo(Ray ray, SurfaceMaterial material) {
-        if (material.bsdf instanceof GlossyReflection metal) {
-            Scattering s = path.arrive(ray, surface);
-            metal.reflectAtNormal(s);
-            surface[0] = s.valueR;
-            surface[1] = s.valueG;
-            surface[2] = s.valueB;
-        }
-        red = throughputR * surface[0];
-        green = throughputG * surface[1];
-        blue = throughputB * surface[2];
-        return false;
+        value.add(mirrors.red, mirrors.green, mirrors.blue);
     }
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
-        // Counted with panes, which are no events: what is shared has come straight.
         if (cut != null && path.surfaces < 2) {
-            if (path.surfaces == 0) {
-                noteFirst();
-            } else {
-                cutHere();
-            }
+            cutHere();
         }
-        light.gatherMatte(sampler, address, !scattered);
-        add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
-        if (certain) {
-            addCertain(surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
-            leaveToChance(light.views);
-            lightIsCertain = light.isCertain();
+        light.gatherMatte(sampler, address, !history.scattered);
+        value.add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        if (value.certain) {
+            value.addCertain(
+                    surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
+            value.leaveToChance(path.key + light.views);
+            value.lightIsCertain = light.isCertain();
         }
         boolean seen = isSeenByMirrors();
         if (seen) {
@@ -419,8 +270,20 @@ public final class PathTracer implements Shader {
         if (seen) {
             mirrors.left(s);
         }
-        leave(false);
-        return s.pdf > 0 && filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        history.leave(false);
+        return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+    }
+
+    /** Notes the first vertex of a path that may be shared, or cuts it at the second: from here on it is worth what leaves this. */
+    private void cutHere() {
+        // Counted with panes, which are no events: what is shared has come straight.
+        boolean isPlain = path.glass.isPlain();
+        if (path.surfaces == 0) {
+            cut.begin(path.hit, surface, isPlain);
+        } else if (cut.end(path.hit, isPlain)) {
+            value.get(cut.own);
+            value.beginPart();
+        }
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
@@ -428,16 +291,16 @@ public final class PathTracer implements Shader {
             mirrors.reflected(path.id);
         }
         path.scatter(ray, material, surface, 0, 0, 0);
-        leave(true);
-        return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        history.leave(true);
+        return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
     /** Any other lobes. */
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
-        leaveToChance(0);
+        value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
-        light.gather(material.bsdf, s, sampler, address, !scattered);
-        add(light.red, light.green, light.blue);
+        light.gather(material.bsdf, s, sampler, address, !history.scattered);
+        value.add(light.red, light.green, light.blue);
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(material.bsdf, s, sampler);
@@ -451,25 +314,18 @@ public final class PathTracer implements Shader {
             mirrors.left(s);
         }
         path.leave(ray, s);
-        leave(s.delta);
-        return filterAndSurvive(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
+        history.leave(s.delta);
+        return survives(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
     }
 
     /** At a border of glass, or at a pane. */
     private boolean glass(Ray ray, Sampler sampler) {
-        leaveToChance(0);
+        value.leaveToChance(path.key);
         sampler.pair(address, Sampler.Purpose.CHOICE, pair);
         double choice = pair[0];
-        if (physical.hasPartialGlass) {
-            int opaque = path.glass.opaque(pair[1]);
-            if (opaque >= 0) {
-                path.turnTo(opaque);
-                path.color(path.material(), surface);
-                if (!path.mayScatter() || endsSoon && scattered) {
-                    return false;
-                }
-                return isAlbedo ? albedo(ray, path.material()) : matte(ray, sampler);
-            }
+        int opaque = physical.hasPartialGlass ? path.glass.opaque(pair[1]) : -1;
+        if (opaque >= 0) {
+            return opaquePart(ray, opaque, sampler);
         }
         boolean isRough = false;
         if (physical.hasRoughGlass) {
@@ -486,25 +342,31 @@ public final class PathTracer implements Shader {
         if (mirrors != null) {
             mirrors.begin();
         }
-        double n = path.glass.indexOfRefraction();
-        compression = firstIndex * firstIndex / (n * n);
+        value.enter(path.glass.indexOfRefraction());
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
             // stays what it was.
-            events--;
-            deltaFirst |= !scattered;
-            filter(surface[0], surface[1], surface[2]);
+            history.events--;
+            history.pass();
+            value.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
-        if (endsSoon && scattered) {
+        if (endsSoon && history.scattered) {
             return false;
         }
-        leave(true);
+        history.leave(true);
         if (isRough) {
-            gathered = true;
+            history.gathered = true;
             light.left(path.glass.border.pdf);
         }
-        return filterAndSurvive(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+    }
+
+    /** At glass that is opaque in part, where chance says that it is. */
+    private boolean opaquePart(Ray ray, int surfaceHere, Sampler sampler) {
+        path.turnTo(surfaceHere);
+        path.color(path.material(), surface);
+        return mayScatter() && (isAlbedo ? value.endsWith(surface) : matte(ray, sampler));
     }
 
     /** Adds direct light if the path is at a rough border; returns whether it is. */
@@ -516,79 +378,18 @@ public final class PathTracer implements Shader {
         Arrays.fill(surface, 1);
         path.filter(surface);
         path.turnTo(0);
-        light.gatherAtBorder(bsdf, border, surface, sampler, address, !scattered);
-        add(light.red, light.green, light.blue);
+        light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
+        value.add(light.red, light.green, light.blue);
         return true;
     }
 
-    /** Notes the kind of event that the path leaves behind. */
-    private void leave(boolean isDelta) {
-        if (!isDelta && !scattered) {
-            scattered = true;
-            scatteredFirst = !deltaFirst;
-        }
-        deltaFirst |= !scattered;
-        delta = isDelta;
-        gathered = !isDelta;
-    }
-
-    private void add(double r, double g, double b) {
-        red = Math.fma(throughputR * compression, r, red);
-        green = Math.fma(throughputG * compression, g, green);
-        blue = Math.fma(throughputB * compression, b, blue);
-    }
-
-    private void addCertain(double r, double g, double b) {
-        if (certain) {
-            certainRed = Math.fma(throughputR, r, certainRed);
-            certainGreen = Math.fma(throughputG, g, certainGreen);
-            certainBlue = Math.fma(throughputB, b, certainBlue);
-        }
-    }
-
-    /** From here on random numbers have a part in the path. */
-    private void leaveToChance(long views) {
-        if (certain) {
-            certain = false;
-            certainKey = Hash.mix(path.key + views);
-        }
-    }
-
-    private void filter(double r, double g, double b) {
-        throughputR *= r;
-        throughputG *= g;
-        throughputB *= b;
-    }
-
-    /**
-     * Multiplies the throughput by the weight of an event and plays roulette by it: by the event's own albedo, since what is left of the
-     * path's throughput says little of what is to come.
-     */
-    private boolean filterAndSurvive(double r, double g, double b, Sampler sampler) {
-        filter(r, g, b);
-        double most = Math.max(throughputR, Math.max(throughputG, throughputB));
-        if (events + 1 < ROULETTE_FROM && most >= FAINT) {
+    /** Multiplies by the weight of an event, and plays roulette where it is due. */
+    private boolean survives(double r, double g, double b, Sampler sampler) {
+        value.filter(r, g, b);
+        if (value.isSafe(history.events + 1)) {
             return true;
         }
-        leaveToChance(0);
-        if (!(most > 0)) {
-            return false;
-        }
-        double survival = Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
-        if (!(sampler.unit(events, Sampler.Purpose.ROULETTE) < survival)) {
-            return false;
-        }
-        double scale = 1 / survival;
-        throughputR *= scale;
-        throughputG *= scale;
-        throughputB *= scale;
-        return true;
-    }
-
-    /** By Beer and Lambert's law, on the way to what the path has come to. */
-    private void absorb(SurfaceMaterial medium, double length) {
-        throughputR *= StrictMath.exp(-medium.absorptionR * length);
-        throughputG *= StrictMath.exp(-medium.absorptionG * length);
-        throughputB *= StrictMath.exp(-medium.absorptionB * length);
+        value.leaveToChance(path.key);
+        return value.survives(r, g, b, sampler, history.events);
     }
 }

@@ -25,10 +25,16 @@ final class PathValue {
     double blue;
 
     /** Radiance at the eye per radiance here, where the index of refraction is another one. */
-    double compression;
+    private double compression;
+
+    /** The index of refraction of the medium that the eye is in. */
+    private double firstIndex;
 
     /** Whether no random number has had a part in the path so far. */
     boolean certain;
+
+    /** Whether that ended at a matte surface of which the lights are certain. */
+    boolean lightIsCertain;
 
     /** What was gathered until then. */
     private double certainRed;
@@ -43,10 +49,13 @@ final class PathValue {
     private double throughputG;
     private double throughputB;
 
-    void begin() {
+    /** @param index of refraction of the medium that the eye is in */
+    void begin(double index) {
         beginPart();
         compression = 1;
+        firstIndex = index;
         certain = true;
+        lightIsCertain = false;
         certainRed = 0;
         certainGreen = 0;
         certainBlue = 0;
@@ -108,6 +117,19 @@ final class PathValue {
         out[0] = red;
         out[1] = green;
         out[2] = blue;
+    }
+
+    /** Makes the path worth the share of light that its last surface reflects, in place of light; returns that it does not go on. */
+    boolean endsWith(double[] rgb) {
+        red = throughputR * rgb[0];
+        green = throughputG * rgb[1];
+        blue = throughputB * rgb[2];
+        return false;
+    }
+
+    /** The path is in a medium with this index of refraction now. */
+    void enter(double index) {
+        compression = firstIndex * firstIndex / (index * index);
     }
 
     /** Multiplies the throughput. */

@@ -47,7 +47,7 @@ class PathCutTest {
             assertEquals(key, tracer.certain(again));
             if (cut.gives()) {
                 given++;
-                assertTrue(tracer.connect(cut, cut) > 0);
+                assertTrue(tracer.connections().share(cut, cut) > 0);
             }
             for (int c = 0; c < 3; c++) {
                 double value = own[c] + (cut.gives() ? cut.brings(cut, 1, c) : 0);

@@ -10,6 +10,7 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
+import enlightenment.shading.PathConnections;
 import enlightenment.shading.PathCut;
 import enlightenment.shading.PathTracer;
 import java.util.Arrays;
@@ -42,6 +43,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final RenderSettings settings;
     private final PhysicalAllocation allocation;
     private final PathTracer tracer;
+    private final PathConnections connections;
     private final PhysicalSurvey survey;
     private final PathNoise noise;
     private final Interpolation interpolation = new Interpolation();
@@ -84,6 +86,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         first = new double[3 * PIXELS << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
         tracer = new PathTracer(scene, counters);
+        connections = tracer.connections();
         survey = new PhysicalSurvey(scene, settings, tracer);
         noise = new PathNoise(scene.display, survey);
         for (int m = 0; m < MOST_MEMBERS; m++) {
@@ -320,7 +323,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             }
             double sum = 0;
             for (int p = 0; p < members; p++) {
-                shares[p] = index < count[p] ? tracer.connect(paths[p], paths[q]) : 0;
+                shares[p] = index < count[p] ? connections.share(paths[p], paths[q]) : 0;
                 sum += shares[p];
             }
             for (int p = 0; p < members; p++) {

@@ -108,14 +108,10 @@ public final class TriangleLight implements AreaLight {
         if (!(twoSided ? s.height != 0 : s.height > 0)) {
             return 0;
         }
-        double x = a.x() - s.cone.x;
-        double y = a.y() - s.cone.y;
-        double z = a.z() - s.cone.z;
         HorizonPolygon p = s.polygon;
-        p.clear();
-        p.add(x, y, z);
-        p.add(x + toB.x(), y + toB.y(), z + toB.z());
-        p.add(x + toC.x(), y + toC.y(), z + toC.z());
+        p.begin(a.x() - s.cone.x, a.y() - s.cone.y, a.z() - s.cone.z);
+        p.add(toB.x(), toB.y(), toB.z());
+        p.add(toC.x(), toC.y(), toC.z());
         return p.irradiance(nx, ny, nz, Math.abs(s.height), 2 * radius < HorizonPolygon.FAR * s.cone.distance);
     }
 

@@ -1,10 +1,12 @@
 """Compares pictures of physical light with references made by another renderer, and races Mitsuba 3 for them.
 
     python3 src/bench/scripts/physical_light.py agree FOLDER... [--jar JAR] [--seeds K] [--samples N] [--options "..."]
+    python3 src/bench/scripts/physical_light.py kept FOLDER... [--jar JAR] [--seeds K] [--error E] [--options "..."]
     python3 src/bench/scripts/physical_light.py race FOLDER... [--jar JAR] [--runs K] [--samples N] [--size WxH]
 
 FOLDER has scene.json, reference.pfm, variance.pfm (linear, rows from the bottom) and, for `race`, scene.xml of Mitsuba 3.
 `agree` renders K seeds and compares the means of blocks of 8 x 8 pixels with the reference: docs/physical-light.md says by which rule.
+`kept` renders K seeds with `--error E` and counts in how many the displayed error against the reference is no larger.
 `race` gives CPU-seconds of whole processes, in turns, and errors against the reference, its own variance subtracted.
 Needs numpy; `race` also mitsuba (pip install numpy mitsuba; Debian's libllvm19 for its variant llvm_ad_rgb).
 """
@@ -125,6 +127,22 @@ def errors(pictures, reference, own):
     return numpy.mean(whole), numpy.mean(bulk), numpy.mean(shown)
 
 
+def kept(folder, jar, seeds, error, options, scratch):
+    reference, own = read_pfm(folder / "reference.pfm"), read_pfm(folder / "variance.pfm")
+    true, seconds = [], []
+    for seed in range(1, seeds + 1):
+        out = scratch / "k.pfm"
+        command = ["java", "-jar", jar, "render", folder / "scene.json", "-o", out, "--seed", str(seed), "--progress", "none"]
+        seconds.append(run(command + ["--error", str(error)] + shlex.split(options)))
+        true.append(math.sqrt(max(errors([read_pfm(out)], reference, own)[2], 0)))
+    count = sum(t <= error for t in true)
+    print(
+        f"{folder.name} --error {error} {options}: {count} of {seeds} kept; true displayed error {min(true):.4f} to {max(true):.4f}, "
+        f"median {statistics.median(true):.4f}; CPU-seconds {statistics.median(seconds):.1f}"
+    )
+    return count >= 0.95 * seeds
+
+
 def encode(v):
     return numpy.where(v <= 0.0031308, 12.92 * v, 1.055 * numpy.maximum(v, 1e-12) ** (1 / 2.4) - 0.055)
 
@@ -168,12 +186,13 @@ def race(folder, jar, runs, samples, size, scratch):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["agree", "race"])
+    parser.add_argument("what", choices=["agree", "kept", "race"])
     parser.add_argument("folders", nargs="+", type=pathlib.Path)
     parser.add_argument("--jar", default="target/enlightenment.jar")
     parser.add_argument("--seeds", type=int, default=16)
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--samples", type=int)
+    parser.add_argument("--error", type=float, default=0.02)
     parser.add_argument("--size", default="512x512")
     parser.add_argument("--options", default="")
     chosen = parser.parse_args()
@@ -182,6 +201,8 @@ def main():
         for folder in chosen.folders:
             if chosen.what == "agree":
                 ok &= agree(folder, chosen.jar, chosen.seeds, chosen.samples or 64, chosen.options, pathlib.Path(name))
+            elif chosen.what == "kept":
+                ok &= kept(folder, chosen.jar, chosen.seeds, chosen.error, chosen.options, pathlib.Path(name))
             else:
                 race(folder, chosen.jar, chosen.runs, chosen.samples or 16, chosen.size, pathlib.Path(name))
     sys.exit(0 if ok else 1)

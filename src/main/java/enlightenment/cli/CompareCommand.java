@@ -38,7 +38,7 @@ final class CompareCommand extends Subcommand {
     @Option(
             names = "--linear",
             description =
-                    "both files are float maps of linear light, as physical shading makes them: compare what a screen"
+                    "both pictures are float maps of linear light, as physical shading makes them: compare what a screen"
                             + " shows, and light")
     private boolean linear;
 

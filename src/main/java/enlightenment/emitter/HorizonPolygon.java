@@ -30,15 +30,23 @@ final class HorizonPolygon {
     private final double[] z = new double[MOST];
     private int corners;
     private int count;
+    private double baseX;
+    private double baseY;
+    private double baseZ;
     private double nx;
     private double ny;
     private double nz;
 
-    void clear() {
+    /** Begins with the corner at this offset from the receiver. */
+    void begin(double bx, double by, double bz) {
+        baseX = bx;
+        baseY = by;
+        baseZ = bz;
         corners = 0;
+        add(0, 0, 0);
     }
 
-    /** Adds the corner at this offset from the receiver. */
+    /** Adds the corner at this offset from the first one: of a far polygon offsets from the receiver would keep too few digits. */
     void add(double cx, double cy, double cz) {
         rawX[corners] = cx;
         rawY[corners] = cy;
@@ -73,9 +81,10 @@ final class HorizonPolygon {
     private void clip() {
         count = 0;
         int last = corners - 1;
-        double before = nx * rawX[last] + ny * rawY[last] + nz * rawZ[last];
+        double base = nx * baseX + ny * baseY + nz * baseZ;
+        double before = base + (nx * rawX[last] + ny * rawY[last] + nz * rawZ[last]);
         for (int k = 0; k < corners; k++) {
-            double here = nx * rawX[k] + ny * rawY[k] + nz * rawZ[k];
+            double here = base + (nx * rawX[k] + ny * rawY[k] + nz * rawZ[k]);
             if (here > 0 && before < 0 || here < 0 && before > 0) {
                 double share = before / (before - here);
                 put(
@@ -99,17 +108,25 @@ final class HorizonPolygon {
 
     private double sumOverEdges() {
         double sum = 0;
-        int i = count - 1;
+        int last = count - 1;
+        double ax = baseX + x[last];
+        double ay = baseY + y[last];
+        double az = baseZ + z[last];
         for (int k = 0; k < count; k++) {
-            double cx = y[i] * z[k] - z[i] * y[k];
-            double cy = z[i] * x[k] - x[i] * z[k];
-            double cz = x[i] * y[k] - y[i] * x[k];
+            double bx = baseX + x[k];
+            double by = baseY + y[k];
+            double bz = baseZ + z[k];
+            double cx = ay * bz - az * by;
+            double cy = az * bx - ax * bz;
+            double cz = ax * by - ay * bx;
             double length = Math.sqrt(cx * cx + cy * cy + cz * cz);
             if (length > 0) {
-                double angle = Angles.atan2(length, x[i] * x[k] + y[i] * y[k] + z[i] * z[k]);
+                double angle = Angles.atan2(length, ax * bx + ay * by + az * bz);
                 sum += angle * ((nx * cx + ny * cy + nz * cz) / length);
             }
-            i = k;
+            ax = bx;
+            ay = by;
+            az = bz;
         }
         return 0.5 * Math.abs(sum);
     }
@@ -137,9 +154,9 @@ final class HorizonPolygon {
 
     private double at(int k, double p, double q) {
         double o = 1 - p - q;
-        double px = o * x[0] + p * x[k] + q * x[k + 1];
-        double py = o * y[0] + p * y[k] + q * y[k + 1];
-        double pz = o * z[0] + p * z[k] + q * z[k + 1];
+        double px = baseX + o * x[0] + p * x[k] + q * x[k + 1];
+        double py = baseY + o * y[0] + p * y[k] + q * y[k + 1];
+        double pz = baseZ + o * z[0] + p * z[k] + q * z[k + 1];
         double square = px * px + py * py + pz * pz;
         return Math.max(nx * px + ny * py + nz * pz, 0) / (square * square);
     }

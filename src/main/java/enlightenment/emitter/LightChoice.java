@@ -13,8 +13,39 @@ public final class LightChoice {
 
     final double[] weights = new double[LightPicker.FEW];
 
+    /** The nodes of a {@link LightTree} that the weights belong to, and how many there are. */
+    final int[] nodes = new int[LightPicker.FEW];
+
+    int count;
+
+    /** For closed forms of lights that are near. */
+    final LightSample near = new LightSample();
+
     /** A choice to be made. */
     public LightChoice() {}
+
+    /** Chooses one of the weights, of which this is the sum, and sets probability and rest; −1, and no light, if all are 0. */
+    int pick(double sum, double number) {
+        if (!(sum > 0)) {
+            none(number);
+            return -1;
+        }
+        double left = number * sum;
+        int chosen = -1;
+        for (int i = 0; i < count; i++) {
+            double w = weights[i];
+            if (w > 0) {
+                chosen = i;
+                if (left < w) {
+                    break;
+                }
+                left -= w;
+            }
+        }
+        probability = weights[chosen] / sum;
+        rest = Math.min(left / weights[chosen], Math.nextDown(1.0));
+        return chosen;
+    }
 
     void none(double number) {
         light = -1;

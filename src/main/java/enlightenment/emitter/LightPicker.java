@@ -64,33 +64,18 @@ public final class LightPicker {
             choice.light = choice.light < 0 ? -1 : indices[choice.light];
             return;
         }
-        double sum = weigh(x, y, z, nx, ny, nz, choice.weights);
-        if (!(sum > 0)) {
-            choice.none(number);
-            return;
-        }
-        double left = number * sum;
-        int chosen = -1;
-        for (int i = 0; i < count; i++) {
-            double w = choice.weights[i];
-            if (w > 0) {
-                chosen = i;
-                if (left < w) {
-                    break;
-                }
-                left -= w;
-            }
-        }
-        choice.light = indices[chosen];
-        choice.probability = choice.weights[chosen] / sum;
-        choice.rest = Math.min(left / choice.weights[chosen], Math.nextDown(1.0));
+        double sum = weigh(x, y, z, nx, ny, nz, choice);
+        choice.count = count;
+        int chosen = choice.pick(sum, number);
+        choice.light = chosen < 0 ? -1 : indices[chosen];
     }
 
-    private double weigh(double x, double y, double z, double nx, double ny, double nz, double[] into) {
+    private double weigh(double x, double y, double z, double nx, double ny, double nz, LightChoice into) {
         double sum = 0;
         for (int i = 0; i < count; i++) {
-            into[i] = weights.weight(i, x, y, z, nx, ny, nz);
-            sum += into[i];
+            double w = weights.weight(i, x, y, z, nx, ny, nz, into.near);
+            into.weights[i] = w;
+            sum += w;
         }
         return sum;
     }
@@ -104,9 +89,9 @@ public final class LightPicker {
             int light, double x, double y, double z, double nx, double ny, double nz, LightChoice scratch) {
         int place = places[light];
         if (tree != null) {
-            return tree.probability(place, x, y, z, nx, ny, nz);
+            return tree.probability(place, x, y, z, nx, ny, nz, scratch);
         }
-        double sum = weigh(x, y, z, nx, ny, nz, scratch.weights);
+        double sum = weigh(x, y, z, nx, ny, nz, scratch);
         return sum > 0 ? scratch.weights[place] / sum : 0;
     }
 

@@ -4,8 +4,9 @@ import enlightenment.numeric.Scale;
 
 /**
  * A hierarchy of many lights: A. Conty Estevez and C. Kulla, "Importance sampling of many lights with adaptive tree splitting", 2018,
- * without its splitting, with the bounds of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 4th ed., 12.6.3. A node is
- * chosen in proportion to an upper bound of what it contributes, a light at the end by its own weight. Immutable.
+ * with the bounds of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 4th ed., 12.6.3. For each receiver the tree is
+ * split where most may come from, into as many nodes as few lights would be weighed; one of them is chosen in proportion to an upper bound
+ * of what it contributes, its children likewise, a light at the end by its own weight. Immutable.
  */
 final class LightTree {
     /** Bounds the roundings of cosines: what is below the horizon by less may be above it. */
@@ -47,51 +48,100 @@ final class LightTree {
         return lay(n.second, second[at], at);
     }
 
+    /**
+     * Splits, beginning with the root, the node that may contribute most, until there are as many as are weighed: a cut through the
+     * tree that depends on the receiver alone. Returns the sum of their importances.
+     */
+    private double cut(double x, double y, double z, double nx, double ny, double nz, LightChoice c) {
+        c.nodes[0] = 0;
+        c.weights[0] = 1;
+        c.count = 1;
+        while (c.count < LightPicker.FEW) {
+            int most = mostImportant(c);
+            if (most < 0) {
+                break;
+            }
+            int node = c.nodes[most];
+            double a = importance(node + 1, x, y, z, nx, ny, nz, c.near);
+            double b = importance(second[node], x, y, z, nx, ny, nz, c.near);
+            c.nodes[most] = node + 1;
+            c.weights[most] = a;
+            c.nodes[c.count] = second[node];
+            c.weights[c.count++] = b;
+        }
+        double sum = 0;
+        for (int i = 0; i < c.count; i++) {
+            sum += c.weights[i];
+        }
+        return sum;
+    }
+
+    /** The place of the most important node that can be split, or −1. */
+    private int mostImportant(LightChoice c) {
+        int most = -1;
+        double largest = 0;
+        for (int i = 0; i < c.count; i++) {
+            if (c.weights[i] > largest && second[c.nodes[i]] >= 0) {
+                largest = c.weights[i];
+                most = i;
+            }
+        }
+        return most;
+    }
+
     void choose(double x, double y, double z, double nx, double ny, double nz, double number, LightChoice choice) {
-        int node = 0;
-        double probability = 1;
-        double rest = number;
+        double all = cut(x, y, z, nx, ny, nz, choice);
+        int chosen = choice.pick(all, number);
+        if (chosen < 0) {
+            return;
+        }
+        int node = choice.nodes[chosen];
         while (second[node] >= 0) {
-            double a = importance(node + 1, x, y, z, nx, ny, nz);
-            double b = importance(second[node], x, y, z, nx, ny, nz);
+            double a = importance(node + 1, x, y, z, nx, ny, nz, choice.near);
+            double b = importance(second[node], x, y, z, nx, ny, nz, choice.near);
             double sum = a + b;
             if (!(sum > 0)) {
                 choice.none(number);
                 return;
             }
             double share = a / sum;
+            double rest = choice.rest;
             boolean first = b == 0 || rest < share;
             double part = first ? share : b / sum;
             rest = Math.min(first ? rest / share : (rest - share) / part, Math.nextDown(1.0));
-            rest = Math.max(rest, 0);
-            probability *= part;
+            choice.rest = Math.max(rest, 0);
+            choice.probability *= part;
             node = first ? node + 1 : second[node];
         }
         choice.light = -1 - second[node];
-        choice.probability = probability;
-        choice.rest = rest;
     }
 
-    double probability(int light, double x, double y, double z, double nx, double ny, double nz) {
+    double probability(int light, double x, double y, double z, double nx, double ny, double nz, LightChoice scratch) {
+        double all = cut(x, y, z, nx, ny, nz, scratch);
         double probability = 1;
         int node = leaves[light];
-        while (parents[node] >= 0) {
+        while (true) {
+            for (int i = 0; i < scratch.count; i++) {
+                if (scratch.nodes[i] == node) {
+                    return all > 0 ? probability * (scratch.weights[i] / all) : 0;
+                }
+            }
             int parent = parents[node];
             boolean first = node == parent + 1;
-            double own = importance(node, x, y, z, nx, ny, nz);
+            double own = importance(node, x, y, z, nx, ny, nz, scratch.near);
             if (!(own > 0)) {
                 return 0;
             }
-            double other = importance(first ? second[parent] : parent + 1, x, y, z, nx, ny, nz);
-            probability *= own / (own + other);
+            int sibling = first ? second[parent] : parent + 1;
+            probability *= own / (own + importance(sibling, x, y, z, nx, ny, nz, scratch.near));
             node = parent;
         }
-        return probability;
     }
 
-    private double importance(int node, double x, double y, double z, double nx, double ny, double nz) {
+    private double importance(
+            int node, double x, double y, double z, double nx, double ny, double nz, LightSample near) {
         if (second[node] < 0) {
-            return weights.weight(-1 - second[node], x, y, z, nx, ny, nz);
+            return weights.weight(-1 - second[node], x, y, z, nx, ny, nz, near);
         }
         int k = STRIDE * node;
         double dx = data[k] - x;

@@ -12,6 +12,13 @@ final class LightWeights {
     private static final int FLAT_TWO_SIDED = 2;
     private static final int CURVED = 3;
     private static final int POINT = 4;
+
+    /** Within this many radii of its ball, the closed form of a polygon is worth its time. */
+    private static final double NEAR = 4;
+
+    /** What is added to the closed form of the rough weight, whose sign is certain. */
+    private static final double SHARE = 0x1p-10;
+
     private static final int STRIDE = 8;
 
     /** No light is nearer, squared: an inverse square stays finite. */
@@ -19,11 +26,15 @@ final class LightWeights {
 
     private final int[] kinds;
 
+    /** Polygons, which have a closed form; null for others. */
+    private final AreaLight[] polygons;
+
     /** For each light: ball's centre and radius, normal, and luminance times area. */
     private final double[] data;
 
     LightWeights(int count) {
         kinds = new int[count];
+        polygons = new AreaLight[count];
         data = new double[STRIDE * count];
     }
 
@@ -31,6 +42,7 @@ final class LightWeights {
         Vec3 n = light.flatNormal();
         boolean flat = n.maxAbs() > 0;
         kinds[i] = light instanceof SphereLight ? BALL : !flat ? CURVED : light.isTwoSided() ? FLAT_TWO_SIDED : FLAT;
+        polygons[i] = light instanceof ParallelogramLight || light instanceof TriangleLight ? light : null;
         // A closed convex surface shows a quarter of its area in the mean.
         double strength = kinds[i] == BALL ? luminance : luminance * light.area() * (flat ? 1 : 0.25);
         put(i, light.ballCenter(), light.ballRadius(), n, strength);
@@ -67,7 +79,7 @@ final class LightWeights {
      *
      * @param nx 0, as the other components, for a receiver that takes light from all sides
      */
-    double weight(int i, double x, double y, double z, double nx, double ny, double nz) {
+    double weight(int i, double x, double y, double z, double nx, double ny, double nz, LightSample scratch) {
         int k = STRIDE * i;
         double dx = data[k] - x;
         double dy = data[k + 1] - y;
@@ -81,6 +93,19 @@ final class LightWeights {
         if (kind == BALL) {
             return strength * ball(square, height, radius, everywhere);
         }
+        double rough = rough(k, kind, dx, dy, dz, square, height, everywhere);
+        if (rough > 0 && !everywhere && polygons[i] != null && square < NEAR * NEAR * radius * radius) {
+            AreaLight light = polygons[i];
+            light.aim(scratch, x, y, z);
+            return strength / light.area() * light.irradiance(scratch, nx, ny, nz) + SHARE * rough;
+        }
+        return rough;
+    }
+
+    private double rough(
+            int k, int kind, double dx, double dy, double dz, double square, double height, boolean everywhere) {
+        double radius = data[k + 3];
+        double strength = data[k + 7];
         double distance = Math.sqrt(square);
         if (kind == FLAT || kind == FLAT_TWO_SIDED) {
             double side = -(data[k + 4] * dx + data[k + 5] * dy + data[k + 6] * dz);

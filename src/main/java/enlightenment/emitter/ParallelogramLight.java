@@ -167,15 +167,11 @@ public final class ParallelogramLight extends FlatLight {
         if (!faces(s)) {
             return 0;
         }
-        double x = corner.x() - s.cone.x;
-        double y = corner.y() - s.cone.y;
-        double z = corner.z() - s.cone.z;
         HorizonPolygon p = s.polygon;
-        p.clear();
-        p.add(x, y, z);
-        p.add(x + right.x(), y + right.y(), z + right.z());
-        p.add(x + right.x() + up.x(), y + right.y() + up.y(), z + right.z() + up.z());
-        p.add(x + up.x(), y + up.y(), z + up.z());
+        p.begin(corner.x() - s.cone.x, corner.y() - s.cone.y, corner.z() - s.cone.z);
+        p.add(right.x(), right.y(), right.z());
+        p.add(right.x() + up.x(), right.y() + up.y(), right.z() + up.z());
+        p.add(up.x(), up.y(), up.z());
         return irradianceOfPolygon(s, nx, ny, nz);
     }
 

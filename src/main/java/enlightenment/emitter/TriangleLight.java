@@ -101,14 +101,10 @@ public final class TriangleLight extends FlatLight {
         if (!faces(s)) {
             return 0;
         }
-        double x = a.x() - s.cone.x;
-        double y = a.y() - s.cone.y;
-        double z = a.z() - s.cone.z;
         HorizonPolygon p = s.polygon;
-        p.clear();
-        p.add(x, y, z);
-        p.add(x + toB.x(), y + toB.y(), z + toB.z());
-        p.add(x + toC.x(), y + toC.y(), z + toC.z());
+        p.begin(a.x() - s.cone.x, a.y() - s.cone.y, a.z() - s.cone.z);
+        p.add(toB.x(), toB.y(), toB.z());
+        p.add(toC.x(), toC.y(), toC.z());
         return irradianceOfPolygon(s, nx, ny, nz);
     }
 

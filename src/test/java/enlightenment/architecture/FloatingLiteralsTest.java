@@ -158,6 +158,9 @@ class FloatingLiteralsTest {
                     "emitter/LightWeights.java", "0.25", "Cauchy: the mean share of its area that a convex body shows"),
             new Explained(
                     "emitter/LightWeights.java", "0x1p-900", "range of doubles: an inverse that does not overflow"),
+            new Explained(
+                    "emitter/LightWeights.java", "4", "ratio of distance to size that chooses between two weights"),
+            new Explained("emitter/LightWeights.java", "0x1p-10", "share of a weight whose sign is certain"),
             new Explained("emitter/NormalCone.java", "0x1p-24", "angle: more than what the arc cosine is off by"),
             new Explained(
                     "emitter/ParallelogramLight.java", "1e-3", "solid angle that chooses between two ways of sampling"),

@@ -1,13 +1,17 @@
 package enlightenment.emitter;
 
+import static java.util.stream.Collectors.toSet;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
 import enlightenment.sampling.ChiSquare;
 import enlightenment.sampling.RunningStatistics;
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -21,6 +25,23 @@ class AreaLightTest {
 
     static Stream<SeenLight> lights() {
         return SeenLights.all().stream();
+    }
+
+    /** The concrete classes of a sealed family. */
+    private static Stream<Class<?>> kinds(Class<?> family) {
+        return family.isSealed()
+                ? Arrays.stream(family.getPermittedSubclasses()).flatMap(AreaLightTest::kinds)
+                : Stream.of(family);
+    }
+
+    @Test
+    void everyKindOfPrimitiveAndOfLightIsTried() {
+        assertEquals(
+                kinds(Primitive.class).collect(toSet()),
+                lights().map(SeenLight::primitiveKind).collect(toSet()));
+        assertEquals(
+                kinds(AreaLight.class).collect(toSet()),
+                lights().map(seen -> seen.light.getClass()).collect(toSet()));
     }
 
     private void sample(SeenLight seen) {

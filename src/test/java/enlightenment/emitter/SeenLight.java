@@ -43,6 +43,10 @@ final class SeenLight {
         basis.around(sample.cone.wx, sample.cone.wy, sample.cone.wz);
     }
 
+    Class<?> primitiveKind() {
+        return primitive.getClass();
+    }
+
     void aim(Vec3 from) {
         light.aim(sample, from.x(), from.y(), from.z());
     }
@@ -95,6 +99,26 @@ final class SeenLight {
                 double p = light.pdf(sample, dx, dy, dz, hit.t, cosine);
                 density += p;
                 crossings += p > 0 ? 1 : 0;
+            }
+            from = hit.t * (1 + 1e-9);
+        }
+    }
+
+    /** What is done with each crossing of a line. */
+    interface Crossing {
+        void at(double x, double y, double z);
+    }
+
+    /** Follows a line through all of its crossings with the light. */
+    void cross(Vec3 o, Vec3 d, Crossing crossing) {
+        double from = 0;
+        while (true) {
+            ray.set(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), from);
+            if (!primitive.intersect(ray, hit)) {
+                return;
+            }
+            if (hit.face == face) {
+                crossing.at(hit.px, hit.py, hit.pz);
             }
             from = hit.t * (1 + 1e-9);
         }

@@ -13,7 +13,9 @@ import enlightenment.geometry.Triangle;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Lights of every form from everywhere that matters: near, far, at grazing angles, inside. */
 final class SeenLights {
@@ -69,6 +71,18 @@ final class SeenLights {
         }
         add(all, "cube's face", cube, 0, false, new Vec3(-3, -0.5, 0.5));
         return all;
+    }
+
+    /** One view of each form. */
+    static List<SeenLight> forms() {
+        List<SeenLight> forms = new ArrayList<>();
+        Set<String> names = new HashSet<>();
+        for (SeenLight seen : all()) {
+            if (names.add(seen.name.substring(0, seen.name.indexOf(" from")))) {
+                forms.add(seen);
+            }
+        }
+        return forms;
     }
 
     private static void add(

@@ -29,16 +29,19 @@ final class PhysicalFeatures {
                 lights > 0 && isWeighted,
                 "multiple importance sampling of lights and directions",
                 "multiple importance sampling (direct light has closed forms)");
-        add(
-                scene.hasCausticPass() && mirrors != null,
-                "caustics of mirror balls that are seen in mirrors and through glass",
-                "caustics of mirror balls that are seen in mirrors and through glass");
+        addCaustics(scene.hasCausticPass(), mirrors);
         add(hasBackground, "constant surroundings", "surroundings");
         add(any(surfaces, m -> !m.isGlass && m.isDelta), "mirrors", "mirrors");
         add(any(surfaces, m -> m.isGlass), "refraction by Fresnel's equations, nested media", "refraction");
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");
         add(scene.hasAbsorption, "absorption in media", "absorption in media");
         add(any(surfaces, SurfaceMaterial::hasImage), "image textures", "image textures");
+    }
+
+    private void addCaustics(boolean hasPass, MirrorBalls mirrors) {
+        String images = "sampling of the images of lights in mirror balls";
+        add(hasPass, "caustics by light tracing", "caustics by light tracing");
+        add(hasPass && mirrors != null, images + " (caustics seen in mirrors and through glass)", images);
     }
 
     private static boolean any(Collection<SurfaceMaterial> surfaces, Predicate<SurfaceMaterial> such) {

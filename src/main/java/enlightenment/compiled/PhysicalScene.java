@@ -84,6 +84,10 @@ public final class PhysicalScene {
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
         caustics = CausticPass.of(lights, compiled, maxBounces);
+        picker = picker(lights);
+    }
+
+    private static LightPicker picker(PhysicalLight[] lights) {
         LightPicker.Builder builder = new LightPicker.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
@@ -92,7 +96,7 @@ public final class PhysicalScene {
                 builder.add(light.form, light.luminance());
             }
         }
-        picker = builder.build();
+        return builder.build();
     }
 
     private static PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face) {

@@ -2,18 +2,14 @@ package enlightenment.emitter;
 
 import enlightenment.frame.Basis;
 import enlightenment.math.Vec3;
-import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import enlightenment.sampling.Warp;
 
 /** A flat disk, sampled evenly over its area. */
-public final class DiskLight implements AreaLight {
+public final class DiskLight extends FlatLight {
     private final Vec3 center;
-    private final Vec3 normal;
     private final double radius;
-    private final boolean twoSided;
     private final Basis basis = new Basis();
-    private final double area;
 
     /**
      * A disk.
@@ -22,46 +18,37 @@ public final class DiskLight implements AreaLight {
      * @param twoSided whether its back shines as well
      */
     public DiskLight(Vec3 center, Vec3 normal, double radius, boolean twoSided) {
+        super(center, normal, Math.PI * radius * radius, twoSided, center, radius * (1 + Scale.gamma(8)));
         this.center = center;
-        this.normal = normal;
         this.radius = radius;
-        this.twoSided = twoSided;
         basis.around(normal.x(), normal.y(), normal.z());
-        area = Math.PI * radius * radius;
-    }
-
-    @Override
-    public void aim(LightSample s, double x, double y, double z) {
-        s.aim(center.x(), center.y(), center.z(), ballRadius(), x, y, z);
-        s.height = -Products.dot(normal.x(), normal.y(), normal.z(), center.x() - x, center.y() - y, center.z() - z);
     }
 
     @Override
     public void sample(LightSample s, double u, double v) {
-        if (!(twoSided ? s.height != 0 : s.height > 0)) {
+        if (!faces(s)) {
             s.absent();
             return;
         }
         Warp.toDisk(u, v, s.disk);
         double p = radius * s.disk[0];
         double q = radius * s.disk[1];
-        s.toOffset(
+        choose(
+                s,
                 Math.fma(p, basis.ax, Math.fma(q, basis.bx, center.x() - s.cone.x)),
                 Math.fma(p, basis.ay, Math.fma(q, basis.by, center.y() - s.cone.y)),
                 Math.fma(p, basis.az, Math.fma(q, basis.bz, center.z() - s.cone.z)));
-        s.cosine = s.height / s.length;
-        s.pdf = LightSample.pdfOfArea(area, twoSided, s.length, s.cosine);
     }
 
     @Override
     public double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine) {
-        return LightSample.pdfOfArea(area, twoSided, distance, cosine);
+        return density(distance, cosine);
     }
 
     /** 0 where nothing of it is seen above the horizon; else there is none. */
     @Override
     public double irradiance(LightSample s, double nx, double ny, double nz) {
-        if (!(twoSided ? s.height != 0 : s.height > 0)) {
+        if (!faces(s)) {
             return 0;
         }
         double along = nx * normal.x() + ny * normal.y() + nz * normal.z();
@@ -70,16 +57,6 @@ public final class DiskLight implements AreaLight {
                 + nz * (center.z() - s.cone.z)
                 + radius * Math.sqrt(Math.max((1 - along) * (1 + along), 0));
         return highest <= 0 ? 0 : Double.NaN;
-    }
-
-    @Override
-    public double area() {
-        return area;
-    }
-
-    @Override
-    public boolean isTwoSided() {
-        return twoSided;
     }
 
     @Override
@@ -92,21 +69,6 @@ public final class DiskLight implements AreaLight {
                 Math.fma(p, basis.ay, Math.fma(q, basis.by, center.y())),
                 Math.fma(p, basis.az, Math.fma(q, basis.bz, center.z())));
         point.setNormal(normal.x(), normal.y(), normal.z());
-    }
-
-    @Override
-    public Vec3 ballCenter() {
-        return center;
-    }
-
-    @Override
-    public double ballRadius() {
-        return radius * (1 + Scale.gamma(8));
-    }
-
-    @Override
-    public Vec3 flatNormal() {
-        return normal;
     }
 
     @Override

@@ -9,7 +9,7 @@ import enlightenment.numeric.Scale;
  * two {@link SphericalTriangle}s; far ones over the area. Its front is the side from which its edges {@code up} and {@code right} are
  * seen as they are named: the normal is up × right.
  */
-public final class ParallelogramLight implements AreaLight {
+public final class ParallelogramLight extends FlatLight {
     /** Below this solid angle the density by area hardly varies over the light, unless it is seen at a grazing angle. */
     static final double LEAST_SOLID_ANGLE = 1e-3;
 
@@ -24,16 +24,11 @@ public final class ParallelogramLight implements AreaLight {
     private final Vec3 corner;
     private final Vec3 right;
     private final Vec3 up;
-    private final boolean twoSided;
-    private final Vec3 normal;
     private final Vec3 unitRight;
     private final Vec3 unitUp;
     private final double width;
     private final double length;
-    private final double area;
     private final boolean rectangular;
-    private final Vec3 center;
-    private final double radius;
 
     /**
      * A parallelogram.
@@ -44,27 +39,29 @@ public final class ParallelogramLight implements AreaLight {
      * @param twoSided whether its back shines as well
      */
     public ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, boolean twoSided) {
+        this(corner, right, up, twoSided, up.cross(right));
+    }
+
+    private ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, boolean twoSided, Vec3 product) {
+        super(
+                corner,
+                product.normalized(),
+                product.length(),
+                twoSided,
+                corner.plus(right.plus(up).times(0.5)),
+                0.5 * diagonal(right, up) * (1 + Scale.gamma(16)));
         this.corner = corner;
         this.right = right;
         this.up = up;
-        this.twoSided = twoSided;
-        Vec3 product = up.cross(right);
-        area = product.length();
-        normal = product.normalized();
         width = right.length();
         length = up.length();
         unitRight = right.normalized();
         unitUp = up.normalized();
         rectangular = Math.abs(unitRight.dot(unitUp)) <= RIGHT_ANGLE_ERROR;
-        center = corner.plus(right.plus(up).times(0.5));
-        double diagonal = Math.max(right.plus(up).length(), right.minus(up).length());
-        radius = 0.5 * diagonal * (1 + Scale.gamma(16));
     }
 
-    @Override
-    public void aim(LightSample s, double x, double y, double z) {
-        s.aim(center.x(), center.y(), center.z(), radius, x, y, z);
-        s.height = -Products.dot(normal.x(), normal.y(), normal.z(), corner.x() - x, corner.y() - y, corner.z() - z);
+    private static double diagonal(Vec3 right, Vec3 up) {
+        return Math.max(right.plus(up).length(), right.minus(up).length());
     }
 
     private SamplingChoice choice(LightSample s) {
@@ -75,7 +72,7 @@ public final class ParallelogramLight implements AreaLight {
     }
 
     private SamplingChoice decide(LightSample s) {
-        if (!(twoSided ? s.height != 0 : s.height > 0)) {
+        if (!faces(s)) {
             return SamplingChoice.ABSENT;
         }
         return rectangular ? decideRectangle(s) : decideTriangles(s);
@@ -128,9 +125,7 @@ public final class ParallelogramLight implements AreaLight {
                 double x = Math.fma(u, right.x(), Math.fma(v, up.x(), corner.x() - s.cone.x));
                 double y = Math.fma(u, right.y(), Math.fma(v, up.y(), corner.y() - s.cone.y));
                 double z = Math.fma(u, right.z(), Math.fma(v, up.z(), corner.z() - s.cone.z));
-                s.toOffset(x, y, z);
-                s.cosine = s.height / s.length;
-                s.pdf = LightSample.pdfOfArea(area, twoSided, s.length, s.cosine);
+                choose(s, x, y, z);
             }
             default -> s.absent();
         }
@@ -154,16 +149,7 @@ public final class ParallelogramLight implements AreaLight {
         boolean first = u < share;
         SphericalTriangle t = first ? s.triangle : s.secondTriangle;
         t.choose(first ? u / share : Math.min((u - share) / (1 - share), 1), v);
-        onPlane(s, t, normal, 1 / both);
-    }
-
-    /** The point of the plane in the direction that the triangle has chosen. */
-    static void onPlane(LightSample s, SphericalTriangle t, Vec3 normal, double density) {
-        double cosine = -Products.dot(t.x, t.y, t.z, normal.x(), normal.y(), normal.z());
-        double distance = s.height / cosine;
-        s.set(t.x, t.y, t.z, distance);
-        s.cosine = cosine;
-        s.pdf = distance > 0 && distance <= Double.MAX_VALUE ? density : 0;
+        choose(s, t, 1 / both);
     }
 
     @Override
@@ -171,14 +157,14 @@ public final class ParallelogramLight implements AreaLight {
         return switch (choice(s)) {
             case SOLID_ANGLE ->
                 1 / (rectangular ? s.rectangle.solidAngle : s.triangle.solidAngle + s.secondTriangle.solidAngle);
-            case AREA -> LightSample.pdfOfArea(area, twoSided, distance, cosine);
+            case AREA -> density(distance, cosine);
             default -> 0;
         };
     }
 
     @Override
     public double irradiance(LightSample s, double nx, double ny, double nz) {
-        if (!(twoSided ? s.height != 0 : s.height > 0)) {
+        if (!faces(s)) {
             return 0;
         }
         HorizonPolygon p = s.polygon;
@@ -186,17 +172,7 @@ public final class ParallelogramLight implements AreaLight {
         p.add(right.x(), right.y(), right.z());
         p.add(right.x() + up.x(), right.y() + up.y(), right.z() + up.z());
         p.add(up.x(), up.y(), up.z());
-        return p.irradiance(nx, ny, nz, Math.abs(s.height), 2 * radius < HorizonPolygon.FAR * s.cone.distance);
-    }
-
-    @Override
-    public double area() {
-        return area;
-    }
-
-    @Override
-    public boolean isTwoSided() {
-        return twoSided;
+        return irradianceOfPolygon(s, nx, ny, nz);
     }
 
     @Override
@@ -206,21 +182,6 @@ public final class ParallelogramLight implements AreaLight {
                 Math.fma(u, right.y(), Math.fma(v, up.y(), corner.y())),
                 Math.fma(u, right.z(), Math.fma(v, up.z(), corner.z())));
         point.setNormal(normal.x(), normal.y(), normal.z());
-    }
-
-    @Override
-    public Vec3 ballCenter() {
-        return center;
-    }
-
-    @Override
-    public double ballRadius() {
-        return radius;
-    }
-
-    @Override
-    public Vec3 flatNormal() {
-        return normal;
     }
 
     @Override

@@ -164,7 +164,7 @@ final class MirrorCaustics {
     }
 
     private void add(Scattering s, double density, PhysicalLight l) {
-        double f = weight(s.pdf, density) / density;
+        double f = PowerHeuristic.weight(s.pdf, density) / density;
         red = Math.fma(f * s.valueR * event.valueR, l.r, red);
         green = Math.fma(f * s.valueG * event.valueG, l.g, green);
         blue = Math.fma(f * s.valueB * event.valueB, l.b, blue);
@@ -195,15 +195,9 @@ final class MirrorCaustics {
         for (int k = 0; k < images.length; k++) {
             if (balls.id[k] == mirror && balls.light[k] == light) {
                 MirrorImage image = images[k];
-                return image.pdf > 0 && image.contains(dx, dy, dz) ? weight(image.pdf, pdf) : 1;
+                return image.pdf > 0 && image.contains(dx, dy, dz) ? PowerHeuristic.weight(image.pdf, pdf) : 1;
             }
         }
         return 1;
-    }
-
-    /** The power heuristic of one density against another, with the ratio formed first: no square overflows. */
-    private static double weight(double other, double own) {
-        double ratio = other / own;
-        return 1 / (1 + ratio * ratio);
     }
 }

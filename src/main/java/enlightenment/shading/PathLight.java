@@ -247,7 +247,7 @@ final class PathLight {
             counters.lightSamplesWithoutRay++;
             return 0;
         }
-        double weighed = cosine / sample.pdf * weight(cosine / Math.PI, probability * sample.pdf);
+        double weighed = cosine / sample.pdf * PowerHeuristic.weight(cosine / Math.PI, probability * sample.pdf);
         return known == Tracer.Visibility.ALL || !shadow.isBlocked(l, sample) ? weighed : 0;
     }
 
@@ -310,7 +310,7 @@ final class PathLight {
             turn(s);
         }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
-            double f = (l.isPoint ? 1 : weight(s.pdf, probability * density)) / (probability * density);
+            double f = (l.isPoint ? 1 : PowerHeuristic.weight(s.pdf, probability * density)) / (probability * density);
             add(l, f * s.valueR, f * s.valueG, f * s.valueB);
         }
     }
@@ -349,7 +349,7 @@ final class PathLight {
             return 1;
         }
         double probability = tookAll ? 1 : picker.probability(index, x, y, z, nx, ny, nz, choice);
-        return weight(probability * density, pdf);
+        return PowerHeuristic.weight(probability * density, pdf);
     }
 
     /** Whether the vertex, a matte one, has all of the light from its closed form. */
@@ -359,12 +359,6 @@ final class PathLight {
             return false;
         }
         return l.isBall || shadow.visibility(l) != Tracer.Visibility.UNKNOWN;
-    }
-
-    /** The power heuristic of one density against another, with the ratio formed first: no square overflows. */
-    private static double weight(double other, double own) {
-        double ratio = other / own;
-        return 1 / (1 + ratio * ratio);
     }
 
     private boolean isVisible(PhysicalLight l) {

@@ -35,7 +35,6 @@ public final class PathTracer implements Shader {
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
-
     private final boolean isAlbedo;
 
     /** Whether a path ends where light has come to its first vertex straight. */
@@ -334,15 +333,10 @@ public final class PathTracer implements Shader {
         }
         address++;
         path.glass.choose(choice, pair);
-        boolean through = path.cross(ray);
-        Arrays.fill(surface, path.glass.weight());
-        if (through) {
-            path.filter(surface);
-        }
+        cross(ray);
         if (mirrors != null) {
             mirrors.begin();
         }
-        value.enter(path.glass.indexOfRefraction());
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
             // stays what it was.
@@ -360,6 +354,16 @@ public final class PathTracer implements Shader {
             light.left(path.glass.border.pdf);
         }
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+    }
+
+    /** Crosses the border or is reflected; the surface's colour becomes the weight of that. */
+    private void cross(Ray ray) {
+        boolean through = path.cross(ray);
+        Arrays.fill(surface, path.glass.weight());
+        if (through) {
+            path.filter(surface);
+        }
+        value.enter(path.glass.indexOfRefraction());
     }
 
     /** At glass that is opaque in part, where chance says that it is. */

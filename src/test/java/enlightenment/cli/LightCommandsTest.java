@@ -16,6 +16,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -89,6 +90,29 @@ class LightCommandsTest {
         String out = CliRun.of("inspect", "scenes/lamp-room.json").out();
         assertTrue(out.contains("shadowSamples=10: of classic shading"), out);
         assertTrue(out.contains("mirrors") && out.contains("indirect light"), out);
+    }
+
+    @Test
+    void inspectSaysHowCausticsAreFound() {
+        String images = "sampling of the images of lights in mirror balls";
+        List<String> both = modelled(Path.of("scenes/fire-and-ice-physical.json"));
+        assertTrue(both.contains("caustics by light tracing"), both.toString());
+        assertTrue(both.contains(images + " (caustics seen in mirrors and through glass)"), both.toString());
+        List<String> oneOfThem = modelled(Path.of("scenes/caustics.json"));
+        assertTrue(oneOfThem.contains("caustics by light tracing"), oneOfThem.toString());
+        assertFalse(oneOfThem.toString().contains(images), oneOfThem.toString());
+        assertFalse(modelled(CORNELL).toString().contains("caustics"));
+        String out = CliRun.of("inspect", CORNELL).out();
+        assertTrue(out.contains("caustics by light tracing") && out.contains(images), out);
+    }
+
+    /** What inspect says is modelled of a scene. */
+    private static List<String> modelled(Path scene) {
+        String out = CliRun.of("inspect", scene).out();
+        return out.substring(out.indexOf("modelled:") + "modelled:".length(), out.indexOf("not modelled:"))
+                .lines()
+                .map(String::strip)
+                .toList();
     }
 
     @Test

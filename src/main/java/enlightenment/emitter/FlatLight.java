@@ -1,0 +1,92 @@
+package enlightenment.emitter;
+
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Products;
+
+/** A part of a plane that shines from one of its sides or from both. */
+abstract sealed class FlatLight implements AreaLight permits ParallelogramLight, TriangleLight, DiskLight {
+    /** The unit normal, on the front. */
+    final Vec3 normal;
+
+    final double area;
+    final boolean twoSided;
+
+    /** A point of the plane. */
+    private final Vec3 foot;
+
+    /** A ball around the light. */
+    private final Vec3 center;
+
+    private final double radius;
+
+    FlatLight(Vec3 foot, Vec3 normal, double area, boolean twoSided, Vec3 center, double radius) {
+        this.foot = foot;
+        this.normal = normal;
+        this.area = area;
+        this.twoSided = twoSided;
+        this.center = center;
+        this.radius = radius;
+    }
+
+    @Override
+    public final void aim(LightSample s, double x, double y, double z) {
+        s.aim(center.x(), center.y(), center.z(), radius, x, y, z);
+        s.height = -Products.dot(normal.x(), normal.y(), normal.z(), foot.x() - x, foot.y() - y, foot.z() - z);
+    }
+
+    /** Whether the receiver is on a side that shines. */
+    final boolean faces(LightSample s) {
+        return twoSided ? s.height != 0 : s.height > 0;
+    }
+
+    /** Chooses a point that was sampled evenly over the area, given from the receiver. */
+    final void choose(LightSample s, double x, double y, double z) {
+        s.toOffset(x, y, z);
+        s.cosine = s.height / s.length;
+        s.pdf = density(s.length, s.cosine);
+    }
+
+    /** The density per solid angle of a point that is sampled evenly over the area. */
+    final double density(double distance, double cosine) {
+        return LightSample.pdfOfArea(area, twoSided, distance, cosine);
+    }
+
+    /** Chooses the point of the plane in the direction that the triangle has chosen. */
+    final void choose(LightSample s, SphericalTriangle t, double density) {
+        double cosine = -Products.dot(t.x, t.y, t.z, normal.x(), normal.y(), normal.z());
+        double distance = s.height / cosine;
+        s.set(t.x, t.y, t.z, distance);
+        s.cosine = cosine;
+        s.pdf = distance > 0 && distance <= Double.MAX_VALUE ? density : 0;
+    }
+
+    /** The irradiance of the polygon that the sample has, which is the light. */
+    final double irradianceOfPolygon(LightSample s, double nx, double ny, double nz) {
+        return s.polygon.irradiance(nx, ny, nz, Math.abs(s.height), 2 * radius < HorizonPolygon.FAR * s.cone.distance);
+    }
+
+    @Override
+    public final double area() {
+        return area;
+    }
+
+    @Override
+    public final boolean isTwoSided() {
+        return twoSided;
+    }
+
+    @Override
+    public final Vec3 ballCenter() {
+        return center;
+    }
+
+    @Override
+    public final double ballRadius() {
+        return radius;
+    }
+
+    @Override
+    public final Vec3 flatNormal() {
+        return normal;
+    }
+}

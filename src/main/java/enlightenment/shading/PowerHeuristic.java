@@ -1,0 +1,19 @@
+package enlightenment.shading;
+
+/**
+ * The weights of two techniques that find the same light, so that both together count it once: the power heuristic with exponent 2
+ * (E. Veach and L. Guibas, "Optimally combining sampling techniques", 1995).
+ */
+final class PowerHeuristic {
+    private PowerHeuristic() {}
+
+    /**
+     * The weight of the technique with the density own. The ratio is formed first: no square overflows.
+     *
+     * @param other the density with which the other technique finds the same
+     */
+    static double weight(double other, double own) {
+        double ratio = other / own;
+        return 1 / (1 + ratio * ratio);
+    }
+}

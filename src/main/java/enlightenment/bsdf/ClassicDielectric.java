@@ -4,29 +4,14 @@ package enlightenment.bsdf;
  * Smooth glass as the paper has it: it refracts all light, or reflects all of it where Snell's law has no solution. The surface's colour
  * is no part of the value: surfaces that coincide are one border of media, and whoever crosses it is filtered by each of them.
  */
-public final class ClassicDielectric implements Bsdf {
+public final class ClassicDielectric implements DeltaBsdf {
     public static final ClassicDielectric INSTANCE = new ClassicDielectric();
 
     private ClassicDielectric() {}
 
     @Override
-    public boolean isDelta() {
-        return true;
-    }
-
-    @Override
     public boolean transmits() {
         return true;
-    }
-
-    @Override
-    public void evaluate(Scattering s) {
-        s.nothing();
-    }
-
-    @Override
-    public double pdf(Scattering s) {
-        return 0;
     }
 
     @Override

@@ -1,7 +1,7 @@
 package enlightenment.bsdf;
 
 /** A smooth metal, or another opaque surface that is polished: one delta lobe, the mirror image, with Fresnel's share of the light. */
-public final class SmoothConductor implements Bsdf {
+public final class SmoothConductor implements DeltaBsdf {
     private final Fresnel fresnel;
 
     /**
@@ -14,23 +14,8 @@ public final class SmoothConductor implements Bsdf {
     }
 
     @Override
-    public boolean isDelta() {
-        return true;
-    }
-
-    @Override
     public boolean transmits() {
         return false;
-    }
-
-    @Override
-    public void evaluate(Scattering s) {
-        s.nothing();
-    }
-
-    @Override
-    public double pdf(Scattering s) {
-        return 0;
     }
 
     @Override

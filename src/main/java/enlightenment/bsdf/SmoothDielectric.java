@@ -5,29 +5,14 @@ package enlightenment.bsdf;
  * which {@code choice} selects one with the probability of its share. The surface's colour is no part of the value, as of
  * {@link ClassicDielectric}.
  */
-public final class SmoothDielectric implements Bsdf {
+public final class SmoothDielectric implements DeltaBsdf {
     public static final SmoothDielectric INSTANCE = new SmoothDielectric();
 
     private SmoothDielectric() {}
 
     @Override
-    public boolean isDelta() {
-        return true;
-    }
-
-    @Override
     public boolean transmits() {
         return true;
-    }
-
-    @Override
-    public void evaluate(Scattering s) {
-        s.nothing();
-    }
-
-    @Override
-    public double pdf(Scattering s) {
-        return 0;
     }
 
     /** Reflects if {@code choice} is below the share that is reflected. */

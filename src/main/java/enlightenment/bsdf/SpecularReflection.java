@@ -1,29 +1,14 @@
 package enlightenment.bsdf;
 
 /** A perfect mirror: one delta lobe, whose reflectance is the surface's colour at every angle. */
-public final class SpecularReflection implements Bsdf {
+public final class SpecularReflection implements DeltaBsdf {
     public static final SpecularReflection INSTANCE = new SpecularReflection();
 
     private SpecularReflection() {}
 
     @Override
-    public boolean isDelta() {
-        return true;
-    }
-
-    @Override
     public boolean transmits() {
         return false;
-    }
-
-    @Override
-    public void evaluate(Scattering s) {
-        s.nothing();
-    }
-
-    @Override
-    public double pdf(Scattering s) {
-        return 0;
     }
 
     @Override

@@ -5,7 +5,7 @@ package enlightenment.bsdf;
  * pass straight on. Two delta lobes, of which {@code choice} selects one with the probability of its share. The surface's colour is no
  * part of the value; {@link Scattering#eta} is not asked for.
  */
-public final class ThinDielectric implements Bsdf {
+public final class ThinDielectric implements DeltaBsdf {
     private final double eta;
 
     /**
@@ -21,11 +21,6 @@ public final class ThinDielectric implements Bsdf {
     }
 
     @Override
-    public boolean isDelta() {
-        return true;
-    }
-
-    @Override
     public boolean transmits() {
         return true;
     }
@@ -37,16 +32,6 @@ public final class ThinDielectric implements Bsdf {
      */
     public double transmittance(double cosine) {
         return 1 - DielectricFresnel.paneReflectance(Math.min(Math.abs(cosine), 1), eta);
-    }
-
-    @Override
-    public void evaluate(Scattering s) {
-        s.nothing();
-    }
-
-    @Override
-    public double pdf(Scattering s) {
-        return 0;
     }
 
     /** Reflects if {@code choice} is below the share that is reflected. */

@@ -4,7 +4,6 @@ import enlightenment.color.Rgb;
 import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.AreaLights;
 import enlightenment.emitter.SphereLight;
-import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.RectanglePrimitive;
@@ -94,10 +93,5 @@ public final class PhysicalLight extends LightBody {
     void lieOn(Primitive[] primitives, boolean few) {
         // Among few primitives, candidates for occlusion are listed for each light, and its own need not be among them.
         lieOn(primitives, face, few && hidesNothingOfItself ? id : NO_PRIMITIVE);
-    }
-
-    /** A box around the primitive, or the point. */
-    public Bounds box() {
-        return bounds();
     }
 }

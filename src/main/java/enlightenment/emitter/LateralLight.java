@@ -6,21 +6,17 @@ import enlightenment.numeric.Scale;
 import enlightenment.sampling.Warp;
 
 /** The side of a cylinder, a cone or a frustum, without its ends, sampled evenly over its area. */
-public final class LateralLight implements AreaLight {
+public final class LateralLight extends CurvedLight {
     private final Vec3 base;
     private final Vec3 toTop;
     private final double baseRadius;
     private final double topRadius;
-    private final boolean twoSided;
     private final Basis basis = new Basis();
 
     /** The normal's components across the axis and along it. */
     private final double outward;
 
     private final Vec3 alongNormal;
-    private final double area;
-    private final Vec3 center;
-    private final double ballRadius;
 
     /**
      * The surface between two circles.
@@ -32,54 +28,30 @@ public final class LateralLight implements AreaLight {
      * @param twoSided whether its inner side shines as well: that of a surface without ends is seen
      */
     public LateralLight(Vec3 base, Vec3 toTop, double baseRadius, double topRadius, boolean twoSided) {
+        super(
+                base.plus(toTop.times(0.5)),
+                ballRadius(base.plus(toTop.times(0.5)), toTop.length(), Math.max(baseRadius, topRadius)),
+                Math.PI * (baseRadius + topRadius) * slant(toTop, topRadius - baseRadius),
+                twoSided);
         this.base = base;
         this.toTop = toTop;
         this.baseRadius = baseRadius;
         this.topRadius = topRadius;
-        this.twoSided = twoSided;
         Vec3 axis = toTop.normalized();
         basis.around(axis.x(), axis.y(), axis.z());
-        double height = toTop.length();
         double gain = topRadius - baseRadius;
-        double slant = new Vec3(height, gain, 0).length();
-        outward = height / slant;
+        double slant = slant(toTop, gain);
+        outward = toTop.length() / slant;
         alongNormal = axis.times(-gain / slant);
-        area = Math.PI * (baseRadius + topRadius) * slant;
-        center = base.plus(toTop.times(0.5));
-        double wide = Math.max(baseRadius, topRadius);
-        ballRadius =
-                new Vec3(0.5 * height, wide, 0).length() * (1 + Scale.gamma(16)) + Scale.gamma(4) * center.maxAbs();
     }
 
-    @Override
-    public void aim(LightSample s, double x, double y, double z) {
-        s.aim(center.x(), center.y(), center.z(), ballRadius, x, y, z);
+    /** The length of a straight line of the surface, from circle to circle. */
+    private static double slant(Vec3 toTop, double gain) {
+        return new Vec3(toTop.length(), gain, 0).length();
     }
 
-    @Override
-    public void sample(LightSample s, double u, double v) {
-        samplePoint(u, v, s.point);
-        s.toPoint(area, twoSided);
-    }
-
-    @Override
-    public double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine) {
-        return LightSample.pdfOfArea(area, twoSided, distance, cosine);
-    }
-
-    @Override
-    public double irradiance(LightSample s, double nx, double ny, double nz) {
-        return Horizon.irradianceIfBelow(s.cone, nx, ny, nz);
-    }
-
-    @Override
-    public double area() {
-        return area;
-    }
-
-    @Override
-    public boolean isTwoSided() {
-        return twoSided;
+    private static double ballRadius(Vec3 center, double height, double wide) {
+        return new Vec3(0.5 * height, wide, 0).length() * (1 + Scale.gamma(16)) + Scale.gamma(4) * center.maxAbs();
     }
 
     /** The disk's angle is that around the axis; its squared radius, which is even too, chooses the circle by its circumference. */
@@ -104,21 +76,6 @@ public final class LateralLight implements AreaLight {
                 Math.fma(outward, x, alongNormal.x()),
                 Math.fma(outward, y, alongNormal.y()),
                 Math.fma(outward, z, alongNormal.z()));
-    }
-
-    @Override
-    public Vec3 ballCenter() {
-        return center;
-    }
-
-    @Override
-    public double ballRadius() {
-        return ballRadius;
-    }
-
-    @Override
-    public Vec3 flatNormal() {
-        return Vec3.ZERO;
     }
 
     @Override

@@ -5,11 +5,10 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
 /** A torus that shines outwards, sampled evenly over its area. */
-public final class TorusLight implements AreaLight {
+public final class TorusLight extends CurvedLight {
     /** Halvings of the angle's interval before Newton's steps, which then converge from wherever they are. */
     private static final int MOST_STEPS = 64;
 
-    private final Vec3 center;
     private final Vec3 axis;
     private final double majorRadius;
     private final double minorRadius;
@@ -18,7 +17,6 @@ public final class TorusLight implements AreaLight {
     private final double thickness;
 
     private final Basis basis = new Basis();
-    private final double area;
 
     /**
      * All points within {@code minorRadius} of a circle.
@@ -28,44 +26,16 @@ public final class TorusLight implements AreaLight {
      * @param minorRadius greater than 0, at most the major radius
      */
     public TorusLight(Vec3 center, Vec3 axis, double majorRadius, double minorRadius) {
-        this.center = center;
+        super(
+                center,
+                (majorRadius + minorRadius) * (1 + Scale.gamma(8)),
+                4 * Math.PI * Math.PI * majorRadius * minorRadius,
+                false);
         this.axis = axis;
         this.majorRadius = majorRadius;
         this.minorRadius = minorRadius;
         thickness = minorRadius / majorRadius;
         basis.around(axis.x(), axis.y(), axis.z());
-        area = 4 * Math.PI * Math.PI * majorRadius * minorRadius;
-    }
-
-    @Override
-    public void aim(LightSample s, double x, double y, double z) {
-        s.aim(center.x(), center.y(), center.z(), ballRadius(), x, y, z);
-    }
-
-    @Override
-    public void sample(LightSample s, double u, double v) {
-        samplePoint(u, v, s.point);
-        s.toPoint(area, false);
-    }
-
-    @Override
-    public double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine) {
-        return LightSample.pdfOfArea(area, false, distance, cosine);
-    }
-
-    @Override
-    public double irradiance(LightSample s, double nx, double ny, double nz) {
-        return Horizon.irradianceIfBelow(s.cone, nx, ny, nz);
-    }
-
-    @Override
-    public double area() {
-        return area;
-    }
-
-    @Override
-    public boolean isTwoSided() {
-        return false;
     }
 
     @Override
@@ -112,21 +82,6 @@ public final class TorusLight implements AreaLight {
             angle = next;
         }
         return angle;
-    }
-
-    @Override
-    public Vec3 ballCenter() {
-        return center;
-    }
-
-    @Override
-    public double ballRadius() {
-        return (majorRadius + minorRadius) * (1 + Scale.gamma(8));
-    }
-
-    @Override
-    public Vec3 flatNormal() {
-        return Vec3.ZERO;
     }
 
     @Override

@@ -274,7 +274,7 @@ public final class CausticTracer {
         if (!(most > 0)) {
             return false;
         }
-        double survival = Math.min(Math.max(r, Math.max(g, b)), PathValue.LARGEST_SURVIVAL);
+        double survival = PathValue.survival(r, g, b);
         if (!(unit(4) < survival)) {
             return false;
         }

@@ -16,7 +16,7 @@ final class PathValue {
     static final double FAINT = 0.05;
 
     /** Paths of a closed white room must end, too. */
-    static final double LARGEST_SURVIVAL = 0.99;
+    private static final double LARGEST_SURVIVAL = 0.99;
 
     /** What was gathered. */
     double red;
@@ -161,12 +161,17 @@ final class PathValue {
         if (!(Math.max(throughputR, Math.max(throughputG, throughputB)) > 0)) {
             return false;
         }
-        double survival = Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
+        double survival = survival(r, g, b);
         if (!(sampler.unit(event, Sampler.Purpose.ROULETTE) < survival)) {
             return false;
         }
         double scale = 1 / survival;
         filter(scale, scale, scale);
         return true;
+    }
+
+    /** The probability of surviving an event of this weight. */
+    static double survival(double r, double g, double b) {
+        return Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
     }
 }

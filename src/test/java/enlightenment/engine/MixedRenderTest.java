@@ -20,10 +20,7 @@ import enlightenment.toy.HalfAndHalf;
 import enlightenment.toy.ToyScene;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,29 +40,6 @@ class MixedRenderTest {
 
     private static DividedRender divided(RenderSettings settings) {
         return DividedRender.prepare(SCENE, settings, () -> false);
-    }
-
-    private static List<Integer> shuffled(DividedRender render, long seed) {
-        List<Integer> order = new ArrayList<>();
-        for (int unit = 0; unit < render.units(); unit++) {
-            order.add(unit);
-        }
-        Collections.shuffle(order, new Random(seed));
-        return order;
-    }
-
-    private static final class Kept implements ResultStore {
-        private final Map<Integer, byte[]> results = new HashMap<>();
-
-        @Override
-        public void keep(int unit, byte[] bytes) {
-            results.put(unit, bytes);
-        }
-
-        @Override
-        public byte[] get(int unit) {
-            return results.get(unit);
-        }
     }
 
     private static double rmse(Image a, Image b) {
@@ -115,7 +89,7 @@ class MixedRenderTest {
         for (long seed = 0; seed < 3; seed++) {
             FilmAssembly film = render.assembly();
             long before = 0;
-            for (int unit : shuffled(render, seed)) {
+            for (int unit : UnitOrder.shuffled(render.units(), seed)) {
                 film.put(unit, render.maker().make(unit));
                 assertTrue(film.has(unit));
                 assertTrue(film.pixelsDone() >= before);
@@ -147,8 +121,8 @@ class MixedRenderTest {
         DividedRender other = divided(SETTINGS.withSeed(99));
         FilmAssembly film = render.assembly();
         assertTrue(film.needsStore());
-        film.keepIn(new Kept());
-        for (int unit : shuffled(render, 5)) {
+        film.keepIn(new KeptResults());
+        for (int unit : UnitOrder.shuffled(render.units(), 5)) {
             film.put(unit, other.maker().make(unit));
             if (unit % 2 == 0) {
                 film.remove(unit);

@@ -24,11 +24,9 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -60,15 +58,6 @@ class PassesTest {
             all.add(maker.make(unit));
         }
         return all;
-    }
-
-    private static List<Integer> shuffled(long seed) {
-        List<Integer> order = new ArrayList<>();
-        for (int unit = 0; unit < RENDER.units(); unit++) {
-            order.add(unit);
-        }
-        Collections.shuffle(order, new Random(seed));
-        return order;
     }
 
     @ParameterizedTest
@@ -122,7 +111,7 @@ class PassesTest {
         for (long seed = 0; seed < 4; seed++) {
             FilmAssembly film = RENDER.assembly();
             long before = 0;
-            for (int unit : shuffled(seed)) {
+            for (int unit : UnitOrder.shuffled(RENDER.units(), seed)) {
                 film.put(unit, MADE.get(unit));
                 assertTrue(film.pixelsDone() >= before);
                 before = film.pixelsDone();
@@ -181,11 +170,11 @@ class PassesTest {
                 return kept.get(unit);
             }
         });
-        for (int unit : shuffled(9)) {
+        for (int unit : UnitOrder.shuffled(RENDER.units(), 9)) {
             film.put(unit, wrong(unit));
         }
         assertTrue(film.result().complete());
-        for (int unit : shuffled(10)) {
+        for (int unit : UnitOrder.shuffled(RENDER.units(), 10)) {
             if (unit % 2 == 0) {
                 film.remove(unit);
                 film.remove(unit);

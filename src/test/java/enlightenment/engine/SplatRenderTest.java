@@ -25,10 +25,7 @@ import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
@@ -50,36 +47,13 @@ class SplatRenderTest {
         return DividedRender.prepare(SCENE, settings, () -> false);
     }
 
-    private static List<Integer> shuffled(DividedRender render, long seed) {
-        List<Integer> order = new ArrayList<>();
-        for (int unit = 0; unit < render.units(); unit++) {
-            order.add(unit);
-        }
-        Collections.shuffle(order, new Random(seed));
-        return order;
-    }
-
-    private static final class Kept implements ResultStore {
-        private final Map<Integer, byte[]> results = new HashMap<>();
-
-        @Override
-        public void keep(int unit, byte[] bytes) {
-            results.put(unit, bytes);
-        }
-
-        @Override
-        public byte[] get(int unit) {
-            return results.get(unit);
-        }
-    }
-
     @Test
     void unitsInAnyOrderMakeThePictureAndTheCountsOfOneProcess() {
         DividedRender render = divided(SETTINGS);
         assertEquals(4, render.units());
         for (long seed = 0; seed < 3; seed++) {
             FilmAssembly film = render.assembly();
-            for (int unit : shuffled(render, seed)) {
+            for (int unit : UnitOrder.shuffled(render.units(), seed)) {
                 film.put(unit, render.maker().make(unit));
                 assertTrue(film.has(unit));
             }
@@ -124,8 +98,8 @@ class SplatRenderTest {
         DividedRender other = divided(SETTINGS.withSeed(99));
         FilmAssembly film = render.assembly();
         assertTrue(film.needsStore());
-        film.keepIn(new Kept());
-        for (int unit : shuffled(render, 5)) {
+        film.keepIn(new KeptResults());
+        for (int unit : UnitOrder.shuffled(render.units(), 5)) {
             film.put(unit, other.maker().make(unit));
             if (unit % 2 == 0) {
                 film.remove(unit);
@@ -149,7 +123,7 @@ class SplatRenderTest {
                 render.notes().get(0).contains("a crop saves no time with toy"),
                 render.notes().get(0));
         FilmAssembly film = render.assembly();
-        for (int unit : shuffled(render, 1)) {
+        for (int unit : UnitOrder.shuffled(render.units(), 1)) {
             film.put(unit, render.maker().make(unit));
         }
         Image part = Renderer.render(SCENE, settings);

@@ -4,6 +4,7 @@ import enlightenment.film.FilmTile;
 import enlightenment.method.SpreadPlaces;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * A rectangle of pixels that is sampled as one: 8 × 8, fixed by the picture and never by threads or crops; smaller at its
@@ -22,6 +23,17 @@ record Block(int x, int y, int width, int height) {
         int x = column / SIDE * SIDE;
         int y = row / SIDE * SIDE;
         return new Block(x, y, Math.min(SIDE, pictureWidth - x), Math.min(SIDE, pictureHeight - y));
+    }
+
+    /** Visits the blocks that pixels of a tile belong to, row by row. */
+    static void forEach(FilmTile tile, int pictureWidth, int pictureHeight, Consumer<Block> visitor) {
+        int right = tile.x + tile.width;
+        int bottom = tile.y + tile.height;
+        for (int y = tile.y / SIDE * SIDE; y < bottom; y += SIDE) {
+            for (int x = tile.x / SIDE * SIDE; x < right; x += SIDE) {
+                visitor.accept(around(x, y, pictureWidth, pictureHeight));
+            }
+        }
     }
 
     /** This many blocks of a picture, or all of them if there are no more, evenly spread over it. */

@@ -109,13 +109,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     @Override
     public void render(FilmTile tile, int pass, int passes) {
         TilePasses.checkOne(pass, passes);
-        int right = tile.x + tile.width;
-        int bottom = tile.y + tile.height;
-        for (int y = tile.y / Block.SIDE * Block.SIDE; y < bottom; y += Block.SIDE) {
-            for (int x = tile.x / Block.SIDE * Block.SIDE; x < right; x += Block.SIDE) {
-                render(Block.around(x, y, settings.width(), settings.height()), tile);
-            }
-        }
+        Block.forEach(tile, settings.width(), settings.height(), block -> render(block, tile));
     }
 
     private void render(Block block, FilmTile tile) {

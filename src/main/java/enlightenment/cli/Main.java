@@ -12,7 +12,10 @@ public final class Main {
 
     private Main() {}
 
-    /** Does what the arguments say and ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used. */
+    /**
+     * Does what the arguments say and ends the process: 0 done, 1 failed, 2 wrong usage or a scene that cannot be used; 128 and
+     * its number after a signal.
+     */
     public static void main(String[] args) {
         ShutdownSignal stop = new ShutdownSignal(
                 () -> System.err.println("enlightenment: stopped in the middle: nothing was written"));
@@ -26,7 +29,9 @@ public final class Main {
             // Only now has everything been said.
             stop.finished();
         }
-        System.exit(code);
+        if (!stop.processIsEnding()) {
+            System.exit(code);
+        }
     }
 
     /** Does what the arguments say, within this process; gives the exit code. */

@@ -16,6 +16,7 @@ final class ShutdownSignal extends Thread implements BooleanSupplier {
     private final long graceSeconds;
     private final CountDownLatch finished = new CountDownLatch(1);
     private volatile boolean requested;
+    private volatile boolean processIsEnding;
 
     ShutdownSignal() {
         this(() -> {});
@@ -37,6 +38,7 @@ final class ShutdownSignal extends Thread implements BooleanSupplier {
         try {
             Runtime.getRuntime().addShutdownHook(this);
         } catch (IllegalStateException alreadyEnding) {
+            processIsEnding = true;
             requested = true;
         }
     }
@@ -56,8 +58,17 @@ final class ShutdownSignal extends Thread implements BooleanSupplier {
         return requested;
     }
 
+    /**
+     * Whether the process is ending by a signal, whose number becomes its exit code. Nobody else may give one then: Java 17
+     * takes a code other than 0 at once, beside that of the signal, and the faster one wins.
+     */
+    boolean processIsEnding() {
+        return processIsEnding;
+    }
+
     @Override
     public void run() {
+        processIsEnding = true;
         requested = true;
         try {
             if (!finished.await(graceSeconds, TimeUnit.SECONDS)) {

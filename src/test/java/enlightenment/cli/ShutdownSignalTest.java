@@ -131,7 +131,17 @@ class ShutdownSignalTest {
         ShutdownSignal stop = new ShutdownSignal();
         assertFalse(stop.getAsBoolean());
         stop.finished();
+        assertFalse(stop.processIsEnding());
         stop.run();
         assertTrue(stop.getAsBoolean());
+        assertTrue(stop.processIsEnding());
+    }
+
+    @Test
+    void aWishFromInsideTheProcessLeavesTheExitCodeToTheCommand() {
+        ShutdownSignal stop = new ShutdownSignal();
+        stop.request();
+        assertTrue(stop.getAsBoolean());
+        assertFalse(stop.processIsEnding());
     }
 }

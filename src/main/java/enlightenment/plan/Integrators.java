@@ -2,6 +2,7 @@ package enlightenment.plan;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
 import enlightenment.math.InvalidValueException;
 import enlightenment.method.CausticPaths;
 import enlightenment.method.Integrator;
@@ -11,6 +12,7 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.method.cluster.PhysicalClusterMethod;
+import enlightenment.method.metropolis.MetropolisMethod;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClusterSettings;
@@ -49,6 +51,11 @@ public final class Integrators {
 
     private static final double FIRST_OF_PHYSICAL_CLUSTER = 8;
 
+    /** With fewer samples there would be hardly any independent paths for chains to begin with. */
+    private static final double FEWEST_OF_METROPOLIS = 8;
+
+    private static final double MOST_WITHOUT_METROPOLIS = 7.99;
+
     private Integrators() {}
 
     /** What has to be known of a method before there is a scene. */
@@ -66,7 +73,17 @@ public final class Integrators {
                         own.standIn().orElseThrow(),
                         FEWEST_OF_CLUSTER,
                         MOST_WITHOUT_SURVEY,
-                        FIRST_OF_CLUSTER);
+                        FIRST_OF_CLUSTER,
+                        FilmTile.BLOCK_SIDE);
+            case METROPOLIS ->
+                new MethodTraits(
+                        false,
+                        true,
+                        own.standIn().orElseThrow(),
+                        FEWEST_OF_METROPOLIS,
+                        MOST_WITHOUT_METROPOLIS,
+                        FEWEST_OF_METROPOLIS,
+                        MetropolisMethod.BLOCK_SIDE);
         };
     }
 
@@ -80,7 +97,8 @@ public final class Integrators {
                         traits.below(),
                         FEWEST_OF_PHYSICAL_CLUSTER,
                         MOST_WITHOUT_PHYSICAL_SURVEY,
-                        FIRST_OF_PHYSICAL_CLUSTER)
+                        FIRST_OF_PHYSICAL_CLUSTER,
+                        traits.blockSide())
                 : traits;
     }
 
@@ -164,6 +182,7 @@ public final class Integrators {
                                 plan.samples(),
                                 clusters)
                         : new PhysicalClusterMethod(scene, settings, counters, plan.level(), plan.samples());
+            case METROPOLIS -> new MetropolisMethod(scene, settings, counters, plan.level());
         };
     }
 

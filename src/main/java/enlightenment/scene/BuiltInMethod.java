@@ -18,6 +18,13 @@ public enum BuiltInMethod implements Method {
             "cluster",
             "a survey of the picture allots camera rays and light samples, and ray clusters propose light points",
             List.of(ClusterSettings.PROPOSAL),
+            RAYTRACE),
+
+    /** {@link Method#METROPOLIS}. */
+    METROPOLIS(
+            "metropolis",
+            "Markov chains in blocks of the picture: paths that found light propose others near them",
+            List.of(MetropolisSettings.LARGE_STEPS, MetropolisSettings.MUTATIONS),
             RAYTRACE);
 
     /** All of them, in order. */

@@ -1,0 +1,236 @@
+package enlightenment.method.metropolis;
+
+import enlightenment.compiled.RayCounters;
+import enlightenment.sampling.ChainSampler;
+import enlightenment.sampling.Hash;
+import enlightenment.sampling.Sobol;
+import java.util.Arrays;
+
+/**
+ * A quarter of the light of a block: two groups of independent paths, and of chains that begin with some of them. One per thread.
+ *
+ * <p>See docs/metropolis.md for why this is unbiased, however long chains are.
+ */
+final class BlockChains {
+    private static final long PURPOSE = 0x6d6574726f706f6cL;
+    private static final long FILM = 1;
+    private static final long CHOICE = 2;
+    private static final int GROUPS = 2;
+
+    /** What a step of a chain is thought to tell, in independent paths of the same brightness. */
+    private static final double WORTH_OF_STEP = 0.2;
+
+    /** More paths than these are not kept at a time. */
+    private static final int MOST_STARTS = 1 << 16;
+
+    private final Paths paths;
+    private final ChainSampler sampler;
+    private final RayCounters counters;
+    private final double largeShare;
+    private final int mutationsPerChain;
+    private final Starts[] starts = {new Starts(), new Starts()};
+
+    /** Sums over independent paths, and over steps of chains: red, green and blue of each pixel. */
+    private double[] ofPaths = new double[0];
+
+    private double[] ofSteps = new double[0];
+    private double[] light = new double[0];
+
+    /** 1/(1 + this times its brightness) is the share of a path's light that independent paths are to bring. */
+    private double fade;
+
+    /** The state that a chain is in. */
+    private final double[] color = new double[3];
+
+    private double brightness;
+    private int pixel;
+
+    /** For how many steps, in the mean, it has been in it. */
+    private double stay;
+
+    private int independent;
+    private long taken;
+
+    BlockChains(Paths paths, double largeShare, int mutationsPerChain, RayCounters counters) {
+        this.paths = paths;
+        this.largeShare = largeShare;
+        this.mutationsPerChain = mutationsPerChain;
+        this.counters = counters;
+        sampler = new ChainSampler(largeShare);
+    }
+
+    /** Paths that the last quarter took. */
+    long taken() {
+        return taken;
+    }
+
+    /** The light of the last quarter: component c of one of the block's pixels. */
+    double light(int index, int c) {
+        return light[3 * index + c];
+    }
+
+    /** Renders a quarter. */
+    void render(Block block, int quarter, Spending spending, long seed) {
+        int numbers = 3 * block.pixels();
+        if (light.length < numbers) {
+            light = new double[numbers];
+            ofPaths = new double[numbers];
+            ofSteps = new double[numbers];
+        }
+        Arrays.fill(light, 0);
+        taken = 0;
+        paths.begin(block);
+        long own = Hash.of(Hash.of(seed, PURPOSE), block.x(), block.y());
+        double share = block.pixels() / (4.0 * GROUPS);
+        int rounds = (int) Math.ceil(share * spending.independent() / MOST_STARTS);
+        int starting = (int) Math.max(Math.rint(share * spending.independent() / rounds), 1);
+        long steps = Math.round(share * spending.mutations() / rounds);
+        double scale = (double) block.pixels() / (GROUPS * rounds);
+        for (int round = 0; round < rounds; round++) {
+            long ofRound = Hash.of(own, quarter, round);
+            for (int g = 0; g < GROUPS; g++) {
+                begin(starts[g], Hash.of(ofRound, g), starting);
+            }
+            for (int g = 0; g < GROUPS; g++) {
+                group(g, Hash.of(ofRound, g), steps);
+                add(starts[g].mean() * scale, scale, numbers);
+            }
+        }
+    }
+
+    /** Follows independent paths, well spread over the block. */
+    private void begin(Starts group, long seed, int count) {
+        group.begin(count);
+        for (int i = 0; i < count; i++) {
+            start(seed, i, 0);
+            group.add(paths.follow(sampler), paths);
+        }
+        taken += count;
+    }
+
+    private void start(long seed, int path, int copy) {
+        sampler.begin(seed, path, copy);
+        long film = Hash.of(seed, FILM);
+        sampler.at(Sobol.x(path, film), Sobol.y(path, film));
+    }
+
+    /** What the groups of a quarter weigh by comes from the other: then weights depend on nothing that they are weights of. */
+    private void group(int g, long seed, long steps) {
+        Starts own = starts[g];
+        int chains = (int) Math.max(Math.round((double) steps / mutationsPerChain), 1);
+        long length = steps / chains;
+        double expected = own.count() + largeShare * chains * length;
+        fade = length == 0 ? 0 : WORTH_OF_STEP * chains * length / (expected * starts[1 - g].mean());
+        Arrays.fill(ofPaths, 0);
+        Arrays.fill(ofSteps, 0);
+        independent = own.count();
+        for (int i = 0; i < own.count(); i++) {
+            double share = shareOfPaths(own.brightness(i));
+            int k = 3 * own.pixel(i);
+            for (int c = 0; c < 3; c++) {
+                ofPaths[k + c] += share * own.color(i, c);
+            }
+        }
+        double offset = Hash.unit(Hash.of(seed, CHOICE));
+        for (int chain = 0; chain < chains; chain++) {
+            int path = own.at((chain + offset) / chains);
+            start(seed, path, chain + 1);
+            if (own.mean() > 0) {
+                own.color(path, color);
+                brightness = own.brightness(path);
+                pixel = own.pixel(path);
+                run(length);
+            } else {
+                searchOn(length);
+            }
+        }
+        steps(chains, length);
+    }
+
+    private void steps(int chains, long length) {
+        double scale = 1.0 / ((double) chains * Math.max(length, 1));
+        for (int k = 0; k < ofSteps.length; k++) {
+            ofSteps[k] *= scale;
+        }
+        counters.clusters += chains;
+        counters.proposals += chains * length;
+    }
+
+    private double shareOfPaths(double bright) {
+        return bright > 0 ? 1 / (1 + fade * bright) : 1;
+    }
+
+    /** The share of its light that chains are to bring, by its brightness. */
+    private double shareOfSteps(double bright) {
+        return fade < Double.POSITIVE_INFINITY ? fade / (1 + fade * bright) : 1 / bright;
+    }
+
+    private void run(long length) {
+        stay = 0;
+        for (long step = 0; step < length; step++) {
+            sampler.propose();
+            double next = paths.follow(sampler);
+            if (sampler.isLarge()) {
+                addIndependent(next);
+            }
+            double chance = next < brightness ? next / brightness : 1;
+            stay += 1 - chance;
+            if (sampler.decision() < chance) {
+                leave();
+                sampler.accept();
+                counters.accepted++;
+                System.arraycopy(paths.color, 0, color, 0, 3);
+                pixel = paths.pixel;
+                brightness = next;
+                stay = chance;
+            } else {
+                sampler.reject();
+                if (chance > 0) {
+                    splat(paths.pixel, paths.color, chance * shareOfSteps(next));
+                }
+            }
+        }
+        leave();
+        taken += length;
+    }
+
+    /** Adds what the state that the chain has been in brings. */
+    private void leave() {
+        splat(pixel, color, stay * shareOfSteps(brightness));
+    }
+
+    private void splat(int where, double[] rgb, double weight) {
+        int k = 3 * where;
+        ofSteps[k] += weight * rgb[0];
+        ofSteps[k + 1] += weight * rgb[1];
+        ofSteps[k + 2] += weight * rgb[2];
+    }
+
+    private void addIndependent(double bright) {
+        independent++;
+        double share = shareOfPaths(bright);
+        int k = 3 * paths.pixel;
+        for (int c = 0; c < 3; c++) {
+            ofPaths[k + c] += share * paths.color[c];
+        }
+    }
+
+    /** Where no path found any light, chains have none to bring; but their large steps are independent paths. */
+    private void searchOn(long length) {
+        for (long step = 0; step < length; step++) {
+            sampler.propose();
+            if (sampler.isLarge()) {
+                addIndependent(paths.follow(sampler));
+                taken++;
+            }
+            sampler.reject();
+        }
+    }
+
+    private void add(double perStep, double scale, int numbers) {
+        double perPath = scale / independent;
+        for (int k = 0; k < numbers; k++) {
+            light[k] += perPath * ofPaths[k] + perStep * ofSteps[k];
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package enlightenment.method.metropolis;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
+import enlightenment.film.TilePasses;
+import enlightenment.method.RayTraceMethod;
+import enlightenment.method.TileIntegrator;
+import enlightenment.scene.MetropolisSettings;
+import enlightenment.scene.RenderSettings;
+import enlightenment.shading.ClassicShader;
+import enlightenment.shading.PathPart;
+import enlightenment.shading.PathTracer;
+import enlightenment.shading.Shader;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Markov chains that live in blocks of the picture: the paper's ray clusters, whose rays propose new ones near them, made sound
+ * (docs/metropolis.md). Of physical shading they bring what has been scattered twice or more; direct light comes from evenly spaced rays.
+ *
+ * <p>A tile must not be cut from a block that others are cut from as well, if work is not to be done twice.
+ */
+public final class MetropolisMethod implements TileIntegrator {
+    /** Side, in pixels, of the blocks of the picture that chains live in. */
+    public static final int BLOCK_SIDE = Block.SIDE;
+
+    /** A tile's quarters are alike; each may be a pass. */
+    private static final int QUARTERS = 4;
+
+    private final RenderSettings settings;
+    private final Shader shader;
+    private final BlockChains chains;
+    private final Spending spending;
+
+    /** What makes direct light; null where there is none apart. */
+    private final RayTraceMethod direct;
+
+    /** How many of its samples each pixel is said to have in a quarter. */
+    private final int counted;
+
+    private final double[] sums = new double[6];
+
+    /** @param samples per pixel in the mean, all paths together */
+    public MetropolisMethod(CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
+        this.settings = settings;
+        boolean isPhysical = scene.physical != null;
+        spending = Spending.of(samples, isPhysical);
+        MetropolisSettings own = MetropolisSettings.of(settings);
+        shader = isPhysical
+                ? new PathTracer(scene, counters, PathPart.INDIRECT)
+                : ClassicShader.ofColors(scene, 1, counters);
+        direct = isPhysical ? RayTraceMethod.ofDirectLight(scene, settings, counters, spending.direct()) : null;
+        chains = new BlockChains(
+                new Paths(scene, settings, shader), own.largeSteps() / 100.0, own.mutations(), counters);
+        counted = Math.max(Integer.highestOneBit((int) samples) / QUARTERS, 1);
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier cancelled) {
+        shader.stopWhen(cancelled);
+        if (direct != null) {
+            direct.stopWhen(cancelled);
+        }
+    }
+
+    @Override
+    public boolean dividesIntoPasses() {
+        return true;
+    }
+
+    @Override
+    public void render(FilmTile tile, int pass, int passes) {
+        TilePasses.check(pass, passes, QUARTERS);
+        if (passes == 1) {
+            renderAll(tile, QUARTERS);
+        } else {
+            renderQuarter(tile, pass);
+        }
+    }
+
+    private void renderQuarter(FilmTile tile, int quarter) {
+        FilmTile seen = tile.like(tile.x, tile.y, tile.width, tile.height);
+        if (direct != null) {
+            direct.render(seen, quarter, QUARTERS);
+        }
+        Block.forEach(tile, settings.width(), settings.height(), block -> {
+            chains.render(block, quarter, spending, settings.seed());
+            long rays = chains.taken() + put(block, seen, tile);
+            tile.addSurveyRays(rays);
+        });
+    }
+
+    /** Puts the pixels of a block; returns how many direct samples they have beyond those that they are said to have. */
+    private long put(Block block, FilmTile seen, FilmTile tile) {
+        long rays = 0;
+        for (int row = Math.max(block.y(), tile.y);
+                row < Math.min(block.y() + block.height(), tile.y + tile.height);
+                row++) {
+            for (int column = Math.max(block.x(), tile.x);
+                    column < Math.min(block.x() + block.width(), tile.x + tile.width);
+                    column++) {
+                int pixel = (row - block.y()) * block.width() + column - block.x();
+                for (int c = 0; c < 3; c++) {
+                    sums[2 * c] = counted * (seen.mean(column, row, c) + chains.light(pixel, c));
+                }
+                tile.put(column, row, sums, 0, counted);
+                rays += seen.count(column, row) - counted;
+            }
+        }
+        return rays;
+    }
+}

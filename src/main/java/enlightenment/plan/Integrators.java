@@ -10,18 +10,16 @@ import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.ClusterMethod;
-import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.method.metropolis.MetropolisMethod;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.Method;
+import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
-import java.util.List;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 
 /** Makes what does the work of a render: the one place that knows the class behind each method, and what planning needs of it. */
 public final class Integrators {
@@ -83,7 +81,7 @@ public final class Integrators {
                         FEWEST_OF_METROPOLIS,
                         MOST_WITHOUT_METROPOLIS,
                         FEWEST_OF_METROPOLIS,
-                        MetropolisMethod.BLOCK_SIDE);
+                        MetropolisSettings.BLOCK_SIDE);
         };
     }
 
@@ -150,22 +148,18 @@ public final class Integrators {
 
     /** What does the work of the planned method, for one thread. */
     public static Integrator of(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        return of(plan, scene, settings, counters, null);
+        return of(plan, scene, settings, counters, Learned.UNSEEN);
     }
 
     /**
      * What does the work of the planned method, for one thread.
      *
      * @param counters are added to by it
-     * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
+     * @param learned is shown what the method learns
      * @throws InvalidValueException for a method that nothing here can do the work of
      */
     public static Integrator of(
-            RenderPlan plan,
-            CompiledScene scene,
-            RenderSettings settings,
-            RayCounters counters,
-            Consumer<List<ClusterStatistics>> clusters) {
+            RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters, Learned learned) {
         if (!(plan.method() instanceof BuiltInMethod method)) {
             return ofExtension(plan, scene, settings, counters);
         }
@@ -180,9 +174,9 @@ public final class Integrators {
                                 Distribution.of(ClusterSettings.of(settings).proposal()),
                                 plan.level(),
                                 plan.samples(),
-                                clusters)
+                                learned.clusters())
                         : new PhysicalClusterMethod(scene, settings, counters, plan.level(), plan.samples());
-            case METROPOLIS -> new MetropolisMethod(scene, settings, counters, plan.level());
+            case METROPOLIS -> new MetropolisMethod(scene, settings, counters, plan.level(), learned.chains());
         };
     }
 

@@ -7,6 +7,9 @@ package enlightenment.scene;
  * @param mutations proposals of each chain, 1..1,000,000
  */
 public record MetropolisSettings(int largeSteps, int mutations) implements MethodSettings {
+    /** Side, in pixels, of the blocks of the picture that chains live in. */
+    public static final int BLOCK_SIDE = 64;
+
     /** {@link #largeSteps}. */
     public static final MethodSetting.Whole LARGE_STEPS =
             new MethodSetting.Whole("largeSteps", 1, 100, 5, "new paths among a hundred proposals of a chain");
@@ -29,6 +32,14 @@ public record MetropolisSettings(int largeSteps, int mutations) implements Metho
     public static MetropolisSettings of(RenderSettings settings) {
         ChosenSettings chosen = settings.chosen();
         return new MetropolisSettings(chosen.whole(LARGE_STEPS), chosen.whole(MUTATIONS));
+    }
+
+    /** How many blocks a render has: those of the whole picture that the part that is rendered has pixels in. */
+    public static long blocks(RenderSettings settings) {
+        RenderSettings.Crop c = settings.region();
+        long across = (c.x() + c.width() - 1) / BLOCK_SIDE - c.x() / BLOCK_SIDE + 1;
+        long down = (c.y() + c.height() - 1) / BLOCK_SIDE - c.y() / BLOCK_SIDE + 1;
+        return across * down;
     }
 
     @Override

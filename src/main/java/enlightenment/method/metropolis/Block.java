@@ -1,6 +1,7 @@
 package enlightenment.method.metropolis;
 
 import enlightenment.film.FilmTile;
+import enlightenment.scene.MetropolisSettings;
 import java.util.function.Consumer;
 
 /**
@@ -13,7 +14,7 @@ import java.util.function.Consumer;
  * @param height rows, 1..64
  */
 record Block(int x, int y, int width, int height) {
-    static final int SIDE = 64;
+    static final int SIDE = MetropolisSettings.BLOCK_SIDE;
 
     /** Visits the blocks that pixels of a tile belong to, row by row. */
     static void forEach(FilmTile tile, int pictureWidth, int pictureHeight, Consumer<Block> visitor) {

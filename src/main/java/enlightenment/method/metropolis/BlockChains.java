@@ -4,7 +4,9 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.sampling.ChainSampler;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * A quarter of the light of a block: two groups of independent paths, and of chains that begin with some of them. One per thread.
@@ -51,7 +53,16 @@ final class BlockChains {
     private int independent;
     private long taken;
 
-    BlockChains(Paths paths, double largeShare, int mutationsPerChain, RayCounters counters) {
+    private final boolean isRecorded;
+    private final List<ChainStatistics> statistics = new ArrayList<>();
+    private Block block;
+    private long accepted;
+    private long large;
+    private long largeAccepted;
+
+    /** @param isRecorded whether {@link #statistics} are wanted */
+    BlockChains(Paths paths, double largeShare, int mutationsPerChain, RayCounters counters, boolean isRecorded) {
+        this.isRecorded = isRecorded;
         this.paths = paths;
         this.largeShare = largeShare;
         this.mutationsPerChain = mutationsPerChain;
@@ -70,7 +81,9 @@ final class BlockChains {
     }
 
     /** Renders a quarter. */
-    void render(Block block, int quarter, Spending spending, long seed) {
+    void render(Block next, int quarter, Spending spending, long seed) {
+        block = next;
+        statistics.clear();
         int numbers = 3 * block.pixels();
         if (light.length < numbers) {
             light = new double[numbers];
@@ -92,7 +105,7 @@ final class BlockChains {
                 begin(starts[g], Hash.of(ofRound, g), starting);
             }
             for (int g = 0; g < GROUPS; g++) {
-                group(g, Hash.of(ofRound, g), steps);
+                group(g, GROUPS * quarter + g, Hash.of(ofRound, g), steps);
                 add(starts[g].mean() * scale, scale, numbers);
             }
         }
@@ -115,7 +128,7 @@ final class BlockChains {
     }
 
     /** What the groups of a quarter weigh by comes from the other: then weights depend on nothing that they are weights of. */
-    private void group(int g, long seed, long steps) {
+    private void group(int g, int number, long seed, long steps) {
         Starts own = starts[g];
         int chains = (int) Math.max(Math.round((double) steps / mutationsPerChain), 1);
         long length = steps / chains;
@@ -139,12 +152,38 @@ final class BlockChains {
                 own.color(path, color);
                 brightness = own.brightness(path);
                 pixel = own.pixel(path);
+                int from = pixel;
                 run(length);
+                if (isRecorded) {
+                    record(number, from, own.brightness(path), own.mean(), length);
+                }
             } else {
                 searchOn(length);
             }
         }
         steps(chains, length);
+    }
+
+    private void record(int group, int from, double start, double mean, long length) {
+        statistics.add(new ChainStatistics(
+                block.x(),
+                block.y(),
+                group,
+                block.x() + from % block.width(),
+                block.y() + from / block.width(),
+                block.x() + pixel % block.width(),
+                block.y() + pixel / block.width(),
+                start,
+                mean,
+                length,
+                accepted,
+                large,
+                largeAccepted));
+    }
+
+    /** What became of the chains of the last quarter. */
+    List<ChainStatistics> statistics() {
+        return List.copyOf(statistics);
     }
 
     private void steps(int chains, long length) {
@@ -167,18 +206,23 @@ final class BlockChains {
 
     private void run(long length) {
         stay = 0;
+        accepted = 0;
+        large = 0;
+        largeAccepted = 0;
         for (long step = 0; step < length; step++) {
             sampler.propose();
             double next = paths.follow(sampler);
             if (sampler.isLarge()) {
                 addIndependent(next);
+                large++;
             }
             double chance = next < brightness ? next / brightness : 1;
             stay += 1 - chance;
             if (sampler.decision() < chance) {
                 leave();
                 sampler.accept();
-                counters.accepted++;
+                accepted++;
+                largeAccepted += sampler.isLarge() ? 1 : 0;
                 System.arraycopy(paths.color, 0, color, 0, 3);
                 pixel = paths.pixel;
                 brightness = next;
@@ -191,6 +235,7 @@ final class BlockChains {
             }
         }
         leave();
+        counters.accepted += accepted;
         taken += length;
     }
 

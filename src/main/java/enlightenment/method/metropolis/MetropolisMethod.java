@@ -12,7 +12,9 @@ import enlightenment.shading.ClassicShader;
 import enlightenment.shading.PathPart;
 import enlightenment.shading.PathTracer;
 import enlightenment.shading.Shader;
+import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /**
  * Markov chains that live in blocks of the picture: the paper's ray clusters, whose rays propose new ones near them, made sound
@@ -21,9 +23,6 @@ import java.util.function.BooleanSupplier;
  * <p>A tile must not be cut from a block that others are cut from as well, if work is not to be done twice.
  */
 public final class MetropolisMethod implements TileIntegrator {
-    /** Side, in pixels, of the blocks of the picture that chains live in. */
-    public static final int BLOCK_SIDE = Block.SIDE;
-
     /** A tile's quarters are alike; each may be a pass. */
     private static final int QUARTERS = 4;
 
@@ -40,9 +39,23 @@ public final class MetropolisMethod implements TileIntegrator {
 
     private final double[] sums = new double[6];
 
-    /** @param samples per pixel in the mean, all paths together */
-    public MetropolisMethod(CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
+    /** Is shown what became of chains; null for nobody. */
+    private final Consumer<List<ChainStatistics>> sink;
+
+    /**
+     * For one thread.
+     *
+     * @param samples per pixel in the mean, all paths together
+     * @param sink is shown the chains of each quarter of a block; null for nobody
+     */
+    public MetropolisMethod(
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            double samples,
+            Consumer<List<ChainStatistics>> sink) {
         this.settings = settings;
+        this.sink = sink;
         boolean isPhysical = scene.physical != null;
         spending = Spending.of(samples, isPhysical);
         MetropolisSettings own = MetropolisSettings.of(settings);
@@ -51,7 +64,7 @@ public final class MetropolisMethod implements TileIntegrator {
                 : ClassicShader.ofColors(scene, 1, counters);
         direct = isPhysical ? RayTraceMethod.ofDirectLight(scene, settings, counters, spending.direct()) : null;
         chains = new BlockChains(
-                new Paths(scene, settings, shader), own.largeSteps() / 100.0, own.mutations(), counters);
+                new Paths(scene, settings, shader), own.largeSteps() / 100.0, own.mutations(), counters, sink != null);
         counted = Math.max(Integer.highestOneBit((int) samples) / QUARTERS, 1);
     }
 
@@ -85,8 +98,10 @@ public final class MetropolisMethod implements TileIntegrator {
         }
         Block.forEach(tile, settings.width(), settings.height(), block -> {
             chains.render(block, quarter, spending, settings.seed());
-            long rays = chains.taken() + put(block, seen, tile);
-            tile.addSurveyRays(rays);
+            tile.addSurveyRays(chains.taken() + put(block, seen, tile));
+            if (sink != null) {
+                sink.accept(chains.statistics());
+            }
         });
     }
 

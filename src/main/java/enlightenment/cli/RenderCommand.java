@@ -56,7 +56,7 @@ final class RenderCommand extends Subcommand {
     @Option(
             names = "--dump-chains",
             paramLabel = "FILE",
-            description = "write what became of each Markov chain of --method metropolis to this .json or .csv file")
+            description = "write what became of each Markov chain to this .json or .csv file")
     private Path chains;
 
     @Option(

@@ -64,7 +64,10 @@ class NaivePartnerTest {
     }
 
     static void compare(Scene scene, int antialias, int seeds, int pathsOfQuarter) {
-        List<Image> pictures = Rendered.seeds(scene, antialias, 1, seeds);
+        compare(scene, Rendered.seeds(scene, antialias, 1, seeds), pathsOfQuarter);
+    }
+
+    static void compare(Scene scene, List<Image> pictures, int pathsOfQuarter) {
         List<double[]> ours = new ArrayList<>();
         List<double[]> naive = new ArrayList<>();
         NaiveTracer tracer = new NaiveTracer(scene);

@@ -17,6 +17,9 @@ final class BlockChains {
     private static final long PURPOSE = 0x6d6574726f706f6cL;
     private static final long FILM = 1;
     private static final long CHOICE = 2;
+    private static final int QUARTERS = 4;
+
+    /** Of a quarter. */
     private static final int GROUPS = 2;
 
     /** What a step of a chain is thought to tell, in independent paths of the same brightness. */
@@ -94,7 +97,7 @@ final class BlockChains {
         taken = 0;
         paths.begin(block);
         long own = Hash.of(Hash.of(seed, PURPOSE), block.x(), block.y());
-        double share = block.pixels() / (4.0 * GROUPS);
+        double share = (double) block.pixels() / (QUARTERS * GROUPS);
         int rounds = (int) Math.ceil(share * spending.independent() / MOST_STARTS);
         int starting = (int) Math.max(Math.rint(share * spending.independent() / rounds), 1);
         long steps = Math.round(share * spending.mutations() / rounds);
@@ -161,7 +164,11 @@ final class BlockChains {
                 searchOn(length);
             }
         }
-        steps(chains, length);
+        if (own.mean() > 0) {
+            counters.clusters += chains;
+            counters.proposals += chains * length;
+        }
+        scaleSteps(1.0 / ((double) chains * Math.max(length, 1)));
     }
 
     private void record(int group, int from, double start, double mean, long length) {
@@ -186,13 +193,10 @@ final class BlockChains {
         return List.copyOf(statistics);
     }
 
-    private void steps(int chains, long length) {
-        double scale = 1.0 / ((double) chains * Math.max(length, 1));
+    private void scaleSteps(double scale) {
         for (int k = 0; k < ofSteps.length; k++) {
             ofSteps[k] *= scale;
         }
-        counters.clusters += chains;
-        counters.proposals += chains * length;
     }
 
     private double shareOfPaths(double bright) {

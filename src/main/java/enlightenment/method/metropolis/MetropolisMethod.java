@@ -26,6 +26,8 @@ public final class MetropolisMethod implements TileIntegrator {
     /** A tile's quarters are alike; each may be a pass. */
     private static final int QUARTERS = 4;
 
+    private static final int PERCENT = 100;
+
     private final RenderSettings settings;
     private final Shader shader;
     private final BlockChains chains;
@@ -64,7 +66,11 @@ public final class MetropolisMethod implements TileIntegrator {
                 : ClassicShader.ofColors(scene, 1, counters);
         direct = isPhysical ? RayTraceMethod.ofDirectLight(scene, settings, counters, spending.direct()) : null;
         chains = new BlockChains(
-                new Paths(scene, settings, shader), own.largeSteps() / 100.0, own.mutations(), counters, sink != null);
+                new Paths(scene, settings, shader),
+                (double) own.largeSteps() / PERCENT,
+                own.mutations(),
+                counters,
+                sink != null);
         counted = Math.max(Integer.highestOneBit((int) samples) / QUARTERS, 1);
     }
 

@@ -14,7 +14,7 @@ record Spending(double direct, double independent, double mutations) {
     private static final double INDEPENDENT = 0.5;
 
     /** One for each quarter of a pixel. */
-    private static final double LEAST_DIRECT = 4;
+    private static final int LEAST_DIRECT = 4;
 
     static Spending of(double samples, boolean isPhysical) {
         double direct = isPhysical ? Math.max(DIRECT * samples, LEAST_DIRECT) : 0;

@@ -16,7 +16,7 @@ public final class SplatFilm {
     static final int GROUPS = 4;
 
     /** What the upper half of a sum counts. */
-    private static final double HIGH = 0x1p32;
+    private static final double HIGH = 1L << Integer.SIZE;
 
     public final int x;
     public final int y;

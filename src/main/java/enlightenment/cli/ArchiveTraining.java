@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.file.WholeFile;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -50,10 +51,11 @@ public final class ArchiveTraining {
         int worst = 0;
         String physical = folder.resolve("physical.json").toString();
         WholeFile.write(Path.of(physical), SCENE.replaceFirst("\\{", "{ \"shading\": { \"model\": \"physical\" },"));
-        for (Method method : BuiltInMethod.ALL) {
-            for (String one : new String[] {physical, scene}) {
-                worst = Math.max(worst, render(one, second, method));
-            }
+        for (Method method : BuiltInMethod.rendering(Shading.Model.PHYSICAL)) {
+            worst = Math.max(worst, render(physical, second, method));
+        }
+        for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
+            worst = Math.max(worst, render(scene, second, method));
         }
         for (String[] command : new String[][] {
             {"render", scene, "-o", first, "--stats", "--progress", "plain"},

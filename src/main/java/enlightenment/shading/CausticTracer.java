@@ -38,6 +38,13 @@ public final class CausticTracer {
     private final Ray ray = new Ray();
     private final Ray shadowRay = new Ray();
     private final double[] numbers = new double[NUMBERS];
+
+    /** Of each two numbers of the first ray: the seed of their sequence, and that of its order. */
+    private final long[] seeds = new long[NUMBERS];
+
+    /** The upper half of the number of the paths whose seeds these are; none has this one. */
+    private long sequences = -1;
+
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
 
@@ -134,12 +141,19 @@ public final class CausticTracer {
     /** The numbers of the first ray: each two of them from a sequence that fills their square evenly. */
     private void draw(long number) {
         hash = Hash.of(seed, number);
-        long sequence = Hash.of(seed, -1 - (number >>> 32));
+        long era = number >>> Integer.SIZE;
+        if (era != sequences) {
+            sequences = era;
+            long sequence = Hash.of(seed, -1 - era);
+            for (int k = 0; k < NUMBERS; k += 2) {
+                seeds[k] = Hash.of(sequence, k);
+                seeds[k + 1] = Hash.mix(seeds[k]);
+            }
+        }
         for (int k = 0; k < NUMBERS; k += 2) {
-            long s = Hash.of(sequence, k);
-            int index = Sobol.shuffled((int) number, Hash.mix(s));
-            numbers[k] = Sobol.x(index, s);
-            numbers[k + 1] = Sobol.y(index, s);
+            int index = Sobol.shuffled((int) number, seeds[k + 1]);
+            numbers[k] = Sobol.x(index, seeds[k]);
+            numbers[k + 1] = Sobol.y(index, seeds[k]);
         }
     }
 

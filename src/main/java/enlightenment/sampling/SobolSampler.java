@@ -40,6 +40,7 @@ public final class SobolSampler implements Sampler {
         pixelHash = Hash.of(seed, x, y);
         filmSeed = Hash.of(pixelHash, FILM);
         pixels++;
+        sample(sample);
     }
 
     /** Sets the sample of the pixel. */

@@ -217,6 +217,7 @@ class ShippedScenesTest {
                 "glass-physical",
                 "furnace",
                 "lamp-room",
+                "door-ajar",
                 "fire-and-ice-physical")) {
             assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
         }

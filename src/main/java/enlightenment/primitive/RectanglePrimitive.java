@@ -107,7 +107,8 @@ public final class RectanglePrimitive extends Primitive {
         // Far behind or too far ahead is known before the division; closer to the limits the next test says the same as
         // ever.
         double ahead = across > 0 ? gap : -gap;
-        if (ahead < -2 * width || ahead > Math.fma(tMax, slope * (1 + QUICK_TEST_ERROR), 2 * width)) {
+        double behind = ray.tMin < 0 ? ray.tMin * slope * (1 + QUICK_TEST_ERROR) : 0;
+        if (ahead < behind - 2 * width || ahead > Math.fma(tMax, slope * (1 + QUICK_TEST_ERROR), 2 * width)) {
             return MISS;
         }
         double t = gap / across;

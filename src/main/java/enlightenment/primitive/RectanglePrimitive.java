@@ -60,6 +60,11 @@ public final class RectanglePrimitive extends Primitive {
         edgeMagnitude = box.maxAbs();
     }
 
+    /** The axis that the rectangle is across if its edges are parallel to the other two, so that it is its own box; else -1. */
+    public int alignedAxis() {
+        return axis;
+    }
+
     private int alignedAxis(Vec3 up, Vec3 right) {
         int k = plane.axis;
         if (k < 0) {

@@ -31,6 +31,13 @@ abstract class LightWalker {
     private final int height;
     private final EyeConnection eye;
     private final double[] numbers = new double[PathSource.NUMBERS];
+
+    /** Of each two numbers of the first ray: the seed of their sequence, and that of its order. */
+    private final long[] seeds = new long[numbers.length];
+
+    /** The upper half of the number of the paths whose seeds these are; none has this one. */
+    private long sequences = -1;
+
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
@@ -139,12 +146,19 @@ abstract class LightWalker {
     /** The numbers of the first ray: each two of them from a sequence that fills their square evenly. */
     private void draw(long number) {
         hash = Hash.of(seed, number);
-        long sequence = Hash.of(seed, -1 - (number >>> 32));
+        long era = number >>> Integer.SIZE;
+        if (era != sequences) {
+            sequences = era;
+            long sequence = Hash.of(seed, -1 - era);
+            for (int k = 0; k < numbers.length; k += 2) {
+                seeds[k] = Hash.of(sequence, k);
+                seeds[k + 1] = Hash.mix(seeds[k]);
+            }
+        }
         for (int k = 0; k < numbers.length; k += 2) {
-            long s = Hash.of(sequence, k);
-            int index = Sobol.shuffled((int) number, Hash.mix(s));
-            numbers[k] = Sobol.x(index, s);
-            numbers[k + 1] = Sobol.y(index, s);
+            int index = Sobol.shuffled((int) number, seeds[k + 1]);
+            numbers[k] = Sobol.x(index, seeds[k]);
+            numbers[k + 1] = Sobol.y(index, seeds[k]);
         }
     }
 

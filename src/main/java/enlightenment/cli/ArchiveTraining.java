@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.file.WholeFile;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -48,20 +49,13 @@ public final class ArchiveTraining {
         String second = folder.resolve("b.png").toString();
         WholeFile.write(Path.of(scene), SCENE);
         int worst = 0;
-        for (Method method : BuiltInMethod.ALL) {
-            worst = Math.max(
-                    worst,
-                    run(
-                            "render",
-                            scene,
-                            "-o",
-                            second,
-                            "--method",
-                            method.word(),
-                            "--samples",
-                            "8",
-                            "--progress",
-                            "none"));
+        String physical = folder.resolve("physical.json").toString();
+        WholeFile.write(Path.of(physical), SCENE.replaceFirst("\\{", "{ \"shading\": { \"model\": \"physical\" },"));
+        for (Method method : BuiltInMethod.rendering(Shading.Model.PHYSICAL)) {
+            worst = Math.max(worst, render(physical, second, method));
+        }
+        for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
+            worst = Math.max(worst, render(scene, second, method));
         }
         for (String[] command : new String[][] {
             {"render", scene, "-o", first, "--stats", "--progress", "plain"},
@@ -75,6 +69,10 @@ public final class ArchiveTraining {
             worst = Math.max(worst, run(command));
         }
         System.exit(worst);
+    }
+
+    private static int render(String scene, String picture, Method method) {
+        return run("render", scene, "-o", picture, "--method", method.word(), "--samples", "8", "--progress", "none");
     }
 
     private static int run(String... command) {

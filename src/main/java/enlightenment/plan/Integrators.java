@@ -6,6 +6,7 @@ import enlightenment.film.FilmTile;
 import enlightenment.math.InvalidValueException;
 import enlightenment.method.CausticPaths;
 import enlightenment.method.Integrator;
+import enlightenment.method.LightPaths;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
@@ -19,6 +20,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /** Makes what does the work of a render: the one place that knows the class behind each method, and what planning needs of it. */
@@ -38,6 +40,9 @@ public final class Integrators {
 
     /** Paths of a pass of caustics per camera sample: docs/caustics.md has what more and less of them bring. */
     private static final double CAUSTIC_PATHS = 1.0 / 8;
+
+    /** Paths of the method that finds nearly all light by them, per camera sample. */
+    private static final double LIGHT_PATHS = 1;
 
     /**
      * The same for physical light: its survey tells little of paths, and with few samples the first paths of each pixel are few. Measured:
@@ -63,7 +68,7 @@ public final class Integrators {
                     method, method instanceof IntegratorFactory factory && factory.dividesIntoPasses());
         }
         return switch (own) {
-            case RAYTRACE -> MethodTraits.ofAnySamples(method, true);
+            case RAYTRACE, LIGHT -> MethodTraits.ofAnySamples(method, true);
             case CLUSTER ->
                 new MethodTraits(
                         false,
@@ -115,8 +120,12 @@ public final class Integrators {
      * as of a method that has no tiles.
      */
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
-        if (method instanceof BuiltInMethod) {
-            return scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+        if (method instanceof BuiltInMethod own) {
+            return switch (own) {
+                case RAYTRACE, CLUSTER, METROPOLIS ->
+                    scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+                case LIGHT -> LIGHT_PATHS;
+            };
         }
         return method instanceof IntegratorFactory factory && method.kind() == Method.Kind.TILES
                 ? factory.lightPathsPerSample(scene, settings)
@@ -137,7 +146,20 @@ public final class Integrators {
         if (plan.method() instanceof IntegratorFactory factory) {
             return factory.makeLightPaths(plan, scene, settings, counters);
         }
-        return new CausticPaths(scene, settings, counters);
+        return switch ((BuiltInMethod) plan.method()) {
+            case RAYTRACE, CLUSTER, METROPOLIS -> new CausticPaths(scene, settings, counters);
+            case LIGHT -> new LightPaths(scene, settings, counters);
+        };
+    }
+
+    /** What a method cannot see of a scene, in plain words; empty if it sees everything. */
+    public static Optional<String> blindSpot(Method method, CompiledScene scene) {
+        if (method != BuiltInMethod.LIGHT || scene.physical == null || !scene.physical.showsMirrored) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                method.word() + " cannot see surfaces in mirrors, in panes or through glass that bends light:"
+                        + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */
@@ -165,6 +187,7 @@ public final class Integrators {
         }
         return switch (method) {
             case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
+            case LIGHT -> RayTraceMethod.ofSeenLight(scene, settings, counters, plan.level());
             case CLUSTER ->
                 scene.physical == null
                         ? new ClusterMethod(

@@ -110,7 +110,7 @@ class MetropolisTest {
     @ValueSource(strings = {"metals", "window", "rough matte"})
     void theyMeanThePictureOfTheNaiveTracer(String name) {
         Scene scene = SCENES.get(name);
-        NaivePartnerTest.compare(scene, Rendered.seeds(scene, chains(scene, 30, 100, 12), 1, 24), 3_000);
+        NaivePartnerTest.compare(scene, chains(scene, 30, 100, 12), new NaiveTracer(scene), 24, 3_000);
     }
 
     @Test

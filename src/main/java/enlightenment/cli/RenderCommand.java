@@ -106,18 +106,18 @@ final class RenderCommand extends Subcommand {
         view.check(scene);
         aovFiles.check(scene);
         options.warnOfStretch(scene, settings, terminal);
-        if (clusters != null) {
-            ClusterFile.check(clusters, settings);
-        }
-        if (chains != null) {
-            ChainFile.check(chains, settings);
-        }
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("-o", output.file());
         report.register(files);
         files.writes("--dump-clusters", clusters);
         files.writes("--dump-chains", chains);
         aovFiles.register(files);
         files.check();
+        if (clusters != null) {
+            ClusterFile.check(clusters, settings);
+        }
+        if (chains != null) {
+            ChainFile.check(chains, settings);
+        }
         if (part == null) {
             renderPicture(scene, settings);
         } else {

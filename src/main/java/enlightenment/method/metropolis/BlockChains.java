@@ -78,6 +78,11 @@ final class BlockChains {
         return taken;
     }
 
+    /** Those of them that were worth no finite number. */
+    long lost() {
+        return paths.lost();
+    }
+
     /** The light of the last quarter: component c of one of the block's pixels. */
     double light(int index, int c) {
         return light[3 * index + c];
@@ -147,28 +152,35 @@ final class BlockChains {
                 ofPaths[k + c] += share * own.color(i, c);
             }
         }
+        follow(own, number, seed, chains, length);
+        for (int k = 0; k < ofSteps.length; k++) {
+            ofSteps[k] /= (double) chains * Math.max(length, 1);
+        }
+    }
+
+    private void follow(Starts own, int number, long seed, int chains, long length) {
+        boolean isDark = !(own.mean() > 0);
         double offset = Hash.unit(Hash.of(seed, CHOICE));
         for (int chain = 0; chain < chains; chain++) {
             int path = own.at((chain + offset) / chains);
             start(seed, path, chain + 1);
-            if (own.mean() > 0) {
-                own.color(path, color);
-                brightness = own.brightness(path);
-                pixel = own.pixel(path);
-                int from = pixel;
-                run(length);
-                if (isRecorded) {
-                    record(number, from, own.brightness(path), own.mean(), length);
-                }
-            } else {
+            if (isDark) {
                 searchOn(length);
+                continue;
+            }
+            own.color(path, color);
+            brightness = own.brightness(path);
+            pixel = own.pixel(path);
+            int from = pixel;
+            run(length);
+            if (isRecorded) {
+                record(number, from, own.brightness(path), own.mean(), length);
             }
         }
-        if (own.mean() > 0) {
+        if (!isDark) {
             counters.clusters += chains;
             counters.proposals += chains * length;
         }
-        scaleSteps(1.0 / ((double) chains * Math.max(length, 1)));
     }
 
     private void record(int group, int from, double start, double mean, long length) {
@@ -191,12 +203,6 @@ final class BlockChains {
     /** What became of the chains of the last quarter. */
     List<ChainStatistics> statistics() {
         return List.copyOf(statistics);
-    }
-
-    private void scaleSteps(double scale) {
-        for (int k = 0; k < ofSteps.length; k++) {
-            ofSteps[k] *= scale;
-        }
     }
 
     private double shareOfPaths(double bright) {

@@ -36,7 +36,7 @@ public final class MetropolisMethod implements TileIntegrator {
     /** What makes direct light; null where there is none apart. */
     private final RayTraceMethod direct;
 
-    /** How many of its samples each pixel is said to have in a quarter. */
+    /** How many samples each pixel is said to have of its own in a quarter; all other paths are told of as those of a survey. */
     private final int counted;
 
     private final double[] sums = new double[6];
@@ -71,7 +71,8 @@ public final class MetropolisMethod implements TileIntegrator {
                 own.mutations(),
                 counters,
                 sink != null);
-        counted = Math.max(Integer.highestOneBit((int) samples) / QUARTERS, 1);
+        // No more than are taken where all is dark; a power of two, whose errors are judged best.
+        counted = Math.max(Integer.highestOneBit((int) samples) / (2 * QUARTERS), 1);
     }
 
     @Override
@@ -101,10 +102,12 @@ public final class MetropolisMethod implements TileIntegrator {
         FilmTile seen = tile.like(tile.x, tile.y, tile.width, tile.height);
         if (direct != null) {
             direct.render(seen, quarter, QUARTERS);
+            tile.addLostSamples(seen.lostSamples());
         }
         Block.forEach(tile, settings.width(), settings.height(), block -> {
             chains.render(block, quarter, spending, settings.seed());
-            tile.addSurveyRays(chains.taken() + put(block, seen, tile));
+            tile.addSurveyRays(Math.max(chains.taken() + put(block, seen, tile), 0));
+            tile.addLostSamples(chains.lost());
             if (sink != null) {
                 sink.accept(chains.statistics());
             }

@@ -5,6 +5,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.Shader;
+import java.util.Arrays;
 
 /** Follows paths from anywhere in a block, and tells what they are worth. One per thread. */
 final class Paths {
@@ -19,6 +20,7 @@ final class Paths {
     private final Shader shader;
     private final Ray ray = new Ray();
     private Block block;
+    private long lost;
 
     /** What the last path was worth, and in which of the block's pixels it began, by its index. */
     final double[] color = new double[3];
@@ -34,6 +36,7 @@ final class Paths {
 
     void begin(Block next) {
         block = next;
+        lost = 0;
         shader.beginTile(
                 next.x() / pictureWidth,
                 next.y() / pictureHeight,
@@ -52,7 +55,16 @@ final class Paths {
         for (int c = 0; c < 3; c++) {
             brightness += (WEIGHTS[c] + OF_ANY_BAND) * color[c];
         }
-        // What is lost is counted where it is added up.
-        return brightness < Double.POSITIVE_INFINITY ? brightness : 0;
+        if (brightness < Double.POSITIVE_INFINITY) {
+            return brightness;
+        }
+        lost++;
+        Arrays.fill(color, 0);
+        return 0;
+    }
+
+    /** How many paths since the {@linkplain #begin beginning} were worth no finite number, and were taken for black. */
+    long lost() {
+        return lost;
     }
 }

@@ -51,13 +51,7 @@ public final class PathTracer implements Shader {
         this(scene, counters, PathPart.WHOLE);
     }
 
-    /**
-     * For one thread.
-     *
-     * @param scene a scene of physical shading
-     * @param counters what this thread counts
-     * @param part what is wanted of each path: where it is not said, all
-     */
+    /** For one thread, which counts there, and a scene of physical shading; of each path this part is wanted. */
     public PathTracer(CompiledScene scene, RayCounters counters, PathPart part) {
         this(scene, counters, part, scene.physical.hasCausticPass());
     }

@@ -76,7 +76,7 @@ public final class Integrators {
     }
 
     /** The same for scenes of a shading. */
-    static MethodTraits traits(Method method, boolean isPhysical) {
+    public static MethodTraits traits(Method method, boolean isPhysical) {
         MethodTraits traits = traits(method);
         return method == BuiltInMethod.CLUSTER && isPhysical
                 ? new MethodTraits(

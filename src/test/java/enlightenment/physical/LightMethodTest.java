@@ -192,7 +192,8 @@ class LightMethodTest {
         RenderSettings settings = light(scene, 1).withCrop(new RenderSettings.Crop(2, 2, 4, 4));
         List<String> notes = DividedRender.prepare(scene, settings, () -> false).notes();
         assertTrue(
-                notes.size() == 1 && notes.get(0).contains("of the whole picture and saves little time"), notes::toString);
+                notes.size() == 1 && notes.get(0).contains("of the whole picture and saves little time"),
+                notes::toString);
     }
 
     /** The upper end of the interval is as asked, and so is the true error. */

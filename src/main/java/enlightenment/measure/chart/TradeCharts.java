@@ -108,7 +108,7 @@ public final class TradeCharts {
         List<Curve> curves = shown(result);
         for (int i = 0; i < curves.size(); i++) {
             Curve curve = curves.get(i);
-            String label = name(curve, curves);
+            String label = name(curve, curves) + (result.isBlind(curve.method()) ? ", which does not see all" : "");
             List<Curve.Point> points = curve.judgedPoints().stream()
                     .filter(p -> xOfPoint.applyAsDouble(p) > 0)
                     .toList();
@@ -179,7 +179,7 @@ public final class TradeCharts {
     private static void dots(XYChart chart, String name, double[] x, double[] y, int i) {
         XYSeries series = chart.addSeries(name, x, y);
         series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
-        series.setMarker(i == 0 ? SeriesMarkers.PLUS : SeriesMarkers.CROSS).setMarkerColor(ChartTheme.color(i));
+        series.setMarker(i % 2 == 0 ? SeriesMarkers.PLUS : SeriesMarkers.CROSS).setMarkerColor(ChartTheme.color(i));
         series.setShowInLegend(false);
     }
 

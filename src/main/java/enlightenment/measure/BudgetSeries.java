@@ -110,13 +110,13 @@ final class BudgetSeries {
         return index;
     }
 
-    /** Whether its error can no longer be distinguished from the reference's: more samples add nothing. */
+    /** Whether with fewer samples its error could no longer be distinguished from the reference's: more add nothing. */
     private boolean isDone(Configuration configuration, int index) {
         return index >= MIN_BUDGETS
                 && !isNeeded(configuration, index)
                 && Curve.of(
                                 configuration,
-                                session.runs(r -> r.samples() == SAMPLES[index - 1]),
+                                session.runs(r -> r.samples() > 0 && r.samples() < SAMPLES[index]),
                                 session.reference().variance())
                         .points()
                         .stream()

@@ -8,13 +8,12 @@ import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeListener;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
-import enlightenment.plan.Integrators;
-import enlightenment.scene.Method;
+import enlightenment.render.Renderer;
 import enlightenment.scene.Scene;
-import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -28,10 +27,11 @@ final class Session {
     final TradeSettings settings;
 
     /** The words of methods that cannot see all of the scene: their errors include what is missing. */
-    final Set<String> blind;
+    final Set<String> blind = new HashSet<>();
 
     final TradeFolder folder;
     final TimedRenderer renderer;
+    private final Map<String, Double> fewest = new HashMap<>();
     private final TradeListener listener;
     private final long start = System.nanoTime();
 
@@ -44,12 +44,18 @@ final class Session {
     Session(
             Scene scene,
             TradeSettings settings,
-            Set<String> blind,
+            List<Renderer.Sight> methods,
             TradeFolder folder,
             TradeListener listener,
             BooleanSupplier cancelled) {
         this.settings = settings;
-        this.blind = Set.copyOf(blind);
+        for (Renderer.Sight sight : methods) {
+            String word = sight.method().word();
+            fewest.put(word, sight.fewestSamples());
+            if (sight.blindSpot().isPresent()) {
+                blind.add(word);
+            }
+        }
         this.folder = folder;
         this.listener = listener;
         renderer = new TimedRenderer(scene, cancelled, this::tick);
@@ -71,8 +77,7 @@ final class Session {
 
     /** The fewest samples per pixel that a method can do with itself: with fewer, another one takes its place. */
     double fewest(String method) {
-        boolean isPhysical = settings.shading() == Shading.Model.PHYSICAL;
-        return Integrators.traits(Method.named(method), isPhysical).fewest();
+        return fewest.getOrDefault(method, 1.0);
     }
 
     /** Tells the listener what comes next. */

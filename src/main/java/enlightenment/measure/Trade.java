@@ -47,8 +47,8 @@ public final class Trade {
         // Before there is a folder of it.
         settings.methods().forEach(word -> Method.requireSupport(Method.named(word), scene));
         TradeFolder files = TradeFolder.open(folder, settings, resume);
-        Map<String, String> blindSpots = blindSpots(scene, settings);
-        Session session = new Session(scene, settings, blindSpots.keySet(), files, listener, cancelled);
+        List<Renderer.Sight> methods = methods(scene, settings);
+        Session session = new Session(scene, settings, methods, files, listener, cancelled);
         Map<String, String> machine = Bench.machine();
         double cold = 0;
         boolean complete = true;
@@ -70,8 +70,8 @@ public final class Trade {
         }
         TradeResult.Conditions conditions = new TradeResult.Conditions(machine, cold, session.elapsed(), complete);
         files.keep(session.reference(), conditions);
-        return Optional.of(
-                new TradeResult(settings, session.reference(), session.runs(r -> true), conditions, blindSpots));
+        return Optional.of(new TradeResult(
+                settings, session.reference(), session.runs(r -> true), conditions, blindSpots(methods)));
     }
 
     /**
@@ -88,16 +88,26 @@ public final class Trade {
         TradeFolder files = TradeFolder.stored(folder, settings);
         MeasurementFile.Content kept = files.kept(scene);
         return new TradeResult(
-                settings, kept.reference(), files.journal().runs(), kept.conditions(), blindSpots(scene, settings));
+                settings,
+                kept.reference(),
+                files.journal().runs(),
+                kept.conditions(),
+                blindSpots(methods(scene, settings)));
     }
 
-    /** What the methods of a measurement cannot see of the scene, by their words. */
-    private static Map<String, String> blindSpots(Scene scene, TradeSettings settings) {
+    /** What is to be known of the methods of a measurement, in their order. */
+    private static List<Renderer.Sight> methods(Scene scene, TradeSettings settings) {
+        List<Renderer.Sight> all = Renderer.inspect(scene, settings.base()).methods();
+        return settings.methods().stream()
+                .flatMap(word -> all.stream().filter(s -> s.method().word().equals(word)))
+                .toList();
+    }
+
+    /** What the methods cannot see of the scene, by their words. */
+    private static Map<String, String> blindSpots(List<Renderer.Sight> methods) {
         Map<String, String> spots = new LinkedHashMap<>();
-        for (Renderer.Sight sight : Renderer.inspect(scene, settings.base()).methods()) {
-            if (settings.methods().contains(sight.method().word())) {
-                sight.blindSpot().ifPresent(spot -> spots.put(sight.method().word(), spot));
-            }
+        for (Renderer.Sight sight : methods) {
+            sight.blindSpot().ifPresent(spot -> spots.put(sight.method().word(), spot));
         }
         return spots;
     }

@@ -18,6 +18,7 @@ import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -75,8 +76,13 @@ public final class Integrators {
         };
     }
 
+    /** The fewest samples per pixel with which a method is used itself. */
+    public static double fewestSamples(Method method, Shading.Model shading) {
+        return traits(method, shading == Shading.Model.PHYSICAL).fewest();
+    }
+
     /** The same for scenes of a shading. */
-    public static MethodTraits traits(Method method, boolean isPhysical) {
+    static MethodTraits traits(Method method, boolean isPhysical) {
         MethodTraits traits = traits(method);
         return method == BuiltInMethod.CLUSTER && isPhysical
                 ? new MethodTraits(

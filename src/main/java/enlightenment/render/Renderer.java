@@ -137,7 +137,10 @@ public final class Renderer {
         List<Sight> methods = new ArrayList<>();
         for (Method method : Method.all()) {
             if (method.shadings().contains(scene.shading().model())) {
-                methods.add(new Sight(method, Integrators.blindSpot(method, compiled)));
+                methods.add(new Sight(
+                        method,
+                        Integrators.blindSpot(method, compiled),
+                        Integrators.fewestSamples(method, scene.shading().model())));
             }
         }
         return new Inspection(
@@ -190,6 +193,8 @@ public final class Renderer {
      * @param method the method
      * @param blindSpot what of the scene it cannot see, as a sentence without a full stop that begins with its name; empty if it sees
      *     everything. Of a method from outside the program that is not known, and nothing is said
+     * @param fewestSamples the fewest samples per pixel that it makes pictures of its own with, at least 1; with fewer its pictures are those
+     *     of {@link Method#standIn}
      */
-    public record Sight(Method method, Optional<String> blindSpot) {}
+    public record Sight(Method method, Optional<String> blindSpot, double fewestSamples) {}
 }

@@ -114,6 +114,7 @@ final class TradeJson {
             json.writeArrayPropertyStart("methods");
             range.methods().forEach(json::writeString);
             json.writeEndArray();
+            range.alone().ifPresent(e -> json.writeNumberProperty("alone", e));
             json.writeArrayPropertyStart("rivals");
             for (MethodChoice.Rival rival : range.rivals()) {
                 json.writeStartObject();

@@ -30,9 +30,11 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
      * @param smallest the smallest one
      * @param methods the fastest; more than one where their times are alike
      * @param rivals the fastest of the other methods at the smallest error that one was measured at, and the method that is used by default, if
-     *     it is another one; empty where no other was measured in this range
+     *     it is another one; empty where no other was measured in this range and found slower
+     * @param alone the largest of these errors that no other method was measured to reach
      */
-    public record Range(double largest, double smallest, List<String> methods, List<Rival> rivals) {
+    public record Range(
+            double largest, double smallest, List<String> methods, List<Rival> rivals, Optional<Double> alone) {
         public Range {
             methods = List.copyOf(methods);
             rivals = List.copyOf(rivals);
@@ -121,10 +123,14 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
     private static Range range(List<Place> places, List<String> methods) {
         Place last = places.get(places.size() - 1);
         List<Rival> rivals = List.of();
+        Optional<Double> alone = Optional.empty();
         for (Place place : places) {
             List<CostEstimate> others = place.costs.stream()
-                    .filter(n -> !methods.contains(n.method()))
+                    .filter(n -> !methods.contains(n.method()) && !place.good().contains(n.method()))
                     .toList();
+            if (alone.isEmpty() && place.costs.size() == 1) {
+                alone = Optional.of(place.error);
+            }
             if (!others.isEmpty()) {
                 Stream<CostEstimate> byDefault =
                         others.stream().skip(1).filter(n -> n.method().equals(Method.RAYTRACE.word()));
@@ -133,7 +139,7 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
                         .toList();
             }
         }
-        return new Range(places.get(0).error, last.error, methods, rivals);
+        return new Range(places.get(0).error, last.error, methods, rivals, alone);
     }
 
     private static Rival rival(Place place, List<String> methods, CostEstimate other) {
@@ -175,21 +181,19 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
     }
 
     private static String why(Range range) {
-        String alike = range.methods.size() > 1 ? ", which take about as long" : "";
-        if (range.rivals.isEmpty()) {
-            boolean chosen = range.methods.size() > 1;
-            return chosen
-                    ? alike + reach(range)
-                    : ": no other was measured to reach an error of " + Digits.samples(range.largest);
+        String alike = range.methods.size() > 1
+                ? ", which take about as long (measured down to an error of " + Digits.samples(range.smallest) + ")"
+                : "";
+        List<String> reasons = new ArrayList<>();
+        if (!range.rivals.isEmpty()) {
+            List<String> slower = range.rivals.stream()
+                    .map(r -> r.bound + Digits.of(r.ratio, 2) + " times faster than " + r.cost.method())
+                    .toList();
+            double error = range.rivals.get(0).error;
+            reasons.add(String.join(" and ", slower) + " at an error of " + Digits.samples(error));
         }
-        double error = range.rivals.get(0).error;
-        List<String> slower = range.rivals.stream()
-                .map(r -> r.bound + Digits.of(r.ratio, 2) + " times faster than " + r.cost.method())
-                .toList();
-        return alike + ": " + String.join(" and ", slower) + " at an error of " + Digits.samples(error);
-    }
-
-    private static String reach(Range range) {
-        return " (measured down to an error of " + Digits.samples(range.smallest) + ")";
+        range.alone.ifPresent(
+                error -> reasons.add("no other was measured to reach an error of " + Digits.samples(error)));
+        return alike + (reasons.isEmpty() ? "" : ": " + String.join(", and ", reasons));
     }
 }

@@ -39,7 +39,7 @@ class MethodChoiceTest {
                         series("cluster", 4096, 0.08, 0.1)));
         assertEquals(
                 "For this scene use cluster: 4.0 times faster than light and 16 times faster than raytrace at an error of "
-                        + "0.005.",
+                        + "0.005, and no other was measured to reach an error of 0.002.",
                 choice.sentence().orElseThrow());
         assertEquals(1, choice.ranges().size());
         assertEquals(List.of("cluster"), choice.ranges().get(0).methods());
@@ -56,7 +56,10 @@ class MethodChoiceTest {
         assertTrue(sentence.startsWith("For this scene use raytrace for errors of 0.05 and more: "), sentence);
         assertTrue(sentence.contains("; cluster for errors of 0.02 and less: "), sentence);
         // 0.1·(0.08/0.002)² = 160 s against 0.4·0.06/0.002 = 12 s; below, only one was measured.
-        assertTrue(sentence.endsWith(" 13 times faster than raytrace at an error of 0.002."), sentence);
+        assertTrue(
+                sentence.endsWith(
+                        " 13 times faster than raytrace at an error of 0.002, and no other was measured to reach an error of 0.001."),
+                sentence);
     }
 
     @Test
@@ -96,5 +99,17 @@ class MethodChoiceTest {
         MethodChoice none = MethodChoice.of(SyntheticRuns.trade(0, List.of()));
         assertTrue(none.ranges().isEmpty());
         assertTrue(none.sentence().orElseThrow().contains("is not known"), none.toString());
+    }
+
+    /** At 0.05 both take as long, below cluster is not measured: it is no rival that would be slower. */
+    @Test
+    void whatIsAlikeWhereItWasMeasuredIsNotCalledSlower() {
+        List<TradeRun> short_ = List.of(
+                SyntheticRuns.run("cluster", 1, 1, 0.1 * 0.1, 0.095),
+                SyntheticRuns.run("cluster", 4, 1, 0.05 * 0.05, 0.39));
+        MethodChoice choice = choice(Map.of(), List.of(series("raytrace", 64, 0.1, 0.1), short_));
+        assertEquals(
+                "For this scene use raytrace: no other was measured to reach an error of 0.02.",
+                choice.sentence().orElseThrow());
     }
 }

@@ -20,6 +20,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
@@ -91,6 +92,11 @@ public final class Integrators {
                         FEWEST_OF_METROPOLIS,
                         MetropolisSettings.BLOCK_SIDE);
         };
+    }
+
+    /** The fewest samples per pixel with which a method is used itself. */
+    public static double fewestSamples(Method method, Shading.Model shading) {
+        return traits(method, shading == Shading.Model.PHYSICAL).fewest();
     }
 
     /** The same for scenes of a shading. */

@@ -174,10 +174,13 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
         if (i == 0) {
             return " for errors of " + Digits.samples(range.smallest) + " and more";
         }
-        boolean isLast = i == ranges.size() - 1;
-        return isLast || range.largest == range.smallest
-                ? " for errors of " + Digits.samples(range.largest) + (isLast ? " and less" : "")
-                : " for errors of " + Digits.samples(range.largest) + " to " + Digits.samples(range.smallest);
+        String largest = Digits.samples(range.largest);
+        if (i == ranges.size() - 1) {
+            return " for errors of " + largest + " and less";
+        }
+        return range.largest == range.smallest
+                ? " for an error of " + largest
+                : " for errors of " + largest + " to " + Digits.samples(range.smallest);
     }
 
     private static String why(Range range) {

@@ -22,8 +22,6 @@ public final class CausticPass {
     /** The least scattering events of a caustic: one at a mirror, one where it is seen. */
     private static final int LEAST_BOUNCES = 2;
 
-    private static final int[] NO_MEDIA = {};
-
     /** The lights. */
     public final PhysicalLight[] lights;
 
@@ -97,7 +95,7 @@ public final class CausticPass {
 
     private void prepare(int l, CompiledPrimitives compiled) {
         PhysicalLight light = lights[l];
-        media[l] = mediaAround(light, compiled);
+        media[l] = light.solidsAround(compiled.primitives(), compiled.glassSolids());
         boolean isApart = true;
         for (int s = 0; s < things; s++) {
             isApart &= distance(light, s) > ballRadius[s] + light.ballRadius;
@@ -149,15 +147,6 @@ public final class CausticPass {
             return 0;
         }
         return isFlat ? Math.min(Math.max((front + ballRadius[s]) / d, LEAST_COSINE), 1) : 1;
-    }
-
-    /** The solids of glass that points of the light may lie in. */
-    private static int[] mediaAround(PhysicalLight light, CompiledPrimitives compiled) {
-        return compiled.glassSolids().length == 0
-                ? NO_MEDIA
-                : Arrays.stream(compiled.glassSolids())
-                        .filter(id -> compiled.primitives()[id].bounds().overlaps(light.bounds()))
-                        .toArray();
     }
 
     /** The pair that a number chooses, 0..1: {@code light · things + thing}. */

@@ -8,6 +8,7 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.RectanglePrimitive;
 import enlightenment.primitive.SupportSurface;
+import java.util.Arrays;
 
 /**
  * A light of physical shading: a face of a primitive that glows, or a point. What glows is a surface like any other: rays meet it, and it
@@ -87,6 +88,15 @@ public final class PhysicalLight extends LightBody {
     /** Luminance of radiance or intensity. */
     double luminance() {
         return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    }
+
+    /** Which of some solids points of the light may lie in. */
+    int[] solidsAround(Primitive[] primitives, int[] solids) {
+        return solids.length == 0
+                ? solids
+                : Arrays.stream(solids)
+                        .filter(id -> primitives[id].bounds().overlaps(bounds()))
+                        .toArray();
     }
 
     /** Finds the faces that the light lies on, and that therefore do not occlude it. */

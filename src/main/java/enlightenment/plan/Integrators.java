@@ -3,6 +3,8 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.math.InvalidValueException;
+import enlightenment.method.BidirectionalMethod;
+import enlightenment.method.BidirectionalPaths;
 import enlightenment.method.CausticPaths;
 import enlightenment.method.Integrator;
 import enlightenment.method.RayTraceMethod;
@@ -58,7 +60,7 @@ public final class Integrators {
                     method, method instanceof IntegratorFactory factory && factory.dividesIntoPasses());
         }
         return switch (own) {
-            case RAYTRACE -> MethodTraits.ofAnySamples(method, true);
+            case RAYTRACE, BIDIRECTIONAL -> MethodTraits.ofAnySamples(method, true);
             case CLUSTER ->
                 new MethodTraits(
                         false,
@@ -99,6 +101,9 @@ public final class Integrators {
      * as of a method that has no tiles.
      */
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
+        if (method == BuiltInMethod.BIDIRECTIONAL) {
+            return BidirectionalMethod.PATHS_PER_SAMPLE;
+        }
         if (method instanceof BuiltInMethod) {
             return scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
         }
@@ -121,7 +126,9 @@ public final class Integrators {
         if (plan.method() instanceof IntegratorFactory factory) {
             return factory.makeLightPaths(plan, scene, settings, counters);
         }
-        return new CausticPaths(scene, settings, counters);
+        return plan.method() == BuiltInMethod.BIDIRECTIONAL
+                ? new BidirectionalPaths(scene, settings, counters)
+                : new CausticPaths(scene, settings, counters);
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */
@@ -153,6 +160,7 @@ public final class Integrators {
         }
         return switch (method) {
             case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
+            case BIDIRECTIONAL -> BidirectionalMethod.of(scene, settings, counters, plan.level());
             case CLUSTER ->
                 scene.physical == null
                         ? new ClusterMethod(

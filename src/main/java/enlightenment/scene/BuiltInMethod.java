@@ -18,7 +18,14 @@ public enum BuiltInMethod implements Method {
             "cluster",
             "a survey of the picture allots camera rays and light samples, and ray clusters propose light points",
             List.of(ClusterSettings.PROPOSAL),
-            RAYTRACE);
+            RAYTRACE),
+
+    /** Paths from both ends: for light that is hard to find from the eye. */
+    BIDIRECTIONAL(
+            "bidirectional",
+            "paths from the eye and from lights, each vertex of one connected to each of the other",
+            List.of(),
+            null);
 
     /** All of them, in order. */
     public static final List<Method> ALL = List.of(values());
@@ -52,7 +59,9 @@ public enum BuiltInMethod implements Method {
 
     @Override
     public Set<Shading.Model> shadings() {
-        return Set.of(Shading.Model.CLASSIC, Shading.Model.PHYSICAL);
+        return this == BIDIRECTIONAL
+                ? Set.of(Shading.Model.PHYSICAL)
+                : Set.of(Shading.Model.CLASSIC, Shading.Model.PHYSICAL);
     }
 
     @Override

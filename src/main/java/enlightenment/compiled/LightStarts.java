@@ -1,0 +1,188 @@
+package enlightenment.compiled;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import java.util.Arrays;
+
+/**
+ * Where the light of a scene comes from, for paths that begin there: its lights, and its constant surroundings as a last one that shines
+ * through a ball around all surfaces. One of them is chosen in proportion to the power that it gives. Immutable.
+ */
+public final class LightStarts {
+    /** With more boxes to compare than these, lights are taken to shine from both sides. */
+    private static final long MOST_COMPARISONS = 1 << 24;
+
+    private static final int[] NO_MEDIA = {};
+
+    private final CompiledScene scene;
+
+    /** The lights. */
+    public final PhysicalLight[] lights;
+
+    /** The index of the surroundings. */
+    public final int background;
+
+    /** Centre and radius of a ball around all surfaces: light from the surroundings goes through it. */
+    public final Vec3 center;
+
+    public final double radius;
+
+    /** By light: the probability that it is chosen. */
+    private final double[] probability;
+
+    /** The sums of these. */
+    private final double[] cumulative;
+
+    private final boolean[] shinesBothWays;
+    private final int[][] media;
+
+    /**
+     * Those of a scene.
+     *
+     * @param scene whose shading is physical
+     * @param withBackground whether paths may begin in the surroundings
+     */
+    public LightStarts(CompiledScene scene, boolean withBackground) {
+        this.scene = scene;
+        lights = scene.physical.lights;
+        int n = lights.length;
+        background = n;
+        Bounds box = box(scene.primitives);
+        center = box == null ? Vec3.ZERO : box.center();
+        radius = box == null ? 0 : box.extent().length() / 2 * (1 + Scale.gamma(8));
+        media = new int[n][];
+        shinesBothWays = new boolean[n];
+        probability = new double[n + 1];
+        cumulative = new double[n + 1];
+        double brightest = withBackground ? background() : 0;
+        for (PhysicalLight light : lights) {
+            brightest = Math.max(brightest, brightness(light));
+        }
+        boolean looks = (long) n * scene.primitives.length <= MOST_COMPARISONS;
+        double sum = 0;
+        for (int l = 0; l <= n && brightest > 0; l++) {
+            if (l < n) {
+                shinesBothWays[l] = shinesBothWays(lights[l], looks);
+                media[l] = lights[l].solidsAround(scene.primitives, scene.glassSolids);
+                probability[l] = brightness(lights[l]) / brightest * reach(l);
+            } else if (withBackground) {
+                probability[l] = background() / brightest * reach(l);
+            }
+            sum += probability[l];
+            cumulative[l] = sum;
+        }
+        for (int l = 0; l <= n && sum > 0; l++) {
+            probability[l] /= sum;
+            cumulative[l] /= sum;
+        }
+    }
+
+    private static Bounds box(Primitive[] primitives) {
+        Bounds box = null;
+        for (Primitive p : primitives) {
+            box = box == null ? p.bounds() : box.union(p.bounds());
+        }
+        return box;
+    }
+
+    private double background() {
+        return mean(scene.physical.backgroundR, scene.physical.backgroundG, scene.physical.backgroundB);
+    }
+
+    private static double brightness(PhysicalLight light) {
+        return mean(light.r, light.g, light.b);
+    }
+
+    private static double mean(double r, double g, double b) {
+        return r / 3 + g / 3 + b / 3;
+    }
+
+    /** What a light of radiance or intensity 1 gives in all: the integral over its points and directions. */
+    private double reach(int l) {
+        if (l == background) {
+            return 4 * Math.PI * Math.PI * radius * radius;
+        }
+        if (lights[l].isPoint) {
+            return 4 * Math.PI;
+        }
+        return (shinesBothWays[l] ? 2 : 1) * Math.PI * lights[l].form.area();
+    }
+
+    /** Whether the inside of a light counts, too: not that of a closed surface with nothing in it. */
+    private boolean shinesBothWays(PhysicalLight light, boolean looks) {
+        if (light.isPoint || !scene.material(light.id, light.face).glowsInside) {
+            return false;
+        }
+        if (!looks || !light.surface.isSolid()) {
+            return true;
+        }
+        Bounds own = light.bounds();
+        for (int id = 0; id < scene.primitives.length; id++) {
+            if (id != light.id && scene.primitives[id].bounds().overlaps(own)) {
+                return true;
+            }
+        }
+        return scene.camera.startBounds().overlaps(own);
+    }
+
+    /** The light that a number chooses, 0..1; -1 if nothing shines. */
+    public int choose(double number) {
+        if (!(cumulative[background] > 0)) {
+            return -1;
+        }
+        int at = Arrays.binarySearch(cumulative, number);
+        int light = at < 0 ? -at - 1 : at + 1;
+        while (light <= background && probability[light] == 0) {
+            light++;
+        }
+        return light <= background ? light : last();
+    }
+
+    private int last() {
+        int light = background;
+        while (probability[light] == 0) {
+            light--;
+        }
+        return light;
+    }
+
+    /** The probability with which {@link #choose} chooses a light. */
+    public double probability(int light) {
+        return probability[light];
+    }
+
+    /** Whether paths leave a light with extent from both sides of its surface. */
+    public boolean shinesBothWays(int light) {
+        return shinesBothWays[light];
+    }
+
+    /**
+     * The density, per area, of the points that paths leave a light from, once it is chosen: across the direction for the surroundings; 1
+     * for a point, which is all there is.
+     */
+    public double pointDensity(int light) {
+        if (light == background) {
+            return 1 / (Math.PI * radius * radius);
+        }
+        return lights[light].isPoint ? 1 : 1 / lights[light].form.area();
+    }
+
+    /**
+     * The density, per solid angle, of the direction in which paths leave a point of a light.
+     *
+     * @param cosine between that and the normal on the side that it leaves to; has no influence where there is none
+     */
+    public double directionDensity(int light, double cosine) {
+        if (light == background || lights[light].isPoint) {
+            return 1 / (4 * Math.PI);
+        }
+        return cosine > 0 ? cosine / (shinesBothWays[light] ? 2 * Math.PI : Math.PI) : 0;
+    }
+
+    /** The solids of glass that points of a light may lie in. */
+    public int[] mediaAround(int light) {
+        return light == background ? NO_MEDIA : media[light];
+    }
+}

@@ -1,0 +1,134 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.LightStarts;
+import enlightenment.compiled.PhysicalLight;
+import enlightenment.compiled.PhysicalScene;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Warp;
+
+/**
+ * Starts light paths as light is emitted: a light by its power, a point of it by area, a direction by the cosine; from the surroundings,
+ * a direction evenly and a point of the disk across it that the ball around the scene fills. So all paths bring about the same power.
+ * The densities of what was chosen are told, for whoever weighs paths against others.
+ */
+final class LightSource extends PathSource {
+    private final LightStarts starts;
+    private final PhysicalScene physical;
+
+    /** The probability that this light was chosen. */
+    double probability;
+
+    /** The density of the point, per area of the light; of the surroundings, per area across the ray; 1 for a point light. */
+    double pointDensity;
+
+    /** The density of the direction, per solid angle. */
+    double directionDensity;
+
+    /** The cosine at the light, on the side that the path leaves it to; 1 where it has no surface. */
+    double cosine;
+
+    private boolean isInside;
+
+    /** @param starts of the same scene */
+    LightSource(LightStarts starts, PhysicalScene physical) {
+        this.starts = starts;
+        this.physical = physical;
+    }
+
+    /** The same on the outside of a surface: negative if the path leaves it to the inside. */
+    double cosineOutside() {
+        return isInside ? -cosine : cosine;
+    }
+
+    /** Whether the light is a point: only paths from it find it. */
+    boolean isPoint() {
+        return !isBackground() && starts.lights[light].isPoint;
+    }
+
+    /** Whether it is the surroundings. */
+    boolean isBackground() {
+        return light == starts.background;
+    }
+
+    @Override
+    int[] media() {
+        return starts.mediaAround(light);
+    }
+
+    @Override
+    boolean emit(double[] numbers, Ray ray) {
+        light = starts.choose(numbers[0]);
+        if (light < 0) {
+            return false;
+        }
+        probability = starts.probability(light);
+        pointDensity = starts.pointDensity(light);
+        cosine = 1;
+        if (isBackground()) {
+            fromBackground(numbers, ray);
+            weigh(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+        } else {
+            PhysicalLight l = starts.lights[light];
+            if (l.isPoint) {
+                fromPoint(l, numbers, ray);
+            } else {
+                fromSurface(l, numbers, ray);
+            }
+            weigh(l.r, l.g, l.b);
+        }
+        return directionDensity > 0 && (red > 0 || green > 0 || blue > 0);
+    }
+
+    private void weigh(double r, double g, double b) {
+        directionDensity = starts.directionDensity(light, cosine);
+        double weight = cosine / (probability * pointDensity * directionDensity);
+        red = weight * r;
+        green = weight * g;
+        blue = weight * b;
+    }
+
+    private void fromPoint(PhysicalLight l, double[] numbers, Ray ray) {
+        toSphere(numbers);
+        ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE);
+    }
+
+    /** Any direction at all. */
+    private void toSphere(double[] numbers) {
+        Warp.toDisk(numbers[4], numbers[5], disk);
+        double spread = 2 * Math.sqrt(Math.max(1 - disk[2], 0));
+        direct(0, 0, 1, disk[0] * spread, disk[1] * spread, 1 - 2 * disk[2]);
+    }
+
+    private void fromBackground(double[] numbers, Ray ray) {
+        toSphere(numbers);
+        Warp.toDisk(numbers[2], numbers[3], disk);
+        basis.around(dx, dy, dz);
+        double r = starts.radius;
+        ray.set(
+                starts.center.x() + r * Math.fma(disk[0], basis.ax, Math.fma(disk[1], basis.bx, -dx)),
+                starts.center.y() + r * Math.fma(disk[0], basis.ay, Math.fma(disk[1], basis.by, -dy)),
+                starts.center.z() + r * Math.fma(disk[0], basis.az, Math.fma(disk[1], basis.bz, -dz)),
+                dx,
+                dy,
+                dz,
+                0);
+    }
+
+    private void fromSurface(PhysicalLight l, double[] numbers, Ray ray) {
+        l.form.samplePoint(numbers[2], numbers[3], point);
+        Warp.toDisk(numbers[4], numbers[5], disk);
+        int side = starts.shinesBothWays(light) && numbers[1] < 0.5 ? Ray.INSIDE : Ray.OUTSIDE;
+        direct(
+                side * point.nx,
+                side * point.ny,
+                side * point.nz,
+                disk[0],
+                disk[1],
+                Math.sqrt(Math.max(1 - disk[2], 0)));
+        cosine = side * (dx * point.nx + dy * point.ny + dz * point.nz);
+        isInside = side == Ray.INSIDE;
+        ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
+        l.lyingOn().startOn(ray, side);
+    }
+}

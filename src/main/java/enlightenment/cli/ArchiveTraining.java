@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.file.WholeFile;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -48,7 +49,7 @@ public final class ArchiveTraining {
         String second = folder.resolve("b.png").toString();
         WholeFile.write(Path.of(scene), SCENE);
         int worst = 0;
-        for (Method method : BuiltInMethod.ALL) {
+        for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
             worst = Math.max(
                     worst,
                     run(

@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -9,8 +10,11 @@ import picocli.CommandLine.ITypeConverter;
 
 /** Methods to compare, each at most once. */
 record MethodList(List<Method> methods) {
-    /** Those of this program; others want to be named. */
-    static final MethodList OURS = new MethodList(BuiltInMethod.ALL);
+    /** Those of this program that can render a scene; others want to be named. */
+    static MethodList oursFor(Scene scene) {
+        return new MethodList(
+                List.copyOf(BuiltInMethod.rendering(scene.shading().model())));
+    }
 
     /** As it is typed: {@code raytrace,cluster}. */
     @Override

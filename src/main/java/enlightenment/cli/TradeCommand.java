@@ -47,8 +47,8 @@ final class TradeCommand extends Subcommand {
             paramLabel = "LIST",
             converter = MethodList.Converter.class,
             completionCandidates = RenderOptions.Methods.class,
-            description = "methods to compare, with commas (default: ${DEFAULT-VALUE})")
-    private MethodList methods = MethodList.OURS;
+            description = "methods to compare, with commas (default: all of our own that can render the scene)")
+    private MethodList methods;
 
     @Option(
             names = "--budget",
@@ -156,10 +156,11 @@ final class TradeCommand extends Subcommand {
         }
         RenderSettings base = options.settings(scene, sceneFile.toString());
         options.warnOfStretch(scene, base, terminal);
-        if (!methods.methods().contains(base.method())) {
-            base = base.withMethod(methods.methods().get(0));
+        List<Method> compared = (methods == null ? MethodList.oursFor(scene) : methods).methods();
+        if (!compared.contains(base.method())) {
+            base = base.withMethod(compared.get(0));
         }
-        List<String> words = methods.methods().stream().map(Method::word).toList();
+        List<String> words = compared.stream().map(Method::word).toList();
         Optional<Image> given = reference.equals(AUTO) ? Optional.empty() : Optional.of(readReference(scene));
         String frame = options.frame() == null ? "" : ", frame " + options.frame();
         String sceneKey = sceneFile.getFileName() + ", SHA-256 " + SceneFingerprint.of(scene) + frame;

@@ -12,6 +12,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.PathPart;
 import enlightenment.shading.PathTracer;
+import enlightenment.shading.SeenLight;
 import enlightenment.shading.Shader;
 import java.util.function.BooleanSupplier;
 
@@ -74,6 +75,12 @@ public final class RayTraceMethod implements TileIntegrator {
     public static RayTraceMethod ofAlbedo(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
         return new RayTraceMethod(scene, settings, new PathTracer(scene, counters, PathPart.ALBEDO), samples);
+    }
+
+    /** Of physical shading, that part of each sample which no path from a light can be connected to the eye with: {@link SeenLight}. */
+    public static RayTraceMethod ofSeenLight(
+            CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
+        return new RayTraceMethod(scene, settings, new SeenLight(scene, counters), samples);
     }
 
     @Override

@@ -7,6 +7,7 @@ import enlightenment.method.BidirectionalMethod;
 import enlightenment.method.BidirectionalPaths;
 import enlightenment.method.CausticPaths;
 import enlightenment.method.Integrator;
+import enlightenment.method.LightPaths;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
@@ -41,6 +42,9 @@ public final class Integrators {
     /** Paths of a pass of caustics per camera sample: docs/caustics.md has what more and less of them bring. */
     private static final double CAUSTIC_PATHS = 1.0 / 8;
 
+    /** Paths of the method that finds nearly all light by them, per camera sample. */
+    private static final double LIGHT_PATHS = 1;
+
     /**
      * The same for physical light: its survey tells little of paths, and with few samples the first paths of each pixel are few. Measured:
      * docs/cluster-sampler.md.
@@ -60,7 +64,7 @@ public final class Integrators {
                     method, method instanceof IntegratorFactory factory && factory.dividesIntoPasses());
         }
         return switch (own) {
-            case RAYTRACE, BIDIRECTIONAL -> MethodTraits.ofAnySamples(method, true);
+            case RAYTRACE, LIGHT, BIDIRECTIONAL -> MethodTraits.ofAnySamples(method, true);
             case CLUSTER ->
                 new MethodTraits(
                         false,
@@ -101,11 +105,12 @@ public final class Integrators {
      * as of a method that has no tiles.
      */
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
-        if (method == BuiltInMethod.BIDIRECTIONAL) {
-            return BidirectionalMethod.PATHS_PER_SAMPLE;
-        }
-        if (method instanceof BuiltInMethod) {
-            return scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+        if (method instanceof BuiltInMethod own) {
+            return switch (own) {
+                case RAYTRACE, CLUSTER -> scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+                case LIGHT -> LIGHT_PATHS;
+                case BIDIRECTIONAL -> BidirectionalMethod.PATHS_PER_SAMPLE;
+            };
         }
         return method instanceof IntegratorFactory factory && method.kind() == Method.Kind.TILES
                 ? factory.lightPathsPerSample(scene, settings)
@@ -126,9 +131,11 @@ public final class Integrators {
         if (plan.method() instanceof IntegratorFactory factory) {
             return factory.makeLightPaths(plan, scene, settings, counters);
         }
-        return plan.method() == BuiltInMethod.BIDIRECTIONAL
-                ? new BidirectionalPaths(scene, settings, counters)
-                : new CausticPaths(scene, settings, counters);
+        return switch ((BuiltInMethod) plan.method()) {
+            case RAYTRACE, CLUSTER -> new CausticPaths(scene, settings, counters);
+            case LIGHT -> new LightPaths(scene, settings, counters);
+            case BIDIRECTIONAL -> new BidirectionalPaths(scene, settings, counters);
+        };
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */
@@ -160,6 +167,7 @@ public final class Integrators {
         }
         return switch (method) {
             case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
+            case LIGHT -> RayTraceMethod.ofSeenLight(scene, settings, counters, plan.level());
             case BIDIRECTIONAL -> BidirectionalMethod.of(scene, settings, counters, plan.level());
             case CLUSTER ->
                 scene.physical == null

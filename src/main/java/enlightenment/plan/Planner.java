@@ -63,7 +63,7 @@ public final class Planner {
     }
 
     private double samplesForError(double most, Stopwatch time) {
-        if (!plans.traits().areBatches()) {
+        if (!plans.areMostlyPaths()) {
             return new ErrorPlanner(settings, plans, trial, endOfErrorTrials(time), notes::add).samples(most);
         }
         notes.add(settings.method() + " has no trials for an error: a first picture with " + Rounds.number(FIRST_PATHS)

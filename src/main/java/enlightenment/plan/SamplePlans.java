@@ -7,6 +7,9 @@ import java.util.function.BooleanSupplier;
 
 /** The plan for a number of samples per pixel: with which method they are taken, and at which level. */
 final class SamplePlans {
+    /** So many paths that may end anywhere to a camera sample are no addition. */
+    private static final double MANY_PATHS = 0.5;
+
     private final Method method;
     private final MethodTraits traits;
     private final double antialias;
@@ -53,6 +56,13 @@ final class SamplePlans {
     private RenderPlan plan(Method chosen, double level, double samples, String by) {
         return new RenderPlan(
                 chosen, level, samples, by, (long) Math.ceil(lightPathsPerSample * samples * picturePixels));
+    }
+
+    /**
+     * Whether most of the work, or a good part of it, is paths that may end anywhere: then tiles tell little of the picture's error.
+     */
+    boolean areMostlyPaths() {
+        return traits.areBatches() || lightPathsPerSample >= MANY_PATHS;
     }
 
     /** Whether paths that may end anywhere are splatted over the tiles. */

@@ -1,5 +1,6 @@
 package enlightenment.scene;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -11,21 +12,32 @@ public enum BuiltInMethod implements Method {
             "raytrace",
             "evenly spaced camera rays, a fixed number of light samples at every hit",
             List.of(RayTraceSettings.SHADOW_SAMPLES),
-            null),
+            null,
+            Shading.Model.values()),
 
     /** {@link Method#CLUSTER}. */
     CLUSTER(
             "cluster",
             "a survey of the picture allots camera rays and light samples, and ray clusters propose light points",
             List.of(ClusterSettings.PROPOSAL),
-            RAYTRACE),
+            RAYTRACE,
+            Shading.Model.values()),
+
+    /** Paths from the lights: the paper's other direction. */
+    LIGHT(
+            "light",
+            "paths from the lights, connected to the eye wherever they are scattered",
+            List.of(),
+            null,
+            Shading.Model.PHYSICAL),
 
     /** Paths from both ends: for light that is hard to find from the eye. */
     BIDIRECTIONAL(
             "bidirectional",
             "paths from the eye and from lights, each vertex of one connected to each of the other",
             List.of(),
-            null);
+            null,
+            Shading.Model.PHYSICAL);
 
     /** All of them, in order. */
     public static final List<Method> ALL = List.of(values());
@@ -34,12 +46,26 @@ public enum BuiltInMethod implements Method {
     private final String description;
     private final List<MethodSetting> settings;
     private final Method standIn;
+    private final Set<Shading.Model> shadings;
 
-    BuiltInMethod(String word, String description, List<MethodSetting> settings, Method standIn) {
+    BuiltInMethod(
+            String word, String description, List<MethodSetting> settings, Method standIn, Shading.Model... shadings) {
         this.word = word;
         this.description = description;
         this.settings = settings;
         this.standIn = standIn;
+        this.shadings = Set.of(shadings);
+    }
+
+    /** Those that can render scenes of a shading, in order. */
+    public static List<BuiltInMethod> rendering(Shading.Model model) {
+        List<BuiltInMethod> able = new ArrayList<>();
+        for (BuiltInMethod method : values()) {
+            if (method.shadings.contains(model)) {
+                able.add(method);
+            }
+        }
+        return List.copyOf(able);
     }
 
     @Override
@@ -59,9 +85,7 @@ public enum BuiltInMethod implements Method {
 
     @Override
     public Set<Shading.Model> shadings() {
-        return this == BIDIRECTIONAL
-                ? Set.of(Shading.Model.PHYSICAL)
-                : Set.of(Shading.Model.CLASSIC, Shading.Model.PHYSICAL);
+        return shadings;
     }
 
     @Override

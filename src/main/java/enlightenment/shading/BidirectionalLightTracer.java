@@ -2,7 +2,6 @@ package enlightenment.shading;
 
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.EyeProjection;
 import enlightenment.compiled.LightStarts;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatBatch;
@@ -17,8 +16,7 @@ public final class BidirectionalLightTracer {
     public static final double PATHS_PER_SAMPLE = 1;
 
     private final LightSubpath light;
-    private final EyeProjection eye;
-    private final SegmentRays segments;
+    private final EyeConnection eye;
     private final ReverseDensity reverse = new ReverseDensity();
     private final PathSampler sampler;
     private final int width;
@@ -44,8 +42,7 @@ public final class BidirectionalLightTracer {
         this.width = width;
         this.height = height;
         light = new LightSubpath(scene, new LightStarts(scene, false), counters);
-        eye = new EyeProjection(scene.camera);
-        segments = new SegmentRays(scene, counters, light.path);
+        eye = new EyeConnection(scene, counters, light.path, true);
         sampler = new PathSampler(seed);
     }
 
@@ -104,42 +101,24 @@ public final class BidirectionalLightTracer {
 
     /** Adds what the eye sees of the path's light at the surface that it is at. */
     private void connect() {
-        if (!eye.project(light.path.hit.px, light.path.hit.py, light.path.hit.pz)
-                || out != null && !out.covers(eye.x * width, eye.y * height)) {
+        if (!eye.project() || out != null && !out.covers(eye.x() * width, eye.y() * height)) {
             return;
         }
         Scattering s = light.s;
-        s.ix = eye.dx;
-        s.iy = eye.dy;
-        s.iz = eye.dz;
-        light.bsdf.evaluate(s);
-        if (!(s.valueR > 0 || s.valueG > 0 || s.valueB > 0)) {
+        if (!eye.sees(light.bsdf, s, light.isBorder ? light.color : null)) {
             return;
         }
-        double cosine = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz;
-        boolean passes = cosine < 0;
-        segments.begin(light.isBorder, passes);
-        double length = Math.sqrt(eye.toEyeX * eye.toEyeX + eye.toEyeY * eye.toEyeY + eye.toEyeZ * eye.toEyeZ);
-        if (!segments.reaches(eye.dx, eye.dy, eye.dz, length)) {
-            return;
-        }
-        double[] through = segments.rgb;
-        if (light.isBorder && passes) {
-            through[0] *= light.color[0];
-            through[1] *= light.color[1];
-            through[2] *= light.color[2];
-        }
+        double weight = weight(Math.abs(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz));
         int vertices = light.vertices.size() + 1;
-        double weight = weight(Math.abs(cosine));
-        double f = eye.importance * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
+        double f = eye.importance() * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
         add(
-                f * through[0] * s.valueR * light.red,
-                f * through[1] * s.valueG * light.green,
-                f * through[2] * s.valueB * light.blue);
+                f * eye.through[0] * s.valueR * light.red,
+                f * eye.through[1] * s.valueG * light.green,
+                f * eye.through[2] * s.valueB * light.blue);
     }
 
     private double weight(double cosine) {
-        double seen = eye.importance * cosine / PATHS_PER_SAMPLE;
+        double seen = eye.importance() * cosine / PATHS_PER_SAMPLE;
         double back = light.survival * reverse.of(light.bsdf, light.s);
         return SubpathDensities.weight(SubpathDensities.square(seen) * light.densities.behind(back), 0);
     }
@@ -148,7 +127,7 @@ public final class BidirectionalLightTracer {
         if (out == null) {
             brought += (r + g + b) / 3;
         } else {
-            out.add(eye.x * width, eye.y * height, r, g, b);
+            out.add(eye.x() * width, eye.y() * height, r, g, b);
         }
     }
 }

@@ -3,9 +3,7 @@ package enlightenment.shading;
 import enlightenment.compiled.CausticPass;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.emitter.AreaLight;
-import enlightenment.emitter.SurfacePoint;
 import enlightenment.frame.BallCone;
-import enlightenment.frame.Basis;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Warp;
 
@@ -17,42 +15,24 @@ import enlightenment.sampling.Warp;
  * <p>A ball apart from all things is seen as a beam: a direction in the cone around its centre that holds all lines from it to the
  * thing's ball, and a point of the disk across it. Then nothing is lost by the cosine at the light.
  */
-final class CausticSource {
+final class CausticSource extends PathSource {
     /** Beyond this solid angle of a ball directions are chosen as light emits. */
     private static final double WIDE = 1;
 
     private final CausticPass pass;
     private final BallCone cone = new BallCone();
-    private final Basis basis = new Basis();
-    private final SurfacePoint point = new SurfacePoint();
-    private final double[] disk = new double[3];
-
-    /** The direction. */
-    private double dx;
-
-    private double dy;
-    private double dz;
-
-    /** The power that a path with these numbers brings, over the density of these: by band. */
-    double red;
-
-    double green;
-    double blue;
-
-    /** The light that the path leaves. */
-    int light;
 
     CausticSource(CausticPass pass) {
         this.pass = pass;
     }
 
-    /**
-     * Starts a path.
-     *
-     * @param ray receives its first ray
-     * @param numbers of the unit cube: one for the pair, two for the point on the light, two for the direction, one for the side
-     * @return false if no light goes this way
-     */
+    @Override
+    int[] media() {
+        return pass.mediaAround(light);
+    }
+
+    /** Takes one number for the pair, two for the point on the light, two for the direction, one for the side. */
+    @Override
     boolean emit(double[] numbers, Ray ray) {
         int pair = pass.choose(numbers[0]);
         light = pair / pass.things;
@@ -166,17 +146,6 @@ final class CausticSource {
         Warp.toDisk(numbers[3], numbers[4], disk);
         double up = Math.sqrt(Math.max(1 - disk[2], 0));
         direct(point.nx, point.ny, point.nz, disk[0], disk[1], both && numbers[5] < 0.5 ? -up : up);
-    }
-
-    private void direct(double wx, double wy, double wz, double a, double b, double c) {
-        basis.around(wx, wy, wz);
-        dx = Math.fma(a, basis.ax, Math.fma(b, basis.bx, c * wx));
-        dy = Math.fma(a, basis.ay, Math.fma(b, basis.by, c * wy));
-        dz = Math.fma(a, basis.az, Math.fma(b, basis.bz, c * wz));
-        double scale = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
-        dx *= scale;
-        dy *= scale;
-        dz *= scale;
     }
 
     private double coneDensity(int s, int chosen, double wider, double x, double y, double z) {

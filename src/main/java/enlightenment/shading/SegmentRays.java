@@ -8,12 +8,10 @@ import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
 /**
- * Whether a vertex of a path sees a place on another surface, or one in free space, and what of light the medium on the way and glass that
+ * Whether a vertex of a path sees a place on another surface, and what of light the medium on the way and glass that
  * does not turn rays let pass. Paths pass the same surfaces by the same rules.
  */
 final class SegmentRays {
-    private static final int FREE = -1;
-
     private final PathFollower path;
     private final GlassTracer glass;
     private final Hit hit;
@@ -65,18 +63,12 @@ final class SegmentRays {
         endFace = face;
         path.poll.tick();
         start();
-        boolean open = id == FREE ? !path.tracer.occluded(ray, length) : path.tracer.joins(ray, length, id, face);
         Arrays.fill(rgb, 1);
-        if (open) {
+        if (path.tracer.joins(ray, length, id, face)) {
             absorb(absorbs ? path.medium(isBeyond) : null, length);
             return true;
         }
         return walk != null && walks();
-    }
-
-    /** The same of a place in free space. */
-    boolean reaches(double x, double y, double z, double distance) {
-        return reaches(x, y, z, distance, FREE, 0);
     }
 
     private void start() {
@@ -110,7 +102,7 @@ final class SegmentRays {
     }
 
     private boolean isEnd(double left) {
-        return endId != FREE && path.tracer.isEnd(ray, left, walk.id, walk.hit, endId, endFace);
+        return path.tracer.isEnd(ray, left, walk.id, walk.hit, endId, endFace);
     }
 
     private void absorb(SurfaceMaterial medium, double distance) {

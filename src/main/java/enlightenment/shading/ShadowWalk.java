@@ -25,7 +25,8 @@ final class ShadowWalk {
     /**
      * Whether the ray comes to the light.
      *
-     * @param ray of a direction of length 1; is changed
+     * @param light what it goes to; null for the eye
+     * @param ray is changed
      * @param distance to the point of the light
      * @param path the path whose vertex it leaves, into the medium that the path is in
      * @param isBehind whether it leaves it into the medium behind a rough border instead
@@ -35,22 +36,23 @@ final class ShadowWalk {
             PhysicalLight light, Ray ray, double distance, PathFollower path, boolean isBehind, double[] through) {
         rgb = through;
         Arrays.fill(rgb, 1);
+        boolean isPoint = light == null || light.isPoint;
         follower.beginShadow(path, isBehind);
         double left = distance;
         while (true) {
             SurfaceMaterial medium = absorbs ? follower.medium() : null;
             PathFollower.Event event = follower.next(ray);
-            boolean isBeyond = event == PathFollower.Event.NOTHING || light.isPoint && follower.distance(ray) >= left;
+            boolean isBeyond = event == PathFollower.Event.NOTHING || isPoint && follower.distance(ray) >= left;
             double length = isBeyond ? left : follower.distance(ray);
             if (medium != null && medium.absorbs) {
                 absorb(medium, length);
             }
             if (isBeyond) {
-                return light.isPoint;
+                return isPoint;
             }
             left -= length;
-            if (event == PathFollower.Event.SURFACE || light.isPoint) {
-                if (isOn(light, ray, left)) {
+            if (event == PathFollower.Event.SURFACE || isPoint) {
+                if (light != null && isOn(light, ray, left)) {
                     return true;
                 }
             }

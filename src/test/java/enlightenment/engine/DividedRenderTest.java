@@ -12,7 +12,7 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
@@ -24,7 +24,6 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 
 class DividedRenderTest {
     private static final Scene SCENE = TestScenes.whiteFireAndIce().build();
@@ -43,7 +42,7 @@ class DividedRenderTest {
     }
 
     @ParameterizedTest
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void tilesInAnyOrderMakeThePictureAndTheCountsOfTheRenderer(Method method) {
         RenderSettings settings = settings(method);
         DividedRender tiled = tiled(settings);

@@ -52,7 +52,7 @@ class TradeTest {
             "the test's scene");
 
     private final TradeSettings settings = TradeSettings.of(
-                    RenderSettings.of(scene).withThreads(1), "two balls")
+                    RenderSettings.of(scene).withThreads(1), scene.shading().model(), "two balls")
             .withBudgetSeconds(NO_TIME)
             .withSeeds(2);
 
@@ -94,7 +94,7 @@ class TradeTest {
     void ofPhysicalLightErrorsAreThoseOfWhatIsShown() throws IOException {
         Scene room = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
         RenderSettings base = RenderSettings.of(room).withSize(12, 12).withThreads(1);
-        TradeSettings what = TradeSettings.of(base, "a room")
+        TradeSettings what = TradeSettings.of(base, room.shading().model(), "a room")
                 .withMethods(List.of("raytrace"))
                 .withBudgetSeconds(NO_TIME)
                 .withSeeds(1);

@@ -7,7 +7,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
-import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -16,7 +16,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 
 /** Plans for a time, by a clock that ticks each time it is read: on one thread they do not depend on the machine. */
 class TimePlannerTest {
@@ -47,14 +46,14 @@ class TimePlannerTest {
     }
 
     @ParameterizedTest
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void theSameClockGivesTheSamePlanAndAFasterMachineMoreSamples(Method method) {
         assertPlans(method, 400_000, 100_000);
     }
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void soItIsOnMachinesTenTimesAsFast(Method method) {
         assertPlans(method, 100_000, 10_000);
     }

@@ -12,6 +12,7 @@ import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
 import java.util.List;
@@ -44,7 +45,7 @@ class CancelledRenderTest {
 
     @Test
     void whateverIsPlannedOrRendered() {
-        for (Method method : BuiltInMethod.ALL) {
+        for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
             for (Budget budget : BUDGETS) {
                 for (int patience : new int[] {1, 7, 60}) {
                     AtomicInteger asked = new AtomicInteger();

@@ -15,7 +15,7 @@ import enlightenment.math.Vec3;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
-import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
@@ -30,7 +30,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Scenes and sizes at the borders of what there is. */
@@ -159,7 +158,7 @@ class ClusterEdgeCasesTest {
     }
 
     @ParameterizedTest
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void aPictureOfNothingIsItsBackgroundExactlyAndHasNoError(Method method) {
         Scene scene = Scene.builder()
                 .size(20, 11)

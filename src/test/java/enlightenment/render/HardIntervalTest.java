@@ -9,6 +9,7 @@ import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -34,7 +35,7 @@ class HardIntervalTest {
         RenderSettings fine = base.withMethod(Method.RAYTRACE).withThreads(2).withSeed(987654321);
         double[] truth = ManySeeds.render(scene, fine.withBudget(Budget.NONE.withSamples(finest)))
                 .rgb();
-        for (Method method : BuiltInMethod.ALL) {
+        for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
             for (double samples : numbers) {
                 if (samples > FEW || method == Method.RAYTRACE) {
                     RenderSettings s = base.withMethod(method).withBudget(Budget.NONE.withSamples(samples));

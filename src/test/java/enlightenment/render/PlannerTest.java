@@ -9,10 +9,12 @@ import enlightenment.render.ManySeeds.Picture;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -21,7 +23,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A budget is kept, says which part of it was decisive, and can be written as a number of samples. */
@@ -117,7 +118,7 @@ class PlannerTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void theErrorThatIsAskedForIsKeptAndNotFarUndercut(Method method) {
         int seeds = 20;
         List<String> failures = new ArrayList<>();
@@ -195,7 +196,7 @@ class PlannerTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void soItDoesWithMoreBudgets(Method method) {
         assertReplayed(
                 method,
@@ -213,7 +214,7 @@ class PlannerTest {
     @ValueSource(doubles = {1, 12.341})
     void aNumberOfSamplesIsDecisiveWhereTheErrorCannotBeReached(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        for (Method method : BuiltInMethod.ALL) {
+        for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
             RenderSettings s = settings(scene, method, 32, 16)
                     .withBudget(Budget.NONE.withError(1e-7).withSamples(samples));
             RenderReport p = render(scene, s).report();
@@ -269,7 +270,7 @@ class PlannerTest {
     @Test
     void anErrorThatIsReachedAtOnceTakesTheFewestSamples() {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        for (Method method : BuiltInMethod.ALL) {
+        for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
             RenderSettings s = settings(scene, method, 64, 32).withBudget(Budget.NONE.withError(0.9));
             Picture p = ManySeeds.render(scene, s);
             assertEquals("error", p.sampling().decidedBy(), method.word());

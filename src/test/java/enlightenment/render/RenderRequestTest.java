@@ -15,6 +15,7 @@ import enlightenment.math.Vec3;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
@@ -31,7 +32,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 
 class RenderRequestTest {
     private static final Set<Auxiliary> ALL = EnumSet.range(Auxiliary.ERROR, Auxiliary.OBJECT);
@@ -98,7 +98,7 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void countsAndErrorsAgreeWithTheReport(Method method) {
         RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(12));
         RenderResult result = Renderer.render(
@@ -206,7 +206,7 @@ class RenderRequestTest {
     }
 
     @ParameterizedTest
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void aTimeBecomesANumberOfSamplesThatMakesTheSamePicture(Method method) {
         RenderSettings settings = QUICK.withMethod(method).with(new RayTraceSettings(1));
         AtomicReference<String> told = new AtomicReference<>();
@@ -239,7 +239,7 @@ class RenderRequestTest {
     /** A 64th of these samples would take an hour. */
     @ParameterizedTest
     @Timeout(600)
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void theFirstPassCostsTheSameWhateverIsAskedFor(Method method) {
         AtomicBoolean stop = new AtomicBoolean();
         RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(Budget.MAX_SAMPLES));

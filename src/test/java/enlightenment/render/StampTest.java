@@ -19,7 +19,7 @@ import enlightenment.math.Vec3;
 import enlightenment.picture.Rounding;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
-import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
@@ -33,7 +33,6 @@ import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * A picture that is black but for one small stamp of fine stripes: most trials miss it, and few pixels carry the error. What was
@@ -141,7 +140,7 @@ class StampTest {
     }
 
     @ParameterizedTest
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void theErrorIsKeptWithNearlyAllSeedsAndNeverSaidToBeMetByAnEstimateAboveIt(Method method) {
         // One in forty is allowed to be above: of 5, two or more have a probability of 0.6 %.
         errorIsKept(method, 5, 1);
@@ -149,7 +148,7 @@ class StampTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void theErrorIsKeptWithNearlyAllOfManySeeds(Method method) {
         // One in forty is allowed to be above: of 16, three or more have a probability of 0.7 %.
         errorIsKept(method, 16, 2);
@@ -175,14 +174,14 @@ class StampTest {
 
     /** Whatever rounds there were: the last is the picture of its number of samples, to the last bit. */
     @ParameterizedTest
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void aPictureOfSeveralRoundsIsThatOfItsSamples(Method method) {
         severalRounds(method, 2);
     }
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void picturesOfSeveralRoundsWithMoreSeedsAreThoseOfTheirSamples(Method method) {
         severalRounds(method, 4);
     }
@@ -281,7 +280,7 @@ class StampTest {
 
     /** The stamp is an eighth of the crop and a 128th of the picture: as an error of the crop, the same is eleven times as hard. */
     @ParameterizedTest
-    @EnumSource(BuiltInMethod.class)
+    @ClassicMethods
     void ofACropItsOwnErrorCounts(Method method) {
         Image truth = truth(CROP);
         double asked = 0.02;

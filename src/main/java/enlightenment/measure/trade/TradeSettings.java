@@ -6,6 +6,7 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -72,10 +73,16 @@ public record TradeSettings(
         }
     }
 
-    /** All methods of this program, {@link #BUDGET_SECONDS}, {@link #SEEDS}, no sweeps, and a reference to be made. */
-    public static TradeSettings of(RenderSettings base, String sceneKey) {
+    /** All methods of this program that can render a shading, {@link #BUDGET_SECONDS}, {@link #SEEDS}, no sweeps, and a reference to be made. */
+    public static TradeSettings of(RenderSettings base, Shading.Model shading, String sceneKey) {
         return new TradeSettings(
-                base, Method.words(BuiltInMethod.ALL), BUDGET_SECONDS, SEEDS, List.of(), Optional.empty(), sceneKey);
+                base,
+                Method.words(BuiltInMethod.rendering(shading)),
+                BUDGET_SECONDS,
+                SEEDS,
+                List.of(),
+                Optional.empty(),
+                sceneKey);
     }
 
     /** The same with another list of {@link #methods}. */

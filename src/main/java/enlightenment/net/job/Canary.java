@@ -53,7 +53,7 @@ public final class Canary {
     private static ContentHash compute() {
         Scene scene = SceneReader.readString(SCENE, Path.of(""), "canary");
         MessageDigest digest = ContentHash.sha256();
-        for (Method method : BuiltInMethod.ALL) {
+        for (Method method : BuiltInMethod.rendering(scene.shading().model())) {
             RenderSettings settings = RenderSettings.of(scene)
                     .withMethod(method)
                     .withAntialias(1)

@@ -10,6 +10,7 @@ import enlightenment.measure.analysis.SyntheticImages;
 import enlightenment.measure.analysis.SyntheticRuns;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -17,11 +18,13 @@ import org.junit.jupiter.api.function.Executable;
 
 class TradeSettingsTest {
     private static final TradeSettings USUAL =
-            TradeSettings.of(SyntheticRuns.settings().base(), "a scene");
+            TradeSettings.of(SyntheticRuns.settings().base(), Shading.Model.CLASSIC, "a scene");
 
     @Test
-    void theUsualSettingsCompareAllMethodsOfThisProgram() {
-        assertEquals(Method.words(BuiltInMethod.ALL), USUAL.methods());
+    void theUsualSettingsCompareAllMethodsOfThisProgramThatCanRenderTheScene() {
+        assertEquals(Method.words(BuiltInMethod.rendering(Shading.Model.CLASSIC)), USUAL.methods());
+        TradeSettings physical = TradeSettings.of(USUAL.base(), Shading.Model.PHYSICAL, "a scene");
+        assertEquals(Method.words(BuiltInMethod.rendering(Shading.Model.PHYSICAL)), physical.methods());
         assertTrue(USUAL.reference().isEmpty() && USUAL.sweeps().isEmpty());
     }
 

@@ -1,0 +1,108 @@
+package enlightenment.shading;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.EyeProjection;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.primitive.Ray;
+import java.util.Arrays;
+
+/** What the eye sees of light that a path brings to the surface that it is at. A mutable work object, one per thread. */
+final class EyeConnection {
+    private final PathFollower path;
+    private final EyeProjection eye;
+    private final boolean absorbs;
+
+    /** Follows rays to the eye through glass that does not turn them; null if there is none, or it hides. */
+    private final ShadowWalk walk;
+
+    private final Ray ray = new Ray();
+
+    /** What comes through on the way to the eye, by band. */
+    final double[] through = new double[3];
+
+    /** @param passesGlass whether light that glass does not turn comes to the eye */
+    EyeConnection(CompiledScene scene, RayCounters counters, PathFollower path, boolean passesGlass) {
+        this.path = path;
+        eye = new EyeProjection(scene.camera);
+        absorbs = scene.physical.hasAbsorption;
+        walk = passesGlass && scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
+    }
+
+    /** The place in the picture, 0..1 from the left. */
+    double x() {
+        return eye.x;
+    }
+
+    /** From above, 0..1. */
+    double y() {
+        return eye.y;
+    }
+
+    /** The share of the picture per unit of what scatters light there ({@link EyeProjection#importance}). */
+    double importance() {
+        return eye.importance;
+    }
+
+    /** Finds the place where the surface's point is seen, if nothing hides it; returns whether it is in the picture. */
+    boolean project() {
+        return eye.project(path.hit.px, path.hit.py, path.hit.pz);
+    }
+
+    /**
+     * Whether light goes from there to the eye, and how much of it is left there ({@link #through}).
+     *
+     * @param s the surface, which light comes to from o; receives the direction to the eye and what the surface's Bsdf says of it
+     * @param tint of what passes a rough border; null if the surface is none
+     */
+    boolean sees(Bsdf bsdf, Scattering s, double[] tint) {
+        s.ix = eye.dx;
+        s.iy = eye.dy;
+        s.iz = eye.dz;
+        bsdf.evaluate(s);
+        if (!(s.valueR > 0 || s.valueG > 0 || s.valueB > 0)) {
+            return false;
+        }
+        boolean isBeyond = tint != null && s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0;
+        Arrays.fill(through, 1);
+        if (isHidden(tint != null, isBeyond)) {
+            return false;
+        }
+        for (int c = 0; isBeyond && c < through.length; c++) {
+            through[c] *= tint[c];
+        }
+        return true;
+    }
+
+    private boolean isHidden(boolean isBorder, boolean isBeyond) {
+        path.poll.tick();
+        double length = Math.sqrt(eye.toEyeX * eye.toEyeX + eye.toEyeY * eye.toEyeY + eye.toEyeZ * eye.toEyeZ);
+        start(isBorder, isBeyond);
+        if (!path.tracer.occluded(ray, 1)) {
+            SurfaceMaterial medium = absorbs ? path.medium(isBeyond) : null;
+            if (medium != null && medium.absorbs) {
+                through[0] = StrictMath.exp(-medium.absorptionR * length);
+                through[1] = StrictMath.exp(-medium.absorptionG * length);
+                through[2] = StrictMath.exp(-medium.absorptionB * length);
+            }
+            return false;
+        }
+        if (walk == null) {
+            return true;
+        }
+        start(isBorder, isBeyond);
+        return !walk.reaches(null, ray, length, path, isBeyond, through);
+    }
+
+    private void start(boolean isBorder, boolean isBeyond) {
+        ray.set(path.hit.px, path.hit.py, path.hit.pz, eye.toEyeX, eye.toEyeY, eye.toEyeZ, 0);
+        ray.from(path.hit.primitive, isBeyond ? -path.hit.side : path.hit.side);
+        if (isBorder) {
+            path.glass.startAtBorder(ray, isBeyond);
+        } else if (path.glass.surfaces() > 1) {
+            path.glass.startOnAll(ray);
+        }
+    }
+}

@@ -1,0 +1,293 @@
+package enlightenment.shading;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.PhysicalScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.film.SplatBatch;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Hash;
+import enlightenment.sampling.Sobol;
+import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Follows paths of light from where a {@link PathSource} starts them; at each surface that scatters light other than into single
+ * directions they are connected to the eye (J. Arvo, "Backward ray tracing", 1986; P. Dutré, E. Lafortune, Y. Willems, 1993).
+ *
+ * <p>What is followed is importance the other way round: at a border of glass it does not change with the index of refraction.
+ */
+abstract class LightWalker {
+    final PhysicalScene physical;
+    final PathFollower path;
+    final PathSource source;
+    final Ray ray = new Ray();
+
+    private final long seed;
+    private final int width;
+    private final int height;
+    private final EyeConnection eye;
+    private final double[] numbers = new double[PathSource.NUMBERS];
+    private final double[] surface = new double[3];
+    private final double[] pair = new double[2];
+    private final Scattering border = new Scattering();
+
+    /** Where light is put; null if only its sum is wanted. */
+    private SplatBatch out;
+
+    private double brought;
+
+    /** The power that the path carries. */
+    double red;
+
+    double green;
+    double blue;
+
+    /** What is faint. */
+    private double faint;
+
+    /** All numbers of the path after its first ray come from this. */
+    private long hash;
+
+    /** How many scattering events the path has left behind. */
+    int events;
+
+    /** How many surfaces it passed straight. */
+    private int pieces;
+
+    /** Whether only light counts that mirrors or smooth glass send to a surface first: the rest is found by others. */
+    private final boolean onlyCaustics;
+
+    /** Whether the path's light counts. */
+    private boolean counts;
+
+    /**
+     * For one thread.
+     *
+     * @param seed of all random numbers of these paths, and of no others
+     * @param width of the whole picture in pixels
+     * @param height of the whole picture in pixels
+     * @param counters what this thread counts
+     */
+    LightWalker(
+            CompiledScene scene,
+            PathSource source,
+            boolean onlyCaustics,
+            long seed,
+            int width,
+            int height,
+            RayCounters counters) {
+        this.seed = seed;
+        this.width = width;
+        this.height = height;
+        this.source = source;
+        this.onlyCaustics = onlyCaustics;
+        physical = scene.physical;
+        path = new PathFollower(scene, counters, physical.maxBounces);
+        eye = new EyeConnection(scene, counters, path, !onlyCaustics);
+    }
+
+    /** Ends {@link #trace} by a {@link java.util.concurrent.CancellationException} soon after this becomes true. */
+    public final void stopWhen(BooleanSupplier condition) {
+        path.poll.stopWhen(condition);
+    }
+
+    /** Follows the path with this number and adds what it brings to the picture. */
+    public final void trace(long number, SplatBatch to) {
+        out = to;
+        follow(number);
+    }
+
+    private boolean follow(long number) {
+        draw(number);
+        if (!source.emit(numbers, ray)) {
+            return false;
+        }
+        red = source.red;
+        green = source.green;
+        blue = source.blue;
+        faint = PathValue.FAINT * Math.max(red, Math.max(green, blue));
+        events = 0;
+        pieces = 0;
+        counts = !onlyCaustics;
+        path.beginAtLight(ray, source.media());
+        while (step()) {
+            events++;
+        }
+        return true;
+    }
+
+    /**
+     * What a path contributes to the picture in the mean ({@link enlightenment.film.SplatBatch#add}), by some paths with numbers of their
+     * own; positive, even if none of them reaches the eye, unless nothing shines.
+     */
+    public final double meanContribution(int paths) {
+        out = null;
+        brought = 0;
+        double power = 0;
+        for (int i = 1; i <= paths; i++) {
+            power += follow(-i) ? source.red + source.green + source.blue : 0;
+        }
+        // In the frame lengths are about 1, and so is the importance of what the eye sees.
+        double least = power / (paths * (double) paths);
+        return Math.min(Math.max(brought / paths, least), Double.MAX_VALUE);
+    }
+
+    /** The numbers of the first ray: each two of them from a sequence that fills their square evenly. */
+    private void draw(long number) {
+        hash = Hash.of(seed, number);
+        long sequence = Hash.of(seed, -1 - (number >>> 32));
+        for (int k = 0; k < numbers.length; k += 2) {
+            long s = Hash.of(sequence, k);
+            int index = Sobol.shuffled((int) number, Hash.mix(s));
+            numbers[k] = Sobol.x(index, s);
+            numbers[k + 1] = Sobol.y(index, s);
+        }
+    }
+
+    private double unit(long purpose) {
+        return Hash.unit(Hash.of(hash, ((long) pieces << Integer.SIZE) + events, purpose));
+    }
+
+    /** Follows the ray to the next event; returns whether the path goes on. */
+    private boolean step() {
+        SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
+        PathFollower.Event event = path.next(ray);
+        if (event == PathFollower.Event.NOTHING || !path.mayScatter()) {
+            return false;
+        }
+        if (medium != null && medium.absorbs) {
+            absorb(medium, path.distance(ray));
+        }
+        return event == PathFollower.Event.SURFACE ? surface() : glass();
+    }
+
+    /** At an opaque surface. */
+    private boolean surface() {
+        SurfaceMaterial material = path.material();
+        if (material.isBlack || !counts && !material.isDelta) {
+            return false;
+        }
+        counts = true;
+        path.color(material, surface);
+        return scatter(material.bsdf);
+    }
+
+    private boolean scatter(Bsdf bsdf) {
+        Scattering s = path.arrive(ray, surface);
+        if (!bsdf.isDelta()) {
+            connect(bsdf, s, null);
+        }
+        if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
+            return false;
+        }
+        path.leave(ray, s);
+        return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
+    }
+
+    /**
+     * Adds what the eye sees of the path's light at the surface that it is at.
+     *
+     * @param tint of what passes, at a rough border; null elsewhere
+     */
+    private void connect(Bsdf bsdf, Scattering s, double[] tint) {
+        if (!eye.project() || out != null && !out.covers(eye.x() * width, eye.y() * height)) {
+            return;
+        }
+        if (!eye.sees(bsdf, s, tint)) {
+            return;
+        }
+        double r = red * s.valueR * eye.importance() * eye.through[0];
+        double g = green * s.valueG * eye.importance() * eye.through[1];
+        double b = blue * s.valueB * eye.importance() * eye.through[2];
+        if (out == null) {
+            brought += (r + g + b) / 3;
+        } else {
+            out.add(eye.x() * width, eye.y() * height, r, g, b);
+        }
+    }
+
+    /** At a border of glass, or at a pane. */
+    private boolean glass() {
+        if (physical.hasPartialGlass) {
+            int opaque = path.glass.opaque(unit(5));
+            if (opaque >= 0) {
+                path.turnTo(opaque);
+                path.color(path.material(), surface);
+                return counts && scatter(Lambert.INSTANCE);
+            }
+        }
+        if (physical.hasRoughGlass) {
+            if (!onlyCaustics) {
+                connectAtBorder();
+            }
+            pair[0] = unit(1);
+            pair[1] = unit(2);
+        }
+        path.glass.choose(unit(3), pair);
+        boolean through = path.cross(ray);
+        Arrays.fill(surface, path.glass.weight());
+        if (through) {
+            path.filter(surface);
+        }
+        if (path.glass.passedStraight()) {
+            // No event: a path may be cut into any number of pieces. Paths from the eye find such light by shadow rays.
+            events--;
+            pieces++;
+            filter(surface[0], surface[1], surface[2]);
+            return path.goesOn();
+        }
+        // Light that comes to rough glass straight is found there by shadow rays.
+        if (!counts && !path.glass.border.delta) {
+            return false;
+        }
+        counts = true;
+        return filterAndSurvive(surface[0], surface[1], surface[2]) && path.goesOn();
+    }
+
+    private void connectAtBorder() {
+        Bsdf bsdf = path.roughBorder(ray, border);
+        if (bsdf != null) {
+            Arrays.fill(surface, 1);
+            path.filter(surface);
+            path.turnTo(0);
+            connect(bsdf, border, surface);
+        }
+    }
+
+    private void filter(double r, double g, double b) {
+        red *= r;
+        green *= g;
+        blue *= b;
+    }
+
+    /** Multiplies by the weight of an event, and plays roulette by it as {@link PathValue} does. */
+    private boolean filterAndSurvive(double r, double g, double b) {
+        filter(r, g, b);
+        double most = Math.max(red, Math.max(green, blue));
+        if (events + 1 < PathValue.ROULETTE_FROM && most >= faint) {
+            return true;
+        }
+        if (!(most > 0)) {
+            return false;
+        }
+        double survival = PathValue.survival(r, g, b);
+        if (!(unit(4) < survival)) {
+            return false;
+        }
+        red /= survival;
+        green /= survival;
+        blue /= survival;
+        return true;
+    }
+
+    /** By Beer and Lambert's law, on the way to what the path has come to. */
+    private void absorb(SurfaceMaterial medium, double length) {
+        red *= StrictMath.exp(-medium.absorptionR * length);
+        green *= StrictMath.exp(-medium.absorptionG * length);
+        blue *= StrictMath.exp(-medium.absorptionB * length);
+    }
+}

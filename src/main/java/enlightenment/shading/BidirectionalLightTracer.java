@@ -51,6 +51,11 @@ public final class BidirectionalLightTracer {
         strategies = by;
     }
 
+    /** The path that was followed last. */
+    LightSubpath light() {
+        return light;
+    }
+
     /** Ends {@link #trace} by a {@link java.util.concurrent.CancellationException} soon after this becomes true. */
     public void stopWhen(BooleanSupplier condition) {
         light.path.poll.stopWhen(condition);

@@ -44,6 +44,16 @@ final class BidirectionalLights {
         shadow = new ShadowRays(scene, counters, eye.path, view.cone);
     }
 
+    /** The index of the light that was aimed at. */
+    int light() {
+        return choice.light;
+    }
+
+    /** The point of it. */
+    LightSample sample() {
+        return sample;
+    }
+
     /** The weight of running into a light, which is not the path's first vertex. */
     double weightOfHit() {
         Hit hit = eye.path.hit;

@@ -58,6 +58,11 @@ public final class BidirectionalTracer implements Shader {
         return eye;
     }
 
+    /** What was found by aiming at a light, or running into one. */
+    BidirectionalLights lights() {
+        return lights;
+    }
+
     @Override
     public void beginTile(double x0, double y0, double x1, double y1) {
         eye.path.tracer.beginTile(x0, y0, x1, y1);

@@ -10,7 +10,14 @@ import enlightenment.sampling.Sampler;
 
 /** The part of a path that begins at a light. */
 final class LightSubpath extends Subpath {
-    private final LightSource source;
+    final LightSource source;
+
+    /** Where it begins. */
+    double startX;
+
+    double startY;
+    double startZ;
+
     private final LightView view = new LightView();
     private final LightChoice scratch = new LightChoice();
     private final double[] numbers = new double[PathSource.NUMBERS];
@@ -38,9 +45,9 @@ final class LightSubpath extends Subpath {
             return false;
         }
         begin(source.red, source.green, source.blue);
-        lastX = ray.ox;
-        lastY = ray.oy;
-        lastZ = ray.oz;
+        startX = ray.ox;
+        startY = ray.oy;
+        startZ = ray.oz;
         path.beginAtLight(ray, source.media());
         return true;
     }
@@ -75,9 +82,9 @@ final class LightSubpath extends Subpath {
     /** The density, per area there times the squared distance, with which the path's first point is chosen by whoever aims at the light. */
     private double aimed(Hit at) {
         PhysicalLight l = physical.lights[source.light];
-        double x = at.px - lastX;
-        double y = at.py - lastY;
-        double z = at.pz - lastZ;
+        double x = at.px - startX;
+        double y = at.py - startY;
+        double z = at.pz - startZ;
         double d2 = x * x + y * y + z * z;
         if (l.isPoint) {
             return d2;

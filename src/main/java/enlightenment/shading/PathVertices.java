@@ -39,10 +39,18 @@ final class PathVertices {
         return size;
     }
 
-    /** Adds a vertex at which only delta events happen. */
-    void addDelta() {
+    /**
+     * Adds a vertex at which only delta events happen.
+     *
+     * @param expansion see {@link SubpathDensities#pass}
+     */
+    void addDelta(Hit hit, double expansion) {
         grow();
-        bsdfs[size++] = null;
+        bsdfs[size] = null;
+        int k = size * NUMBERS;
+        set(k + X, hit.px, hit.py, hit.pz);
+        numbers[k + ETA] = expansion;
+        size++;
     }
 
     /**
@@ -116,6 +124,11 @@ final class PathVertices {
         s.green = numbers[n + COLOR + 1];
         s.blue = numbers[n + COLOR + 2];
         s.eta = numbers[n + ETA];
+    }
+
+    /** Of a vertex of a delta event its expansion, of a border of media the relative index of refraction. */
+    double eta(int k) {
+        return numbers[k * NUMBERS + ETA];
     }
 
     double x(int k) {

@@ -96,6 +96,9 @@ abstract class Subpath {
     private final Sampler.Purpose surviving;
     private double choice;
 
+    /** Of the densities what passes a delta event: {@link SubpathDensities#beyond} before the path arrived. */
+    private double beyondDelta;
+
     Subpath(
             CompiledScene scene,
             RayCounters counters,
@@ -196,28 +199,35 @@ abstract class Subpath {
     }
 
     private void arrive() {
-        double cosine = s.ox * s.nx + s.oy * s.ny + s.oz * s.nz;
         Hit at = path.hit;
+        double cosine = SubpathDensities.cosine(s.ox * s.nx + s.oy * s.ny + s.oz * s.nz);
         boolean isDelta = bsdf.isDelta();
-        if (isFirst) {
-            if (isDelta) {
-                beginDensitiesOfDelta();
-            } else {
-                beginDensities(SubpathDensities.cosine(cosine));
-            }
+        if (isFirst && isDelta) {
+            beginDensitiesOfDelta();
+        } else if (isFirst) {
+            beginDensities(cosine);
         }
-        if (!isFirst || isDelta) {
+        beyondDelta = densities.beyond;
+        if (!isFirst) {
             double x = at.px - lastX;
             double y = at.py - lastY;
             double z = at.pz - lastZ;
-            densities.arrive(isFirst ? 0 : x * x + y * y + z * z, cosine);
+            densities.arrive(x * x + y * y + z * z, cosine);
         }
-        if (isDelta || !(survival > 0)) {
-            vertices.addDelta();
+        if (isDelta) {
+            vertices.addDelta(at, 1);
         } else {
             vertices.add(at, path.id, bsdf, s, color, path.bounces(), densities, survival);
             vertices.power(red, green, blue);
         }
+    }
+
+    private void passDelta(double expansion) {
+        if (isFirst) {
+            beginDensitiesOfDelta();
+        }
+        densities.pass(expansion);
+        vertices.addDelta(path.hit, expansion);
     }
 
     private Event glass(Sampler sampler) {
@@ -259,12 +269,8 @@ abstract class Subpath {
             filter(weight[0], weight[1], weight[2]);
             return path.goesOn() ? Event.PASSED : Event.ENDED;
         }
-        if (isFirst) {
-            beginDensitiesOfDelta();
-        }
         Scattering b = path.glass.border;
-        densities.pass(b.ox * b.nx + b.oy * b.ny + b.oz * b.nz, b.ix * b.nx + b.iy * b.ny + b.iz * b.nz);
-        vertices.addDelta();
+        passDelta(b.transmitted ? b.eta * b.eta : 1);
         remember(b, false);
         boolean goes = survives(sampler, survival(weight[0], weight[1], weight[2]));
         address++;
@@ -312,8 +318,8 @@ abstract class Subpath {
         if (s.delta) {
             counters.mirrorRays++;
             survival = survival(s.valueR, s.valueG, s.valueB);
-            // What the cosine of arrival does has been done.
-            densities.pass(1, s.ix * s.nx + s.iy * s.ny + s.iz * s.nz);
+            densities.beyond = beyondDelta;
+            densities.pass(1);
         } else {
             leave(s);
         }

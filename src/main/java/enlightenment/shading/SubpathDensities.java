@@ -54,10 +54,16 @@ final class SubpathDensities {
         edge = square(1 / forward);
     }
 
-    /** It leaves it by a delta event, which is as likely in both directions, and which no connection can make. */
-    void pass(double cosineIn, double cosineOut) {
+    /**
+     * A delta event, which no connection can make. It is as likely in both directions, but refraction narrows what comes from one side and
+     * widens what comes from the other: solid angle times cosine times the squared index of refraction is what does not change. Cosines of
+     * such vertices cancel, so they are not {@linkplain #arrive arrived} at.
+     *
+     * @param expansion the squared index of refraction where the path came from over that where it goes
+     */
+    void pass(double expansion) {
         edge = 0;
-        beyond *= square(cosine(cosineOut) / cosine(cosineIn));
+        beyond *= square(expansion);
     }
 
     /** Of all ways that make the edge before this vertex, and those behind, in another way than this part of the path. */

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
 import enlightenment.render.Welch;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -64,10 +65,15 @@ class NaivePartnerTest {
     }
 
     static void compare(Scene scene, int antialias, int seeds, int pathsOfQuarter) {
-        List<Image> pictures = Rendered.seeds(scene, antialias, 1, seeds);
+        RenderSettings settings = RenderSettings.of(scene).withAntialias(antialias);
+        compare(scene, settings, new NaiveTracer(scene), seeds, pathsOfQuarter);
+    }
+
+    /** Compares pictures of some settings with the paths of a tracer. */
+    static void compare(Scene scene, RenderSettings settings, NaiveTracer tracer, int seeds, int pathsOfQuarter) {
+        List<Image> pictures = Rendered.seeds(scene, settings, 1, seeds);
         List<double[]> ours = new ArrayList<>();
         List<double[]> naive = new ArrayList<>();
-        NaiveTracer tracer = new NaiveTracer(scene);
         for (int quarter = 0; quarter < 4; quarter++) {
             int x = quarter % 2 * HALF;
             int y = quarter / 2 * HALF;

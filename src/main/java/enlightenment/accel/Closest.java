@@ -80,7 +80,11 @@ public final class Closest {
 
     /** As {@link #offer}, for who counts the tests himself. */
     void offerCounted(Ray ray, Primitive p, int candidate) {
-        double s = p.nearest(ray, t);
+        take(ray, p, candidate, p.nearest(ray, t));
+    }
+
+    /** Keeps a crossing of a primitive, if it is the closest. */
+    void take(Ray ray, Primitive p, int candidate, double s) {
         if (s < t || s == t && wins(ray, p, candidate)) {
             t = s;
             id = candidate;

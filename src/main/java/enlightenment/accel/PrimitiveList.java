@@ -18,6 +18,7 @@ public final class PrimitiveList implements Accelerator {
 
     private final int[] numberOfKind;
     private int kindCount;
+    private final QuickTests quick;
 
     private PrimitiveList(Primitive[] primitives, int[] kinds, int size) {
         this.primitives = primitives;
@@ -25,6 +26,7 @@ public final class PrimitiveList implements Accelerator {
         members = new int[primitives.length];
         kindsThere = new int[primitives.length];
         numberOfKind = new int[primitives.length];
+        quick = new QuickTests(primitives.length);
         for (int i = 0; i < size; i++) {
             members[i] = i;
         }
@@ -57,6 +59,7 @@ public final class PrimitiveList implements Accelerator {
         for (int k = 0; k < count; k++) {
             countKind(kinds[members[k]]);
         }
+        quick.set(primitives, members, count);
     }
 
     private void countKind(int kind) {
@@ -77,15 +80,17 @@ public final class PrimitiveList implements Accelerator {
 
     @Override
     public void search(Ray ray, Closest state) {
-        Primitive[] all = primitives;
-        int[] ids = members;
-        int n = size;
-        for (int k = 0; k < n; k++) {
-            int id = ids[k];
-            state.offerCounted(ray, all[id], id);
+        if (!quick.search(ray, state)) {
+            searchAll(ray, state);
         }
         for (int i = 0; i < kindCount; i++) {
             state.count(kindsThere[i], numberOfKind[i]);
+        }
+    }
+
+    private void searchAll(Ray ray, Closest state) {
+        for (int k = 0; k < size; k++) {
+            state.offerCounted(ray, primitives[members[k]], members[k]);
         }
     }
 

@@ -49,20 +49,13 @@ public final class ArchiveTraining {
         String second = folder.resolve("b.png").toString();
         WholeFile.write(Path.of(scene), SCENE);
         int worst = 0;
+        String physical = folder.resolve("physical.json").toString();
+        WholeFile.write(Path.of(physical), SCENE.replaceFirst("\\{", "{ \"shading\": { \"model\": \"physical\" },"));
+        for (Method method : BuiltInMethod.rendering(Shading.Model.PHYSICAL)) {
+            worst = Math.max(worst, render(physical, second, method));
+        }
         for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
-            worst = Math.max(
-                    worst,
-                    run(
-                            "render",
-                            scene,
-                            "-o",
-                            second,
-                            "--method",
-                            method.word(),
-                            "--samples",
-                            "8",
-                            "--progress",
-                            "none"));
+            worst = Math.max(worst, render(scene, second, method));
         }
         for (String[] command : new String[][] {
             {"render", scene, "-o", first, "--stats", "--progress", "plain"},
@@ -76,6 +69,10 @@ public final class ArchiveTraining {
             worst = Math.max(worst, run(command));
         }
         System.exit(worst);
+    }
+
+    private static int render(String scene, String picture, Method method) {
+        return run("render", scene, "-o", picture, "--method", method.word(), "--samples", "8", "--progress", "none");
     }
 
     private static int run(String... command) {

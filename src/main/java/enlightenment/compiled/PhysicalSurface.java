@@ -33,11 +33,11 @@ record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsIn
     static PhysicalSurface of(Material material, SceneFrame frame) {
         Rgb absorption = Rgb.BLACK;
         ThinDielectric pane = null;
-        String look = material.radiance().toString();
+        String look = text(material.radiance());
         if (material instanceof Material.Glass glass) {
             pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
-            look += " " + glass.roughness() + " " + glass.absorption() + " " + glass.multipleScattering();
+            look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
         } else if (material instanceof Material.Matte matte) {
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {
@@ -49,7 +49,12 @@ record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsIn
     /** The surface of a light: black, and opaque. */
     static PhysicalSurface light(Rgb radiance, boolean isTwoSided) {
         return new PhysicalSurface(
-                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, radiance + " " + isTwoSided);
+                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, text(radiance) + " " + isTwoSided);
+    }
+
+    /** A record's own text takes as long as compiling a small scene, when a program has just started. */
+    private static String text(Rgb c) {
+        return c.r() + "," + c.g() + "," + c.b();
     }
 
     private static Bsdf bsdf(Material material) {

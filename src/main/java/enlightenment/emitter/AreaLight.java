@@ -38,6 +38,11 @@ public sealed interface AreaLight permits SphereLight, FlatLight, CurvedLight {
      */
     double irradiance(LightSample s, double nx, double ny, double nz);
 
+    /** Whether it certainly shines towards the receiver, wherever that is turned, and has a closed form. False where in doubt. */
+    default boolean shinesOn(LightSample s) {
+        return false;
+    }
+
     /**
      * As {@link #sample}, but with a density in proportion to the cosine with the unit normal n if there is a way; {@link LightSample#pdf}
      * is the density of whichever was used. {@link #samplesByCosine} says which.

@@ -39,6 +39,11 @@ abstract sealed class FlatLight implements AreaLight permits ParallelogramLight,
         return twoSided ? s.height != 0 : s.height > 0;
     }
 
+    @Override
+    public boolean shinesOn(LightSample s) {
+        return faces(s);
+    }
+
     /** Chooses a point that was sampled evenly over the area, given from the receiver. */
     final void choose(LightSample s, double x, double y, double z) {
         s.toOffset(x, y, z);

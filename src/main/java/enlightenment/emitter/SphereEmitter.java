@@ -47,7 +47,7 @@ public final class SphereEmitter implements Emitter {
         double toCenter = toCenter(view.cone, nx, ny, nz);
         double sine = view.cone.sine;
         if (toCenter >= sine) {
-            return toCenter * (1 - view.cone.oneMinusCosine / 2);
+            return toCenter * (1 - view.cone.oneMinusCosine() / 2);
         }
         return toCenter <= -sine ? 0 : Double.NaN;
     }
@@ -63,10 +63,10 @@ public final class SphereEmitter implements Emitter {
     }
 
     private void sampleCone(EmitterView view) {
-        double down = view.disk[2] * view.cone.oneMinusCosine;
+        double down = view.disk[2] * view.cone.oneMinusCosine();
         double cos = 1 - down;
         // sinθ over the distance from the disk's centre, so that the disk's x and y need not be divided by it.
-        double spread = Math.sqrt(view.cone.oneMinusCosine * (2 - down));
+        double spread = Math.sqrt(view.cone.oneMinusCosine() * (2 - down));
         double s = view.disk[0] * spread;
         double t = view.disk[1] * spread;
         setOffset(view, cos, s, t, down * (2 - down));
@@ -88,7 +88,7 @@ public final class SphereEmitter implements Emitter {
 
     @Override
     public double pdf(EmitterView view) {
-        return view.cone.inside ? 1 / (4 * Math.PI) : 1 / (2 * Math.PI * view.cone.oneMinusCosine);
+        return view.cone.inside ? 1 / (4 * Math.PI) : 1 / (2 * Math.PI * view.cone.oneMinusCosine());
     }
 
     @Override

@@ -44,7 +44,7 @@ public final class SphereLight implements AreaLight {
     }
 
     private static double density(LightSample s) {
-        double density = 1 / (2 * Math.PI * s.cone.oneMinusCosine);
+        double density = 1 / (2 * Math.PI * s.cone.oneMinusCosine());
         return density <= Double.MAX_VALUE ? density : 0;
     }
 

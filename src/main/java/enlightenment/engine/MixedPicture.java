@@ -15,6 +15,12 @@ final class MixedPicture extends PictureFilm {
     /** Whose share of the work the tiles are. */
     private final double shareOfTiles;
 
+    /** The sum of complete parts, since both image and error are asked of it; null before. */
+    private Film total;
+
+    /** How often the parts had changed when it was made. */
+    private long totalOf;
+
     MixedPicture(WorkUnits units, TilePicture tiles, SplatPicture splats, RenderOutline outline) {
         super(units, outline);
         this.tiles = tiles;
@@ -78,12 +84,14 @@ final class MixedPicture extends PictureFilm {
     }
 
     @Override
-    void samplesAreDifferences(boolean are) {
+    synchronized void samplesAreDifferences(boolean are) {
+        total = null;
         tiles.samplesAreDifferences(are);
     }
 
     @Override
-    void samplesAreLost(long number) {
+    synchronized void samplesAreLost(long number) {
+        total = null;
         tiles.samplesAreLost(number);
     }
 
@@ -102,8 +110,16 @@ final class MixedPicture extends PictureFilm {
         return sum().toImage();
     }
 
-    private Film sum() {
-        return tiles.film().plus(splats.film());
+    private synchronized Film sum() {
+        long changes = tiles.changes() + splats.changes();
+        if (total != null && totalOf == changes) {
+            return total;
+        }
+        boolean isLast = isComplete();
+        Film sum = tiles.film().plus(splats.film());
+        total = isLast ? sum : null;
+        totalOf = changes;
+        return sum;
     }
 
     @Override

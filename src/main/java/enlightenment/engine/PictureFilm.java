@@ -18,6 +18,7 @@ public abstract class PictureFilm {
     private final BitSet done = new BitSet();
 
     private int number;
+    private long changes;
 
     PictureFilm(WorkUnits units, RenderOutline outline) {
         this.units = units;
@@ -55,6 +56,7 @@ public abstract class PictureFilm {
     final synchronized boolean mark(int unit) {
         boolean isNew = !done.get(Objects.checkIndex(unit, units.count()));
         done.set(unit);
+        changes++;
         if (isNew) {
             number++;
             count(unit, 1);
@@ -66,11 +68,17 @@ public abstract class PictureFilm {
     final synchronized boolean unmark(int unit) {
         boolean was = done.get(Objects.checkIndex(unit, units.count()));
         done.clear(unit);
+        changes++;
         if (was) {
             number--;
             count(unit, -1);
         }
         return was;
+    }
+
+    /** How often units came or went: while this stays the same, so does a picture that is complete. */
+    final synchronized long changes() {
+        return changes;
     }
 
     /** A unit has come (1) or gone (-1); called under the lock. */

@@ -19,7 +19,7 @@ public final class Film {
     private final DisplayCurve curve;
     private final double[] rgb;
 
-    /** Per pixel; see {@link FilmTile#halves} and {@link FilmTile#quarters}. */
+    /** Per pixel; see {@link FilmTile#halves} and {@link FilmTile#quarters}. Of linear light only where there are one or two samples. */
     private final float[] halves;
 
     private final float[] quarters;
@@ -69,21 +69,30 @@ public final class Film {
     public void put(FilmTile tile) {
         double[] means = new double[QuarterMeans.PER_PIXEL];
         for (int row = tile.y; row < tile.y + tile.height; row++) {
-            int pixel = pixel(tile.x, row);
-            for (int column = tile.x; column < tile.x + tile.width; column++, pixel++) {
-                for (int c = 0; c < 3; c++) {
-                    rgb[3 * pixel + c] = tile.mean(column, row, c);
-                }
-                halves[pixel] = tile.halves(column, row);
-                quarters[pixel] = tile.quarters(column, row);
-                counts[pixel] = tile.count(column, row);
-                if (isLinear()) {
-                    tile.quarterMeans(column, row, means);
-                    keep(pixel, means);
-                }
+            for (int column = tile.x; column < tile.x + tile.width; column++) {
+                put(tile, column, row, means);
             }
         }
         add(tile.surveyRays(), tile.hasKnown(), tile.lostSamples());
+    }
+
+    /** @param means for use */
+    private void put(FilmTile tile, int column, int row, double[] means) {
+        int pixel = pixel(column, row);
+        for (int c = 0; c < 3; c++) {
+            rgb[3 * pixel + c] = tile.mean(column, row, c);
+        }
+        int count = tile.count(column, row);
+        counts[pixel] = count;
+        if (isLinear()) {
+            tile.quarterMeans(column, row, means);
+            keep(pixel, means);
+        }
+        // Of more samples of linear light the figures follow from the quarters, in the end.
+        if (!isLinear() || count <= 2) {
+            halves[pixel] = tile.halves(column, row);
+            quarters[pixel] = tile.quarters(column, row);
+        }
     }
 
     private void keep(int pixel, double[] means) {

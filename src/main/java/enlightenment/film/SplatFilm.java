@@ -15,6 +15,9 @@ import java.util.stream.IntStream;
 public final class SplatFilm {
     static final int GROUPS = 4;
 
+    /** What the upper half of a sum counts. */
+    private static final double HIGH = 1L << Integer.SIZE;
+
     public final int x;
     public final int y;
     public final int width;
@@ -65,21 +68,37 @@ public final class SplatFilm {
             return false;
         }
         long[] to = sums[unit % GROUPS];
-        for (int i = 0; i < batch.pixels.length; i++) {
-            for (int c = 0; c < 3; c++) {
-                if (to[3 * batch.pixels[i] + c] > Long.MAX_VALUE - batch.sums[3 * i + c]) {
-                    throw SplatScale.tooBright(x + batch.pixels[i] % width, y + batch.pixels[i] / width);
-                }
-            }
+        int overflow = firstOverflow(batch.pixels, batch.sums, to);
+        if (overflow >= 0) {
+            throw SplatScale.tooBright(x + overflow % width, y + overflow / width);
         }
-        for (int i = 0; i < batch.pixels.length; i++) {
-            for (int c = 0; c < 3; c++) {
-                to[3 * batch.pixels[i] + c] += batch.sums[3 * i + c];
-            }
-        }
+        add(batch.pixels, batch.sums, to);
         paths[unit % GROUPS] += batch.paths;
         units.set(unit);
         return true;
+    }
+
+    /** The first pixel whose sum would become too large; negative for none. */
+    private static int firstOverflow(int[] pixels, long[] sums, long[] to) {
+        for (int i = 0; i < pixels.length; i++) {
+            int k = 3 * pixels[i];
+            int from = 3 * i;
+            // None is negative: where their sum is, it was too large.
+            if ((to[k] + sums[from] | to[k + 1] + sums[from + 1] | to[k + 2] + sums[from + 2]) < 0) {
+                return pixels[i];
+            }
+        }
+        return -1;
+    }
+
+    private static void add(int[] pixels, long[] sums, long[] to) {
+        for (int i = 0; i < pixels.length; i++) {
+            int k = 3 * pixels[i];
+            int from = 3 * i;
+            to[k] += sums[from];
+            to[k + 1] += sums[from + 1];
+            to[k + 2] += sums[from + 2];
+        }
     }
 
     /**
@@ -141,14 +160,22 @@ public final class SplatFilm {
      */
     synchronized void addTo(double[] rgb, float[] quarterMeans, int[] counts) {
         long n = paths();
-        for (int k = 0; k < rgb.length; k++) {
-            if (counts[k / 3] > 0 && n > 0) {
-                double all = value(k, n);
-                rgb[k] += all;
-                for (int g = 0; g < GROUPS; g++) {
-                    double own = paths[g] > 0 ? inPicture(sums[g][k], paths[g]) : all;
-                    quarterMeans[QuarterMeans.PER_PIXEL * (k / 3) + 3 * g + k % 3] += (float) own;
-                }
+        for (int pixel = 0; pixel < counts.length && n > 0; pixel++) {
+            if (counts[pixel] > 0) {
+                addTo(rgb, quarterMeans, pixel, n);
+            }
+        }
+    }
+
+    private void addTo(double[] rgb, float[] quarterMeans, int pixel, long n) {
+        for (int c = 0; c < 3; c++) {
+            int k = 3 * pixel + c;
+            double all = value(k, n);
+            rgb[k] += all;
+            int to = QuarterMeans.PER_PIXEL * pixel + c;
+            for (int g = 0; g < GROUPS; g++) {
+                double own = paths[g] > 0 ? inPicture(sums[g][k], paths[g]) : all;
+                quarterMeans[to + 3 * g] += (float) own;
             }
         }
     }
@@ -160,12 +187,13 @@ public final class SplatFilm {
             high += group[k] >>> 32;
             low += group[k] & 0xffffffffL;
         }
-        return n == 0 ? 0 : inPicture(Math.scalb((double) high, Integer.SIZE) + low, n);
+        return n == 0 ? 0 : inPicture(high * HIGH + low, n);
     }
 
     /** The value of a pixel by the units of some paths. */
     private double inPicture(double units, long n) {
-        return Math.scalb(units * picturePixels / n, -scale.exponent());
+        // Most pixels of most pictures were not reached.
+        return units == 0 ? 0 : scale.value(units * picturePixels / n);
     }
 
     /** The picture as it stands. */

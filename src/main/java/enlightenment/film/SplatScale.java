@@ -21,6 +21,9 @@ public record SplatScale(int exponent) {
     /** The smallest: the greatest double, as the mean of 2^63 paths to a pixel. */
     private static final int LEAST = MEAN - Double.MAX_EXPONENT - 63 - 1;
 
+    /** Binary digits of a double behind the point: above them stands its exponent. */
+    private static final int MANTISSA = 52;
+
     /** @throws IllegalArgumentException for an exponent that no render can have */
     public SplatScale {
         if (exponent < LEAST || exponent > MOST) {
@@ -50,6 +53,14 @@ public record SplatScale(int exponent) {
         int ownExponent = Scale.exponent(contribution);
         double product = Scale.scalb(perPixel, -pathsExponent) * Scale.scalb(contribution, -ownExponent);
         return new SplatScale(MEAN - pathsExponent - ownExponent - Scale.exponent(product));
+    }
+
+    /** What so many units are worth: times 2<sup>−exponent</sup>, rounded once. */
+    double value(double units) {
+        int power = -exponent;
+        return power >= Double.MIN_EXPONENT && power <= Double.MAX_EXPONENT
+                ? units * Double.longBitsToDouble((long) (power - Double.MIN_EXPONENT + 1) << MANTISSA)
+                : Math.scalb(units, power);
     }
 
     /** A power of two; times {@link #second} it is 2<sup>exponent</sup>. */

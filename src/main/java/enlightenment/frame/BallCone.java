@@ -30,11 +30,10 @@ public class BallCone {
     /** The ball's radius. */
     public double radius;
 
-    /** Sine and cosine of the cone's half angle, and 1 − cosine. Meaningless where {@link #inside} holds. */
+    /** Sine and cosine of the cone's half angle. Meaningless where {@link #inside} holds. */
     public double sine;
 
     public double cosine;
-    public double oneMinusCosine;
 
     /** Whether the apex lies in the ball, so that there is no cone. */
     public boolean inside;
@@ -62,8 +61,12 @@ public class BallCone {
         if (!inside) {
             sine = ballRadius * inverse;
             cosine = Math.sqrt((d - ballRadius) * (d + ballRadius)) * inverse;
-            oneMinusCosine = sine * sine / (1 + cosine);
         }
+    }
+
+    /** 1 − {@link #cosine}, to its own last places. */
+    public final double oneMinusCosine() {
+        return sine * sine / (1 + cosine);
     }
 
     /**

@@ -11,6 +11,9 @@ import java.util.Objects;
  * made from.
  */
 public final class Image {
+    /** Twice what {@link DisplayCurve#nearly} and the roundings to floats may err by. */
+    private static final double NEAR = 2.2e-6;
+
     private final int width;
     private final int height;
     private final float[] rgb;
@@ -108,6 +111,23 @@ public final class Image {
         return encoding() == Encoding.DISPLAY ? value : (float) curve.of(value);
     }
 
+    /**
+     * A number that rounds to the same of the whole numbers up to a maximum as {@link #displayed} times that, halves upwards; not far
+     * from it, and mostly found without the power in the curve.
+     */
+    float displayedFor(int maximum, int x, int y, int c) {
+        return displayedFor(maximum, component(x, y, c));
+    }
+
+    private float displayedFor(int maximum, float value) {
+        if (encoding() == Encoding.DISPLAY) {
+            return value;
+        }
+        double near = curve.nearly(value);
+        double scaled = near * maximum + 0.5;
+        return Math.abs(scaled - Math.rint(scaled)) > NEAR * maximum ? (float) near : displayed(value);
+    }
+
     /** The same picture as a screen takes it; this one if it is display-referred. */
     public Image toDisplay() {
         if (encoding() == Encoding.DISPLAY) {
@@ -133,9 +153,9 @@ public final class Image {
     public int[] toArgb() {
         int[] argb = new int[rgb.length / 3];
         for (int i = 0; i < argb.length; i++) {
-            int red = PngWriter.quantize(displayed(rgb[3 * i]), 255);
-            int green = PngWriter.quantize(displayed(rgb[3 * i + 1]), 255);
-            int blue = PngWriter.quantize(displayed(rgb[3 * i + 2]), 255);
+            int red = PngWriter.quantize(displayedFor(255, rgb[3 * i]), 255);
+            int green = PngWriter.quantize(displayedFor(255, rgb[3 * i + 1]), 255);
+            int blue = PngWriter.quantize(displayedFor(255, rgb[3 * i + 2]), 255);
             argb[i] = 0xff000000 | red << 16 | green << 8 | blue;
         }
         return argb;

@@ -39,9 +39,11 @@ public final class ImageFiles {
      */
     public static void write(Image image, OutputStream out, ImageFormat format, PngOptions options) throws IOException {
         switch (format) {
-            case PNG ->
+            case PNG -> {
+                int maximum = (1 << options.depth()) - 1;
                 new PngWriter(out, image.width(), image.height(), options.depth())
-                        .write(image::displayed, options.text());
+                        .write((x, y, c) -> image.displayedFor(maximum, x, y, c), options.text());
+            }
             case PFM -> PfmFormat.write(image.width(), image.height(), image::component, out);
             default -> throw new IllegalArgumentException("no " + format + " files are written");
         }

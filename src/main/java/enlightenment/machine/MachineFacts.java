@@ -4,34 +4,34 @@ import java.time.Duration;
 
 /**
  * What the machine tells of itself. The modules java.management and jdk.management tell it best, but a program that embeds the
- * library need not have them: without them there is less to tell, or it is told more coarsely.
+ * library need not have them: without them there is less to tell.
  */
 public final class MachineFacts {
-    private static final boolean BEANS = OptionalLibrary.isPresent("com.sun.management.OperatingSystemMXBean");
-
     private MachineFacts() {}
 
-    /** Processor time that this process has taken, of all its threads, in nanoseconds; 0 where nobody can tell. */
+    /**
+     * Processor time that this process has taken, of all its threads, in nanoseconds; 0 where nobody can tell. With Linux in steps of
+     * a hundredth of a second, as the management beans have it there, which take longer to load than this to ask.
+     */
     public static long processorNanos() {
-        return BEANS ? ManagementBeans.processorNanos() : processorNanosOfProcess();
-    }
-
-    /** Runnable threads of the whole machine, in the mean of the last minute; negative where nobody can tell. */
-    public static double loadAverage() {
-        return BEANS ? ManagementBeans.loadAverage() : -1;
-    }
-
-    /** How many files and connections this process may have open; 0 where nobody can tell. */
-    public static long maxOpenFiles() {
-        return BEANS ? ManagementBeans.maxOpenFiles() : 0;
-    }
-
-    /** As the system shows it to everybody: in steps of a hundredth of a second with Linux. */
-    static long processorNanosOfProcess() {
         return ProcessHandle.current()
                 .info()
                 .totalCpuDuration()
                 .map(Duration::toNanos)
                 .orElse(0L);
+    }
+
+    /** Runnable threads of the whole machine, in the mean of the last minute; negative where nobody can tell. */
+    public static double loadAverage() {
+        return hasBeans() ? ManagementBeans.loadAverage() : -1;
+    }
+
+    /** How many files and connections this process may have open; 0 where nobody can tell. */
+    public static long maxOpenFiles() {
+        return hasBeans() ? ManagementBeans.maxOpenFiles() : 0;
+    }
+
+    private static boolean hasBeans() {
+        return OptionalLibrary.isPresent("com.sun.management.OperatingSystemMXBean");
     }
 }

@@ -1,18 +1,11 @@
 package enlightenment.machine;
 
-import com.sun.management.OperatingSystemMXBean;
 import com.sun.management.UnixOperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 
 /** The only class that needs the modules java.management and jdk.management; it is loaded where both are there. */
 final class ManagementBeans {
     private ManagementBeans() {}
-
-    static long processorNanos() {
-        return ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
-                ? Math.max(system.getProcessCpuTime(), 0)
-                : 0;
-    }
 
     static double loadAverage() {
         return ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();

@@ -24,6 +24,12 @@ final class Plane {
     /** The axis that the plane is perpendicular to, or -1. */
     final int axis;
 
+    /** The unit normal of such a plane; else not used. */
+    private final double unitX;
+
+    private final double unitY;
+    private final double unitZ;
+
     /** The coordinate on that axis, the same for every vertex. */
     final double coordinate;
 
@@ -42,6 +48,9 @@ final class Plane {
             toV = Vec3.ZERO;
             axis = -1;
             coordinate = 0;
+            unitX = 0;
+            unitY = 0;
+            unitZ = 0;
             return;
         }
         // p = s·right + r·up is solved by s = (up × p)·n/n² = p·(n × up)/n², and r alike. Powers of two are taken out
@@ -60,6 +69,9 @@ final class Plane {
         toV = r.cross(n).times(inverse).scaledBy(e + g);
         axis = axis(a, others);
         coordinate = axis < 0 ? 0 : a.component(axis);
+        unitX = axis == 0 ? Math.signum(n.x()) : 0;
+        unitY = axis == 1 ? Math.signum(n.y()) : 0;
+        unitZ = axis == 2 ? Math.signum(n.z()) : 0;
     }
 
     /** The exact unit normal if rounding made the vertices collinear, or null. */
@@ -100,18 +112,20 @@ final class Plane {
         double x = Math.fma(t, ray.dx, ray.ox);
         double y = Math.fma(t, ray.dy, ray.oy);
         double z = Math.fma(t, ray.dz, ray.oz);
+        double towards;
         if (axis < 0) {
             double off = Products.accurateDot(n.x(), n.y(), n.z(), x - a.x(), y - a.y(), z - a.z()) / nn;
             hit.setPoint(Math.fma(-off, n.x(), x), Math.fma(-off, n.y(), y), Math.fma(-off, n.z(), z));
             hit.setNormal(n.x(), n.y(), n.z());
+            towards = Products.accurateDot(n.x(), n.y(), n.z(), ray.dx, ray.dy, ray.dz);
         } else {
             // The coordinate of an axis-aligned plane is assigned, not computed, so that coincident planes tie exactly.
             hit.setPoint(axis == 0 ? coordinate : x, axis == 1 ? coordinate : y, axis == 2 ? coordinate : z);
-            hit.nx = axis == 0 ? Math.signum(n.x()) : 0;
-            hit.ny = axis == 1 ? Math.signum(n.y()) : 0;
-            hit.nz = axis == 2 ? Math.signum(n.z()) : 0;
+            hit.nx = unitX;
+            hit.ny = unitY;
+            hit.nz = unitZ;
+            towards = unitX * ray.dx + unitY * ray.dy + unitZ * ray.dz;
         }
-        double towards = Products.accurateDot(n.x(), n.y(), n.z(), ray.dx, ray.dy, ray.dz);
         hit.side = towards < 0 ? Ray.OUTSIDE : Ray.INSIDE;
         hit.face = 0;
     }

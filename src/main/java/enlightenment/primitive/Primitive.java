@@ -40,6 +40,11 @@ public abstract sealed class Primitive
         extreme = Scale.exponent(reach) >= Ray.ORDINARY_EXPONENT || Scale.exponent(size) <= -Ray.ORDINARY_EXPONENT;
     }
 
+    /** Whether it is so large or so small that tests rescale it. */
+    public final boolean isExtreme() {
+        return extreme;
+    }
+
     /** The t of the nearest crossing with tMin ≤ t ≤ tMax, or {@link #MISS}; for rays and primitives of any size. */
     public final double nearest(Ray ray, double tMax) {
         if (extreme || ray.special) {

@@ -164,6 +164,11 @@ public final class Ray {
         return end.isEnd(this, endHit);
     }
 
+    /** Whether tests take a slow path: the ray is {@link #extreme}, starts on several primitives, or ends on some. */
+    public boolean isSpecial() {
+        return special;
+    }
+
     /** The side of the primitive that the ray starts on, or 0 if it does not start on it. */
     public int sideOf(Primitive primitive) {
         if (start == primitive) {
@@ -202,7 +207,8 @@ public final class Ray {
         return axis == 0 ? ox : axis == 1 ? oy : oz;
     }
 
-    double d(int axis) {
+    /** The component of the direction on an axis. */
+    public double d(int axis) {
         return axis == 0 ? dx : axis == 1 ? dy : dz;
     }
 

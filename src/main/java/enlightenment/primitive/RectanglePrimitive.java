@@ -60,6 +60,11 @@ public final class RectanglePrimitive extends Primitive {
         edgeMagnitude = box.maxAbs();
     }
 
+    /** The axis that the rectangle is across if its edges are parallel to the other two, so that it is its own box; else -1. */
+    public int alignedAxis() {
+        return axis;
+    }
+
     private int alignedAxis(Vec3 up, Vec3 right) {
         int k = plane.axis;
         if (k < 0) {
@@ -102,7 +107,8 @@ public final class RectanglePrimitive extends Primitive {
         // Far behind or too far ahead is known before the division; closer to the limits the next test says the same as
         // ever.
         double ahead = across > 0 ? gap : -gap;
-        if (ahead < -2 * width || ahead > Math.fma(tMax, slope * (1 + QUICK_TEST_ERROR), 2 * width)) {
+        double behind = ray.tMin < 0 ? ray.tMin * slope * (1 + QUICK_TEST_ERROR) : 0;
+        if (ahead < behind - 2 * width || ahead > Math.fma(tMax, slope * (1 + QUICK_TEST_ERROR), 2 * width)) {
             return MISS;
         }
         double t = gap / across;

@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import jdk.jfr.FlightRecorder;
 
 /**
  * One render in this process. Threads take units of work from a counter; each is a pure function, so who takes which does not
@@ -75,11 +76,15 @@ final class LocalRender {
     }
 
     private void render(int unit, UnitWork work) {
-        UnitEvent event = new UnitEvent();
-        event.begin();
-        FilmTile finished = film.render(unit, work);
-        event.commit(units, unit);
-        tell(finished);
+        if (FlightRecorder.isInitialized()) {
+            UnitEvent event = new UnitEvent();
+            event.begin();
+            FilmTile finished = film.render(unit, work);
+            event.commit(units, unit);
+            tell(finished);
+        } else {
+            tell(film.render(unit, work));
+        }
     }
 
     /** @param finished the tile that is finished now, or null */

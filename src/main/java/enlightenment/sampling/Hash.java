@@ -23,6 +23,11 @@ public final class Hash {
         return mix(mix(a + GOLDEN_GAMMA) + b * GOLDEN_GAMMA + 1);
     }
 
+    /** The hash that comes so many steps after a hash: for many numbers that belong to one, at half of the cost of {@link #of}. */
+    public static long next(long hash, long steps) {
+        return mix(hash + steps * GOLDEN_GAMMA);
+    }
+
     /** A hash of three numbers. */
     public static long of(long a, long b, long c) {
         return of(of(a, b), c);

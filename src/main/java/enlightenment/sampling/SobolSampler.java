@@ -12,9 +12,25 @@ public final class SobolSampler implements Sampler {
     /** Later bounces gain little by being stratified, and a hash costs less (measured: docs/physical-light.md). */
     private static final int STRATIFIED_BOUNCES = 2;
 
+    private static final int SEQUENCES = STRATIFIED_BOUNCES * Purpose.values().length;
+
+    /** Tells a single number from a pair with the same address. */
+    private static final long SINGLE = 1L << 40;
+
     private long pixelHash;
     private long filmSeed;
     private int sample;
+
+    /** By bounce and purpose: the seed of a sequence, and that of its order. */
+    private final long[] seeds = new long[2 * SEQUENCES];
+
+    /** By bounce and purpose: the number of the pixel that these are of. */
+    private final int[] seedsOf = new int[SEQUENCES];
+
+    private int pixels;
+
+    /** What the sample's hashes have in common. */
+    private long sampleHash;
 
     private long lightSeed;
     private int firstLightPoint;
@@ -23,11 +39,14 @@ public final class SobolSampler implements Sampler {
     public void pixel(long seed, int x, int y) {
         pixelHash = Hash.of(seed, x, y);
         filmSeed = Hash.of(pixelHash, FILM);
+        pixels++;
+        sample(sample);
     }
 
     /** Sets the sample of the pixel. */
     public void sample(int index) {
         sample = index;
+        sampleHash = Hash.of(~pixelHash, index);
     }
 
     @Override
@@ -42,26 +61,41 @@ public final class SobolSampler implements Sampler {
 
     @Override
     public double unit(int bounce, Purpose purpose) {
-        return Hash.unit(Hash.of(seed(bounce, purpose), sample));
+        return Hash.unit(late(address(bounce, purpose) | SINGLE));
     }
 
     @Override
     public void pair(int bounce, Purpose purpose, double[] out) {
-        long seed = seed(bounce, purpose);
         if (bounce >= STRATIFIED_BOUNCES) {
-            long h = Hash.of(~seed, sample);
+            long h = late(address(bounce, purpose));
             out[0] = (h >>> Integer.SIZE) * 0x1p-32;
             out[1] = (h & 0xFFFFFFFFL) * 0x1p-32;
             return;
         }
-        int index = Sobol.shuffled(sample, Hash.mix(seed));
-        out[0] = Sobol.x(index, seed);
-        out[1] = Sobol.y(index, seed);
+        int k = STRATIFIED_BOUNCES * purpose.ordinal() + bounce;
+        if (seedsOf[k] != pixels) {
+            prepare(k, address(bounce, purpose));
+        }
+        int index = Sobol.shuffled(sample, seeds[2 * k + 1]);
+        out[0] = Sobol.x(index, seeds[2 * k]);
+        out[1] = Sobol.y(index, seeds[2 * k]);
+    }
+
+    private void prepare(int k, long address) {
+        long seed = Hash.of(pixelHash, address);
+        seeds[2 * k] = seed;
+        seeds[2 * k + 1] = Hash.mix(seed);
+        seedsOf[k] = pixels;
     }
 
     /** From 2³² on, so that it is not that of the film. */
-    private long seed(int bounce, Purpose purpose) {
-        return Hash.of(pixelHash, (purpose.ordinal() + 1L) << Integer.SIZE | bounce);
+    private static long address(int bounce, Purpose purpose) {
+        return (purpose.ordinal() + 1L) << Integer.SIZE | bounce;
+    }
+
+    /** A hash of what the sampler is set to and an address: one step of SplitMix64 from a state of the sample's own. */
+    private long late(long address) {
+        return Hash.next(sampleHash, address);
     }
 
     @Override

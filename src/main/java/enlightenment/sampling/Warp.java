@@ -17,20 +17,19 @@ public final class Warp {
     public static void toDisk(double u, double v, double[] out) {
         double a = 2 * u - 1;
         double b = 2 * v - 1;
-        double r;
-        double x;
-        double y;
-        if (Math.abs(a) >= Math.abs(b)) {
-            r = a;
-            double phi = a == 0 ? 0 : QUARTER_PI * (b / a);
-            x = r * cosine(phi);
-            y = r * sine(phi);
-        } else {
-            r = b;
-            double phi = QUARTER_PI * (a / b);
-            x = r * sine(phi);
-            y = r * cosine(phi);
-        }
+        // The larger of the two comes first. They are exchanged as bits: a branch would be guessed wrong half of the
+        // time.
+        long bitsA = Double.doubleToRawLongBits(a);
+        long bitsB = Double.doubleToRawLongBits(b);
+        long swap = Double.doubleToRawLongBits(Math.abs(a) - Math.abs(b)) >> (Long.SIZE - 1);
+        long change = (bitsA ^ bitsB) & swap;
+        double r = Double.longBitsToDouble(bitsA ^ change);
+        double phi = r == 0 ? 0 : QUARTER_PI * (Double.longBitsToDouble(bitsB ^ change) / r);
+        bitsA = Double.doubleToRawLongBits(r * cosine(phi));
+        bitsB = Double.doubleToRawLongBits(r * sine(phi));
+        change = (bitsA ^ bitsB) & swap;
+        double x = Double.longBitsToDouble(bitsA ^ change);
+        double y = Double.longBitsToDouble(bitsB ^ change);
         out[0] = x;
         out[1] = y;
         out[2] = r * r;

@@ -10,7 +10,7 @@ public enum BuiltInMethod implements Method {
     /** {@link Method#RAYTRACE}. */
     RAYTRACE(
             "raytrace",
-            "evenly spaced camera rays, a fixed number of light samples at every hit",
+            "evenly spaced camera rays, the same number of light samples at every hit",
             List.of(RayTraceSettings.SHADOW_SAMPLES),
             null,
             Shading.Model.values()),

@@ -127,13 +127,13 @@ final class CausticSource extends PathSource {
     }
 
     private boolean isWide() {
-        return cone.inside || 2 * Math.PI * cone.oneMinusCosine > WIDE;
+        return cone.inside || 2 * Math.PI * cone.oneMinusCosine() > WIDE;
     }
 
     /** A direction in the cone, or any at all from inside the ball. */
     private void toCone(double[] numbers) {
         Warp.toDisk(numbers[3], numbers[4], disk);
-        double height = cone.inside ? 2 : cone.oneMinusCosine;
+        double height = cone.inside ? 2 : cone.oneMinusCosine();
         double spread = Math.sqrt(height * (2 - disk[2] * height));
         if (cone.inside) {
             direct(0, 0, 1, disk[0] * spread, disk[1] * spread, 1 - disk[2] * height);
@@ -159,6 +159,6 @@ final class CausticSource extends PathSource {
             return 1 / (4 * Math.PI);
         }
         boolean in = isIn || dx * cone.wx + dy * cone.wy + dz * cone.wz >= cone.cosine;
-        return in ? 1 / (2 * Math.PI * cone.oneMinusCosine) : 0;
+        return in ? 1 / (2 * Math.PI * cone.oneMinusCosine()) : 0;
     }
 }

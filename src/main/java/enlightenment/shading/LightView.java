@@ -59,6 +59,11 @@ final class LightView {
                 : form.irradiance(sample, nx, ny, nz);
     }
 
+    /** Whether all of the light certainly is above the horizon, and its closed form positive if there is one. */
+    boolean isWhole(AreaLight form, double nx, double ny, double nz) {
+        return !cone.inside && nx * cone.wx + ny * cone.wy + nz * cone.wz >= cone.sine && form.shinesOn(sample);
+    }
+
     /** Samples the point of the light that was drawn. */
     void sample(AreaLight form) {
         if (form instanceof SphereLight ball) {

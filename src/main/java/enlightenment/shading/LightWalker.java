@@ -31,6 +31,13 @@ abstract class LightWalker {
     private final int height;
     private final EyeConnection eye;
     private final double[] numbers = new double[PathSource.NUMBERS];
+
+    /** Of each two numbers of the first ray: the seed of their sequence, and that of its order. */
+    private final long[] seeds = new long[numbers.length];
+
+    /** The upper half of the number of the paths whose seeds these are; none has this one. */
+    private long sequences = -1;
+
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
@@ -139,12 +146,19 @@ abstract class LightWalker {
     /** The numbers of the first ray: each two of them from a sequence that fills their square evenly. */
     private void draw(long number) {
         hash = Hash.of(seed, number);
-        long sequence = Hash.of(seed, -1 - (number >>> 32));
+        long era = number >>> Integer.SIZE;
+        if (era != sequences) {
+            sequences = era;
+            long sequence = Hash.of(seed, -1 - era);
+            for (int k = 0; k < numbers.length; k += 2) {
+                seeds[k] = Hash.of(sequence, k);
+                seeds[k + 1] = Hash.mix(seeds[k]);
+            }
+        }
         for (int k = 0; k < numbers.length; k += 2) {
-            long s = Hash.of(sequence, k);
-            int index = Sobol.shuffled((int) number, Hash.mix(s));
-            numbers[k] = Sobol.x(index, s);
-            numbers[k + 1] = Sobol.y(index, s);
+            int index = Sobol.shuffled((int) number, seeds[k + 1]);
+            numbers[k] = Sobol.x(index, seeds[k]);
+            numbers[k + 1] = Sobol.y(index, seeds[k]);
         }
     }
 
@@ -152,7 +166,10 @@ abstract class LightWalker {
         return Hash.unit(Hash.of(hash, ((long) pieces << Integer.SIZE) + events, purpose));
     }
 
-    /** Follows the ray to the next event; returns whether the path goes on. */
+    /**
+     * Follows the ray to the next event; returns whether the path goes on. What happens at opaque surfaces stands here, so that this is too
+     * long to be compiled again into its caller.
+     */
     private boolean step() {
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
@@ -160,25 +177,30 @@ abstract class LightWalker {
             return false;
         }
         if (medium != null && medium.absorbs) {
-            absorb(medium, path.distance(ray));
+            double length = path.distance(ray);
+            filter(
+                    StrictMath.exp(-medium.absorptionR * length),
+                    StrictMath.exp(-medium.absorptionG * length),
+                    StrictMath.exp(-medium.absorptionB * length));
         }
-        return event == PathFollower.Event.SURFACE ? surface() : glass();
-    }
-
-    /** At an opaque surface. */
-    private boolean surface() {
+        boolean isGlass = event == PathFollower.Event.GLASS;
+        if (isGlass) {
+            int opaque = physical.hasPartialGlass ? path.glass.opaque(unit(5)) : -1;
+            if (opaque < 0) {
+                return glass();
+            }
+            path.turnTo(opaque);
+        }
         SurfaceMaterial material = path.material();
-        if (material.isBlack || !counts && !material.isDelta) {
+        Bsdf bsdf = isGlass ? Lambert.INSTANCE : material.bsdf;
+        boolean isDelta = bsdf.isDelta();
+        if (material.isBlack || !counts && !isDelta) {
             return false;
         }
         counts = true;
         path.color(material, surface);
-        return scatter(material.bsdf);
-    }
-
-    private boolean scatter(Bsdf bsdf) {
         Scattering s = path.arrive(ray, surface);
-        if (!bsdf.isDelta()) {
+        if (!isDelta) {
             connect(bsdf, s, null);
         }
         if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
@@ -212,14 +234,6 @@ abstract class LightWalker {
 
     /** At a border of glass, or at a pane. */
     private boolean glass() {
-        if (physical.hasPartialGlass) {
-            int opaque = path.glass.opaque(unit(5));
-            if (opaque >= 0) {
-                path.turnTo(opaque);
-                path.color(path.material(), surface);
-                return counts && scatter(Lambert.INSTANCE);
-            }
-        }
         if (physical.hasRoughGlass) {
             if (!onlyCaustics) {
                 connectAtBorder();
@@ -282,12 +296,5 @@ abstract class LightWalker {
         green /= survival;
         blue /= survival;
         return true;
-    }
-
-    /** By Beer and Lambert's law, on the way to what the path has come to. */
-    private void absorb(SurfaceMaterial medium, double length) {
-        red *= StrictMath.exp(-medium.absorptionR * length);
-        green *= StrictMath.exp(-medium.absorptionG * length);
-        blue *= StrictMath.exp(-medium.absorptionB * length);
     }
 }

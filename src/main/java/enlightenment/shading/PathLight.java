@@ -199,35 +199,53 @@ final class PathLight {
         return cosine > 0 && isVisible(l) ? cosine / (cone.distance * cone.distance) : 0;
     }
 
-    /** The irradiance, estimated, of a light of radiance 1: the part of it that is not left to chance. */
+    /** The irradiance, estimated, of a light of radiance 1. */
     private double irradiance(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
+        if (l.isBall) {
+            return ofBall(l, index, probability, sampler, address);
+        }
         view.aim(l, x, y, z);
-        double e = view.irradiance(l.form, nx, ny, nz);
+        // A closed form costs more than to know that it is of no use here.
+        double e = view.isWhole(l.form, nx, ny, nz) ? 1 : view.irradiance(l.form, nx, ny, nz);
         if (e == 0) {
             counters.lightSamplesWithoutRay++;
             return 0;
         }
-        if (e != e) {
-            // Prepares the shadow ray; an answer without a ray is no closed form here.
+        Tracer.Visibility known = shadow.visibility(l);
+        if (known == Tracer.Visibility.NONE) {
+            counters.lightSamplesWithoutRay += e == e ? 1 : 0;
+            return 0;
+        }
+        if (known == Tracer.Visibility.UNKNOWN || e != e) {
+            return sampled(l, index, probability, sampler, address, known);
+        }
+        counters.lightSamplesWithoutRay++;
+        return view.irradiance(l.form, nx, ny, nz);
+    }
+
+    /**
+     * The same of a ball: if a part of it may be hidden, by the visibility of a point of it that is chosen by the cosine, or where it is cut
+     * by the horizon, evenly. All of it stands here, so that it is too long to be compiled again into each of its callers (docs/benchmarks.md).
+     */
+    private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
+        SphereLight ball = (SphereLight) l.form;
+        ball.aim(sample, x, y, z);
+        cone.around(l);
+        if (cone.inside) {
             Tracer.Visibility known = shadow.visibility(l);
             return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
         }
-        Tracer.Visibility visibility = shadow.visibility(l);
-        if (visibility != Tracer.Visibility.UNKNOWN) {
+        double height = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        boolean isWhole = height >= cone.sine;
+        double e = isWhole ? Math.PI * height * cone.sine * cone.sine : ball.irradiance(sample, nx, ny, nz);
+        Tracer.Visibility known = e == 0 ? Tracer.Visibility.NONE : shadow.visibility(l);
+        if (known != Tracer.Visibility.UNKNOWN) {
             counters.lightSamplesWithoutRay++;
-            return visibility == Tracer.Visibility.ALL ? e : 0;
+            return known == Tracer.Visibility.ALL ? e : 0;
         }
-        return l.isBall
-                ? ofHiddenBall(l, e, index, sampler, address)
-                : sampled(l, index, probability, sampler, address, visibility);
-    }
-
-    /** The irradiance of a ball of which a part may be hidden. */
-    private double ofHiddenBall(PhysicalLight l, double e, int index, Sampler sampler, int address) {
-        SphereLight ball = (SphereLight) l.form;
         isByChance = true;
         view.draw(index, sampler, address);
-        if (ball.samplesByCosine(sample, nx, ny, nz)) {
+        if (isWhole) {
             view.sampleByCosine(ball, nx, ny, nz);
             return shadow.isBlocked(l, sample) ? 0 : e;
         }
@@ -354,11 +372,8 @@ final class PathLight {
 
     /** Whether the vertex, a matte one, has all of the light from its closed form. */
     private boolean isClosed(PhysicalLight l) {
-        double e = view.irradiance(l.form, nx, ny, nz);
-        if (!(e > 0)) {
-            return false;
-        }
-        return l.isBall || shadow.visibility(l) != Tracer.Visibility.UNKNOWN;
+        return (l.isBall || shadow.visibility(l) != Tracer.Visibility.UNKNOWN)
+                && view.irradiance(l.form, nx, ny, nz) > 0;
     }
 
     private boolean isVisible(PhysicalLight l) {

@@ -4,6 +4,7 @@ import enlightenment.machine.MachineFacts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import jdk.jfr.FlightRecorder;
 
 /** Times the phases of one render, for the report and for flight recordings. */
 public final class Phases {
@@ -21,14 +22,19 @@ public final class Phases {
 
     /** Does a phase, and gives what it gives. */
     public <T> T run(String name, Supplier<T> work) {
-        RenderPhaseEvent event = new RenderPhaseEvent();
-        event.phase = name;
-        event.begin();
+        // An event's class costs a fifth of a second when it is first used: only where somebody records.
+        RenderPhaseEvent event = FlightRecorder.isInitialized() ? new RenderPhaseEvent() : null;
+        if (event != null) {
+            event.phase = name;
+            event.begin();
+        }
         Stopwatch wall = Stopwatch.started();
         long cpu = MachineFacts.processorNanos();
         T result = work.get();
         phases.add(new Timing(name, wall.seconds(), Math.max(MachineFacts.processorNanos() - cpu, 0) * NANO));
-        event.commit();
+        if (event != null) {
+            event.commit();
+        }
         return result;
     }
 

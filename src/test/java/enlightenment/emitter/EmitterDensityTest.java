@@ -85,7 +85,7 @@ class EmitterDensityTest {
         private double z;
 
         Cone(EmitterView view) {
-            down = view.cone.inside ? 2 : view.cone.oneMinusCosine;
+            down = view.cone.inside ? 2 : view.cone.oneMinusCosine();
             most = view.cone.inside ? 1 : view.cone.sine;
             wx = view.cone.wx;
             wy = view.cone.wy;

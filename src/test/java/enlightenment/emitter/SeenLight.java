@@ -52,7 +52,7 @@ final class SeenLight {
     }
 
     private double down() {
-        return sample.cone.inside ? 2 : sample.cone.oneMinusCosine;
+        return sample.cone.inside ? 2 : sample.cone.oneMinusCosine();
     }
 
     /** The solid angle of the cone around the light's ball. */

@@ -135,6 +135,32 @@ class MixedRenderTest {
     }
 
     @Test
+    void aUnitThatIsReplacedInACompletePictureIsSeenAtOnce() {
+        DividedRender render = divided(SETTINGS);
+        FilmAssembly film = render.assembly();
+        film.keepIn(new KeptResults());
+        for (int u = 0; u < render.units(); u++) {
+            film.put(u, render.maker().make(u));
+        }
+        assertArrayEquals(ALONE.image().toArray(), film.image().toArray());
+        UnitMaker other = divided(SETTINGS.withSeed(99)).maker();
+        int batches = 0;
+        int tiles = 0;
+        for (int u = 0; u < render.units(); u++) {
+            film.put(u, other.make(u));
+            boolean isSeen = rmse(ALONE.image(), film.image()) > 0;
+            batches += isSeen && u < 4 ? 1 : 0;
+            tiles += isSeen && u >= 4 ? 1 : 0;
+            film.put(u, render.maker().make(u));
+            assertArrayEquals(ALONE.image().toArray(), film.image().toArray());
+        }
+        assertEquals(4, batches);
+        // Some tiles show nothing but the sky.
+        assertTrue(tiles > 0);
+        assertEquals(ALONE.report().sampling(), film.result().report().sampling());
+    }
+
+    @Test
     void aCropIsAPartOfTheWholeAndTakesAllPaths() {
         RenderSettings settings = SETTINGS.withCrop(new RenderSettings.Crop(13, 7, 20, 11));
         DividedRender render = divided(settings);

@@ -43,6 +43,14 @@ class SplatScaleTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"-1048", "-1024", "-1023", "-1", "0", "38", "1022", "1023", "1024", "1175"})
+    void unitsAreWorthTheirPowerOfTwoRoundedOnce(int exponent) {
+        for (double units : new double[] {0, 1, 3, 1e18, 0x1.123456789abcdp60, 1.7e308}) {
+            assertEquals(Math.scalb(units, -exponent), new SplatScale(exponent).value(units));
+        }
+    }
+
+    @ParameterizedTest
     @CsvSource({"-1100", "1200"})
     void anExponentThatNoRenderHasIsRefused(int exponent) {
         assertThrows(IllegalArgumentException.class, () -> new SplatScale(exponent));

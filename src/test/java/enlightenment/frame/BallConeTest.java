@@ -36,9 +36,9 @@ class BallConeTest {
         BallCone cone = cone(d, r, axis);
         assertFalse(cone.inside);
         String what = "distance " + d + ", radius " + r;
-        double error = relativeError(cone.oneMinusCosine, oneMinusCosine);
+        double error = relativeError(cone.oneMinusCosine(), oneMinusCosine);
         assertTrue(error <= ALLOWED, what + ": 1 - cos is off by " + error);
-        double pdf = 1 / (2 * Math.PI * cone.oneMinusCosine);
+        double pdf = 1 / (2 * Math.PI * cone.oneMinusCosine());
         double pdfError = relativeError(pdf, density);
         assertTrue(pdfError <= ALLOWED, what + ": the density is off by " + pdfError);
     }

@@ -6,7 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.codec.PngWriter;
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
+import enlightenment.color.Tone;
 import enlightenment.math.InvalidValueException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -16,6 +19,8 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What linear light becomes in files and comparisons: the sRGB curve is applied once, at output, to linear pictures alone. */
 class ImageEncodingTest {
@@ -51,6 +56,34 @@ class ImageEncodingTest {
             assertEquals((float) encoded, file.component(0, 0, 0));
             assertEquals(0, file.component(0, 0, 1));
             assertEquals(1, file.component(0, 0, 2));
+        }
+    }
+
+    /** On both sides of every place where the exact curve goes from one step to the next, and on it. */
+    @ParameterizedTest
+    @CsvSource({"255, 0, CLIP", "65535, 0, CLIP", "255, 1.5, FILMIC", "65535, -2, FILMIC"})
+    void wholeNumbersAreThoseOfTheExactCurve(int maximum, double exposure, Tone tone) {
+        DisplayCurve curve = DisplayCurve.of(exposure, tone);
+        float[] rgb = new float[3 * maximum];
+        for (int step = 0; step < maximum; step++) {
+            float least = 0;
+            float most = 16;
+            while (Math.nextUp(least) < most) {
+                float middle = (least + most) / 2;
+                boolean isBelow = middle == least || PngWriter.quantize((float) curve.of(middle), maximum) <= step;
+                least = isBelow ? (middle == least ? Math.nextUp(least) : middle) : least;
+                most = isBelow ? most : middle;
+            }
+            rgb[3 * step] = least;
+            rgb[3 * step + 1] = Math.nextUp(least);
+            rgb[3 * step + 2] = 0.5f * least;
+        }
+        Image image = new Image(maximum, 1, rgb, curve);
+        for (int i = 0; i < rgb.length; i++) {
+            float exact = image.displayed(i / 3, 0, i % 3);
+            float quick = image.displayedFor(maximum, i / 3, 0, i % 3);
+            assertEquals(PngWriter.quantize(exact, maximum), PngWriter.quantize(quick, maximum));
+            assertEquals(exact, quick, 1.2e-6);
         }
     }
 

@@ -15,6 +15,7 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
@@ -65,7 +66,16 @@ class UnitKindsTest {
 
         /** Twelve tiles of linear light, some not full, and four batches of light paths that are added to them. */
         PHYSICAL(
-                PHYSICAL_ROOM, RenderSettings.of(PHYSICAL_ROOM).withAntialias(2).withTileSize(9), 16);
+                PHYSICAL_ROOM, RenderSettings.of(PHYSICAL_ROOM).withAntialias(2).withTileSize(9), 16),
+
+        /** Twelve tiles that show lights alone, and four batches of the paths that make the rest. */
+        LIGHT(
+                PHYSICAL_ROOM,
+                RenderSettings.of(PHYSICAL_ROOM)
+                        .withMethod(BuiltInMethod.LIGHT)
+                        .withAntialias(2)
+                        .withTileSize(9),
+                16);
 
         final Scene scene;
         final RenderSettings settings;

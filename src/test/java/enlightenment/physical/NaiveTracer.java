@@ -21,13 +21,54 @@ final class NaiveTracer {
     private static final int CERTAIN_EVENTS = 50;
     private static final double SURVIVAL = 0.9;
 
+    /** What a path has come over so far. */
+    private enum Sight {
+        /** Nothing that turned it. */
+        STRAIGHT,
+        /** Mirrors and smooth glass. */
+        MIRRORED,
+        /** A surface that scatters light in many directions. */
+        SCATTERED
+    }
+
+    /** A path's numbers and history. */
+    private static final class Path {
+        final SplittableRandom random;
+        Sight sight = Sight.STRAIGHT;
+
+        Path(SplittableRandom random) {
+            this.random = random;
+        }
+
+        /** It meets a mirror, or a smooth border. */
+        void mirrored() {
+            sight = sight == Sight.STRAIGHT ? Sight.MIRRORED : sight;
+        }
+    }
+
     private final NaiveScene scene;
+
+    /** Whether what the eye sees in mirrors and through glass that turns rays is black, but for what glows. */
+    private final boolean leavesOutMirrored;
 
     /** Metals of one colour have tables, which are made once. */
     private final Map<List<Object>, NaiveReflector> metals = new ConcurrentHashMap<>();
 
     NaiveTracer(Scene scene) {
+        this(scene, false);
+    }
+
+    /** @param leavesOutMirrored whether what the eye sees in mirrors and through glass that turns rays is black, but for what glows */
+    NaiveTracer(Scene scene, boolean leavesOutMirrored) {
         this.scene = new NaiveScene(scene);
+        this.leavesOutMirrored = leavesOutMirrored;
+    }
+
+    /** Notes that the path comes to a surface that scatters light in many directions; returns whether that is left out. */
+    private boolean isLeftOut(Path path) {
+        boolean isMirrored = path.sight == Sight.MIRRORED;
+        path.sight = Sight.SCATTERED;
+        return leavesOutMirrored && isMirrored;
     }
 
     /**
@@ -38,7 +79,8 @@ final class NaiveTracer {
     double[][] means(int left, int top, int right, int bottom, int paths, long seed) {
         double[][] chunks = IntStream.range(0, CHUNKS)
                 .parallel()
-                .mapToObj(k -> chunk(left, top, right, bottom, paths / CHUNKS, new SplittableRandom(seed + 1000L * k)))
+                .mapToObj(k -> chunk(
+                        left, top, right, bottom, paths / CHUNKS, new Path(new SplittableRandom(seed + 1000L * k))))
                 .toArray(double[][]::new);
         double[][] bands = new double[3][CHUNKS];
         for (int k = 0; k < CHUNKS; k++) {
@@ -49,13 +91,14 @@ final class NaiveTracer {
         return bands;
     }
 
-    private double[] chunk(int left, int top, int right, int bottom, int paths, SplittableRandom random) {
+    private double[] chunk(int left, int top, int right, int bottom, int paths, Path path) {
         double[] sum = new double[3];
         for (int i = 0; i < paths; i++) {
-            double x = left + (right - left) * random.nextDouble();
-            double y = top + (bottom - top) * random.nextDouble();
+            double x = left + (right - left) * path.random.nextDouble();
+            double y = top + (bottom - top) * path.random.nextDouble();
             Vec3[] ray = scene.ray(x / scene.width(), y / scene.height());
-            add(sum, 1.0 / paths, radiance(ray[0], ray[1], 0, 0, random));
+            path.sight = Sight.STRAIGHT;
+            add(sum, 1.0 / paths, radiance(ray[0], ray[1], 0, 0, path));
         }
         return sum;
     }
@@ -71,7 +114,7 @@ final class NaiveTracer {
     }
 
     /** What comes to a point against a direction, by one path. */
-    private double[] radiance(Vec3 o, Vec3 d, int scattered, int events, SplittableRandom random) {
+    private double[] radiance(Vec3 o, Vec3 d, int scattered, int events, Path path) {
         NaiveScene.Hit hit = scene.nearest(o, d);
         if (hit == null) {
             return scene.background;
@@ -84,8 +127,8 @@ final class NaiveTracer {
         }
         double survival = events < CERTAIN_EVENTS ? 1 : SURVIVAL;
         double[] sum = emitted.clone();
-        if (survival == 1 || random.nextDouble() < survival) {
-            add(sum, 1 / survival, scattered(hit, d, scattered, events + 1, random));
+        if (survival == 1 || path.random.nextDouble() < survival) {
+            add(sum, 1 / survival, scattered(hit, d, scattered, events + 1, path));
         }
         return NaiveColors.product(kept, sum);
     }
@@ -103,23 +146,24 @@ final class NaiveTracer {
         return left;
     }
 
-    private double[] scattered(NaiveScene.Hit hit, Vec3 d, int scattered, int events, SplittableRandom random) {
+    private double[] scattered(NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
         Material material = hit.surface().material();
         if (material instanceof Material.Glass g) {
-            return random.nextDouble() < g.transparency()
-                    ? throughGlass(g, hit, d, scattered, events, random)
+            return path.random.nextDouble() < g.transparency()
+                    ? throughGlass(g, hit, d, scattered, events, path)
                     : scattered == scene.maxBounces
                             ? new double[3]
-                            : reflected(new NaiveReflector.Lambert(color(hit)), hit, d, scattered + 1, events, random);
+                            : reflected(new NaiveReflector.Lambert(color(hit)), hit, d, scattered + 1, events, path);
         }
         if (scattered == scene.maxBounces) {
             return new double[3];
         }
         if (material instanceof Material.Mirror) {
             Vec3 on = d.minus(hit.normal().times(2 * d.dot(hit.normal())));
-            return NaiveColors.product(color(hit), radiance(hit.point(), on, scattered + 1, events, random));
+            path.mirrored();
+            return NaiveColors.product(color(hit), radiance(hit.point(), on, scattered + 1, events, path));
         }
-        return reflected(reflector(material, hit), hit, d, scattered + 1, events, random);
+        return reflected(reflector(material, hit), hit, d, scattered + 1, events, path);
     }
 
     private static double[] color(NaiveScene.Hit hit) {
@@ -137,7 +181,10 @@ final class NaiveTracer {
     }
 
     private double[] reflected(
-            NaiveReflector reflector, NaiveScene.Hit hit, Vec3 d, int scattered, int events, SplittableRandom random) {
+            NaiveReflector reflector, NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
+        if (isLeftOut(path)) {
+            return new double[3];
+        }
         Vec3[] axes = axes(hit.normal());
         Vec3 out = local(axes, d.negated());
         double[] sum = new double[3];
@@ -155,13 +202,13 @@ final class NaiveTracer {
                 }
             }
         }
-        Vec3 in = reflector.sample(out, random);
+        Vec3 in = reflector.sample(out, path.random);
         if (in == null || in.z() <= 0) {
             return sum;
         }
         double density = reflector.density(out, in);
         Vec3 on = axes[0].times(in.x()).plus(axes[1].times(in.y())).plus(axes[2].times(in.z()));
-        double[] arriving = radiance(hit.point(), on, scattered, events, random);
+        double[] arriving = radiance(hit.point(), on, scattered, events, path);
         for (int band = 0; band < 3; band++) {
             sum[band] += reflector.value(band, out, in) * in.z() / density * arriving[band];
         }
@@ -193,49 +240,43 @@ final class NaiveTracer {
     }
 
     private double[] throughGlass(
-            Material.Glass glass, NaiveScene.Hit hit, Vec3 d, int scattered, int events, SplittableRandom random) {
+            Material.Glass glass, NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
         double cosine = Math.min(1, -d.dot(hit.normal()));
         NaiveScene.Surface before = scene.medium(hit, 1);
         double from = NaiveScene.index(before);
         if (!hit.surface().isSolid()) {
-            boolean reflects = random.nextDouble() < NaiveFresnel.pane(cosine, from, glass.indexOfRefraction());
+            boolean reflects = path.random.nextDouble() < NaiveFresnel.pane(cosine, from, glass.indexOfRefraction());
             return reflects
-                    ? mirrored(hit, hit.normal(), d, scattered, events, random)
-                    : NaiveColors.product(color(hit), radiance(hit.point(), d, scattered, events, random));
+                    ? mirrored(hit, hit.normal(), d, scattered, events, path)
+                    : NaiveColors.product(color(hit), radiance(hit.point(), d, scattered, events, path));
         }
         NaiveScene.Surface after = scene.medium(hit, -1);
         double to = NaiveScene.index(after);
         if (before == after || from == to) {
-            double[] through = radiance(hit.point(), d, scattered, events, random);
+            double[] through = radiance(hit.point(), d, scattered, events, path);
             return before == after ? through : NaiveColors.product(color(hit), through);
         }
         if (glass.roughness() > 0) {
-            return throughFacets(glass, hit, d, from, to, scattered, events, random);
+            return throughFacets(glass, hit, d, from, to, scattered, events, path);
         }
-        if (random.nextDouble() < NaiveFresnel.dielectric(cosine, from, to)) {
-            return mirrored(hit, hit.normal(), d, scattered, events, random);
+        if (path.random.nextDouble() < NaiveFresnel.dielectric(cosine, from, to)) {
+            return mirrored(hit, hit.normal(), d, scattered, events, path);
         }
-        return refracted(hit, hit.normal(), d, from, to, scattered, events, random);
+        return refracted(hit, hit.normal(), d, from, to, scattered, events, path);
     }
 
-    private double[] mirrored(
-            NaiveScene.Hit hit, Vec3 facet, Vec3 d, int scattered, int events, SplittableRandom random) {
+    private double[] mirrored(NaiveScene.Hit hit, Vec3 facet, Vec3 d, int scattered, int events, Path path) {
+        path.mirrored();
         Vec3 on = d.minus(facet.times(2 * d.dot(facet)));
         return scattered == scene.maxBounces || on.dot(hit.normal()) <= 0
                 ? new double[3]
-                : radiance(hit.point(), on, scattered + 1, events, random);
+                : radiance(hit.point(), on, scattered + 1, events, path);
     }
 
     /** Radiance on the two sides of a border is in the ratio of the squares of the indices. */
     private double[] refracted(
-            NaiveScene.Hit hit,
-            Vec3 facet,
-            Vec3 d,
-            double from,
-            double to,
-            int scattered,
-            int events,
-            SplittableRandom random) {
+            NaiveScene.Hit hit, Vec3 facet, Vec3 d, double from, double to, int scattered, int events, Path path) {
+        path.mirrored();
         double cosine = -d.dot(facet);
         double beyond = NaiveFresnel.refracted(Math.min(1, cosine), from, to);
         Vec3 on = d.times(from / to)
@@ -244,7 +285,7 @@ final class NaiveTracer {
         if (scattered == scene.maxBounces || on.dot(hit.normal()) >= 0) {
             return new double[3];
         }
-        double[] arriving = radiance(hit.point(), on, scattered + 1, events, random);
+        double[] arriving = radiance(hit.point(), on, scattered + 1, events, path);
         return scaled(NaiveColors.product(color(hit), arriving), from * from / (to * to));
     }
 
@@ -257,17 +298,20 @@ final class NaiveTracer {
             double to,
             int scattered,
             int events,
-            SplittableRandom random) {
+            Path path) {
+        if (isLeftOut(path)) {
+            return new double[3];
+        }
         NaiveFacets facets = new NaiveFacets(glass.roughness() * glass.roughness());
         Vec3[] axes = axes(hit.normal());
         Vec3 out = local(axes, d.negated());
-        Vec3 m = facets.sample(random);
+        Vec3 m = facets.sample(path.random);
         double cosine = out.dot(m);
         if (cosine <= 0) {
             return new double[3];
         }
         Vec3 facet = axes[0].times(m.x()).plus(axes[1].times(m.y())).plus(axes[2].times(m.z()));
-        boolean reflects = random.nextDouble() < NaiveFresnel.dielectric(cosine, from, to);
+        boolean reflects = path.random.nextDouble() < NaiveFresnel.dielectric(cosine, from, to);
         double beyond = NaiveFresnel.refracted(Math.min(1, cosine), from, to);
         Vec3 in = reflects
                 ? m.times(2 * cosine).minus(out)
@@ -278,8 +322,8 @@ final class NaiveTracer {
         double weight = facets.visible(out, in.z() > 0 ? in : in.negated()) * cosine / (out.z() * m.z());
         return scaled(
                 reflects
-                        ? mirrored(hit, facet, d, scattered, events, random)
-                        : refracted(hit, facet, d, from, to, scattered, events, random),
+                        ? mirrored(hit, facet, d, scattered, events, path)
+                        : refracted(hit, facet, d, from, to, scattered, events, path),
                 weight);
     }
 

@@ -189,8 +189,9 @@ abstract class Subpath {
         arrive();
     }
 
+    /** The root makes longer paths than the colour itself, which pays: docs/bidirectional.md. */
     private static double survival(double r, double g, double b) {
-        return Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
+        return Math.min(Math.sqrt(Math.max(r, Math.max(g, b))), LARGEST_SURVIVAL);
     }
 
     /** Whether the path may be scattered where it is. */

@@ -33,9 +33,6 @@ abstract class Subpath {
         ENDED
     }
 
-    /** Not 1, so that what is caught between two surfaces that lose nothing ends. */
-    private static final double LARGEST_SURVIVAL = 0.99;
-
     final PathFollower path;
     final PhysicalScene physical;
     final Ray ray = new Ray();
@@ -191,7 +188,7 @@ abstract class Subpath {
 
     /** The root makes longer paths than the colour itself, which pays: docs/bidirectional.md. */
     private static double survival(double r, double g, double b) {
-        return Math.min(Math.sqrt(Math.max(r, Math.max(g, b))), LARGEST_SURVIVAL);
+        return Math.min(Math.sqrt(Math.max(r, Math.max(g, b))), PathValue.LARGEST_SURVIVAL);
     }
 
     /** Whether the path may be scattered where it is. */
@@ -250,7 +247,7 @@ abstract class Subpath {
         bsdf = rough;
         s = border;
         isBorder = true;
-        survival = LARGEST_SURVIVAL;
+        survival = PathValue.LARGEST_SURVIVAL;
         Arrays.fill(color, 1);
         path.filter(color);
         path.turnTo(0);

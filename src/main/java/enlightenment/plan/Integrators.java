@@ -46,6 +46,9 @@ public final class Integrators {
     /** Paths of the method that finds nearly all light by them, per camera sample. */
     private static final double LIGHT_PATHS = 1;
 
+    /** Camera rays beside them end at the first surface, mostly. */
+    private static final double LIGHT_PATH_WEIGHT = 8;
+
     /**
      * The same for physical light: its survey tells little of paths, and with few samples the first paths of each pixel are few. Measured:
      * docs/cluster-sampler.md.
@@ -116,6 +119,11 @@ public final class Integrators {
         return method instanceof IntegratorFactory factory && method.kind() == Method.Kind.TILES
                 ? factory.lightPathsPerSample(scene, settings)
                 : 0;
+    }
+
+    /** How long a path that is splatted over the tiles of a method takes, in camera samples of these: about, to tell what is done. */
+    public static double weightOfLightPath(Method method) {
+        return method == BuiltInMethod.LIGHT ? LIGHT_PATH_WEIGHT : 1;
     }
 
     /**

@@ -20,6 +20,7 @@ import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -78,6 +79,11 @@ public final class Integrators {
                         MOST_WITHOUT_SURVEY,
                         FIRST_OF_CLUSTER);
         };
+    }
+
+    /** The fewest samples per pixel with which a method is used itself. */
+    public static double fewestSamples(Method method, Shading.Model shading) {
+        return traits(method, shading == Shading.Model.PHYSICAL).fewest();
     }
 
     /** The same for scenes of a shading. */

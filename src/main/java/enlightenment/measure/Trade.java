@@ -12,6 +12,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -98,9 +99,15 @@ public final class Trade {
     /** What is to be known of the methods of a measurement, in their order. */
     private static List<Renderer.Sight> methods(Scene scene, TradeSettings settings) {
         List<Renderer.Sight> all = Renderer.inspect(scene, settings.base()).methods();
-        return settings.methods().stream()
-                .flatMap(word -> all.stream().filter(s -> s.method().word().equals(word)))
-                .toList();
+        List<Renderer.Sight> named = new ArrayList<>();
+        for (String word : settings.methods()) {
+            named.add(all.stream()
+                    .filter(s -> s.method().word().equals(word))
+                    .findFirst()
+                    // From outside the program: all that is known of it is its name.
+                    .orElseGet(() -> new Renderer.Sight(Method.named(word), Optional.empty(), 1)));
+        }
+        return named;
     }
 
     /** What the methods cannot see of the scene, by their words. */

@@ -7,6 +7,7 @@ import enlightenment.image.Image;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -16,8 +17,10 @@ import enlightenment.work.Phases;
 import enlightenment.work.PictureMemory;
 import enlightenment.work.Stopwatch;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
@@ -134,8 +137,11 @@ public final class Renderer {
         int primitives = compiled.primitives.length;
         List<String> hints = new ArrayList<>(SceneHints.of(scene, compiled));
         Integrators.blindSpot(settings.method(), compiled).ifPresent(hints::add);
+        // Methods from outside are not looked for here: a scene that names none does not pay for the search.
+        Set<Method> known = new LinkedHashSet<>(BuiltInMethod.ALL);
+        known.add(settings.method());
         List<Sight> methods = new ArrayList<>();
-        for (Method method : Method.all()) {
+        for (Method method : known) {
             if (method.shadings().contains(scene.shading().model())) {
                 methods.add(new Sight(
                         method,
@@ -188,7 +194,7 @@ public final class Renderer {
             List<Sight> methods) {}
 
     /**
-     * A method that can render a scene.
+     * A method that can render a scene: one of the program's own, or that of the settings.
      *
      * @param method the method
      * @param blindSpot what of the scene it cannot see, as a sentence without a full stop that begins with its name; empty if it sees

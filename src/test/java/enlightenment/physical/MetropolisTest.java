@@ -123,9 +123,9 @@ class MetropolisTest {
     void noBlockIsBrighterThanItShouldBe() {
         Scene scene = SCENES.get("panel to one side");
         RenderSettings settings = chains(scene, 5, 250, 8).withSize(131, 70);
-        List<Image> ours = Rendered.seeds(scene, settings, 1, 6);
+        List<Image> ours = Rendered.seeds(scene, settings, 1, 24);
         List<Image> others =
-                Rendered.seeds(scene, RenderSettings.of(scene).withSize(131, 70).withAntialias(3), 1000, 4);
+                Rendered.seeds(scene, RenderSettings.of(scene).withSize(131, 70).withAntialias(3), 1000, 16);
         double level = Welch.sidak(0.01, 6);
         for (int block = 0; block < 6; block++) {
             int left = block % 3 * 64;

@@ -59,7 +59,7 @@ public final class PathCut {
 
     /** Notes the second vertex; returns whether it can give light to others. */
     boolean end(Hit at, boolean isPlain) {
-        gives = takes && isPlain && at.primitive.isFlat();
+        gives = takes && isPlain && isOpen(at);
         if (gives) {
             second.set(at);
         }

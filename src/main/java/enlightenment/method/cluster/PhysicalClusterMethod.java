@@ -31,6 +31,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     private static final int MOST_MEMBERS = PIXELS / GROUPS;
 
+    static final boolean ALL = Boolean.getBoolean("all");
     private static final int STEP = 4;
 
     /** Binary logarithm of the largest number of first paths; more would tell little more. */
@@ -290,7 +291,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             placeX[m] = sampler.filmX();
             placeY[m] = sampler.filmY();
             scene.camera.ray((x + placeX[m]) / settings.width(), (y + placeY[m]) / settings.height(), ray);
-            if (survey.isIndirect(column[m], row[m])) {
+            if (ALL || survey.isIndirect(column[m], row[m])) {
                 tracer.shade(ray, sampler, paths[m]);
                 paths[m].own(colors[m]);
             } else {
@@ -311,13 +312,20 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     /** Shares what the second vertices of the group's paths give among all first vertices that see them. */
     private void share(int index) {
+        for (int m = 0; m < members; m++) {
+            if (index >= count[m]) {
+                paths[m].clear();
+            }
+        }
+        connections.begin(paths, members);
         for (int q = 0; q < members; q++) {
-            if (index >= count[q] || !paths[q].gives()) {
+            if (!paths[q].gives()) {
                 continue;
             }
+            connections.from(paths[q]);
             double sum = 0;
             for (int p = 0; p < members; p++) {
-                shares[p] = index < count[p] ? connections.share(paths[p], paths[q]) : 0;
+                shares[p] = connections.share(paths[p]);
                 sum += shares[p];
             }
             for (int p = 0; p < members; p++) {

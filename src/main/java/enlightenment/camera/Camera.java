@@ -41,7 +41,8 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param upperRight the window's corner at the picture's upper right: {@code upperLeft + (lowerRight − lowerLeft)}, up to
      *     rounding of the decimals
      * @param lowerRight the window's corner at the picture's lower right
-     * @param pupilRadius the radius of the eye's pupil, at least 0; only light tracing uses it
+     * @param pupilRadius the radius of the eye's pupil, at least 0. Above 0 it stands for the original's, which was to catch rays
+     *     from the lamp that pass near the eye: classic shading has no such rays, and physical shading refuses it
      */
     record Window(
             ExactPoint eye,

@@ -44,6 +44,9 @@ public final class PhysicalScene {
     /** Whether shadow rays may pass glass that does not turn them: panes, and borders of media of equal index. */
     public final boolean hasStraightGlass;
 
+    /** Whether things may be seen in mirrors, in panes, or through glass that turns rays. */
+    public final boolean showsMirrored;
+
     /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
     private final int[] firstFace;
 
@@ -81,6 +84,9 @@ public final class PhysicalScene {
         hasAbsorption = Arrays.stream(compiled.glassSolids())
                 .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
         hasStraightGlass = hasPanes(compiled) || hasEqualIndices(compiled);
+        showsMirrored = compiled.materials().any(m -> !m.isGlass && m.isDelta && !m.isBlack)
+                || hasClearGlass(compiled)
+                || hasPanes(compiled);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
         caustics = CausticPass.of(lights, compiled, maxBounces);
@@ -116,6 +122,13 @@ public final class PhysicalScene {
             }
         }
         return false;
+    }
+
+    /** Whether a solid of smooth glass turns rays. */
+    private static boolean hasClearGlass(CompiledPrimitives compiled) {
+        return Arrays.stream(compiled.glassSolids())
+                .mapToObj(id -> compiled.materials().of(id, 0))
+                .anyMatch(m -> m.isDelta && m.indexOfRefraction != 1);
     }
 
     /** Whether there are two media of the same index of refraction, one of which may be empty space. */

@@ -4,6 +4,7 @@ import enlightenment.accel.Accelerator;
 import enlightenment.accel.Bvh;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.bsdf.SpecularReflection;
+import enlightenment.camera.Camera;
 import enlightenment.color.DisplayCurve;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
@@ -246,6 +247,9 @@ public final class SceneCompiler {
             add(mirrors, "mirrors", "mirrors");
             add(glass, "refraction", "refraction");
             add(textures, "image textures", "image textures");
+            if (scene.camera() instanceof Camera.Window w && w.pupilRadius() > 0) {
+                absent.add("the pupil's radius (it is for rays from lights, which classic shading has none of)");
+            }
         }
 
         private void add(boolean required, String there, String notThere) {

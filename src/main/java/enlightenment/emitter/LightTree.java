@@ -5,12 +5,15 @@ import enlightenment.numeric.Scale;
 /**
  * A hierarchy of many lights: A. Conty Estevez and C. Kulla, "Importance sampling of many lights with adaptive tree splitting", 2018,
  * with the bounds of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 4th ed., 12.6.3. For each receiver the tree is
- * split where most may come from, into as many nodes as few lights would be weighed; one of them is chosen in proportion to an upper bound
+ * split where most may come from, into a few nodes; one of them is chosen in proportion to an upper bound
  * of what it contributes, its children likewise, a light at the end by its own weight. Immutable.
  */
 final class LightTree {
     /** Bounds the roundings of cosines: what is below the horizon by less may be above it. */
     private static final double SLACK = Scale.gamma(64);
+
+    /** Into how many nodes the tree is split; twice and half as many cost more for the same error (docs/light-sampling.md). */
+    private static final int CUT = 6;
 
     private static final int STRIDE = 10;
 
@@ -49,14 +52,14 @@ final class LightTree {
     }
 
     /**
-     * Splits, beginning with the root, the node that may contribute most, until there are as many as are weighed: a cut through the
+     * Splits, beginning with the root, the node that may contribute most, until there are enough: a cut through the
      * tree that depends on the receiver alone. Returns the sum of their importances.
      */
     private double cut(double x, double y, double z, double nx, double ny, double nz, LightChoice c) {
         c.nodes[0] = 0;
         c.weights[0] = 1;
         c.count = 1;
-        while (c.count < LightPicker.FEW) {
+        while (c.count < CUT) {
             int most = mostImportant(c);
             if (most < 0) {
                 break;

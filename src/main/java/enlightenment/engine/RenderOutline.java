@@ -8,6 +8,7 @@ import enlightenment.method.SplatIntegrator;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -16,7 +17,7 @@ import java.util.List;
  * @param sceneName the scene's name
  * @param settings the settings in force
  * @param plan what was decided before the first unit
- * @param features what is modelled, in plain words
+ * @param features what is modelled, and what of it the method cannot see, in plain words
  * @param kinds the kinds of primitives in the scene, in the order of their counters
  * @param display what pixels are, and how they become what a screen takes
  * @param splatScale the unit in which contributions of paths are summed; of no meaning where no units are batches of paths
@@ -44,8 +45,10 @@ public record RenderOutline(
 
     /** The outline of a render of this scene. */
     public static RenderOutline of(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
-        RenderOutline outline = new RenderOutline(sceneName, settings, plan, scene.features(), scene.kindNames)
-                .withDisplay(scene.display);
+        List<String> features = new ArrayList<>(scene.features());
+        Integrators.blindSpot(settings.method(), scene).ifPresent(features::add);
+        RenderOutline outline =
+                new RenderOutline(sceneName, settings, plan, features, scene.kindNames).withDisplay(scene.display);
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {

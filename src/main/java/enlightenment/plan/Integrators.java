@@ -19,6 +19,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
@@ -132,6 +133,16 @@ public final class Integrators {
             case RAYTRACE, CLUSTER -> new CausticPaths(scene, settings, counters);
             case LIGHT -> new LightPaths(scene, settings, counters);
         };
+    }
+
+    /** What a method cannot see of a scene, in plain words; empty if it sees everything. */
+    public static Optional<String> blindSpot(Method method, CompiledScene scene) {
+        if (method != BuiltInMethod.LIGHT || scene.physical == null || !scene.physical.showsMirrored) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                method.word() + " cannot see surfaces in mirrors, in panes or through glass that bends light:"
+                        + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */

@@ -18,6 +18,7 @@ public final class Planner {
     /** The first picture of paths that may end anywhere has this many to a pixel where an error is asked for. */
     private static final double FIRST_PATHS = 4;
 
+    private final CompiledScene scene;
     private final RenderSettings settings;
     private final BooleanSupplier cancelled;
     private final SamplePlans plans;
@@ -26,6 +27,7 @@ public final class Planner {
 
     /** @param cancelled asked from several threads at once; once true, a plan is made in haste */
     public Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
         plans = new SamplePlans(scene, settings, cancelled);
@@ -42,6 +44,7 @@ public final class Planner {
      */
     public RenderPlan plan(Stopwatch time, double previewed) {
         Budget budget = settings.budget();
+        Integrators.blindSpot(settings.method(), scene).ifPresent(notes::add);
         noteCrop();
         if (budget.isNone()) {
             return plans.ofAntialias();
@@ -72,13 +75,16 @@ public final class Planner {
     }
 
     private void noteCrop() {
-        if (plans.traits().areBatches() && settings.crop().isPresent()) {
+        if (settings.crop().isEmpty()) {
+            return;
+        }
+        if (plans.haveLightPaths()) {
+            notes.add("a crop has the light paths of the whole picture"
+                    + (plans.areMostlyPaths() ? " and saves little time" : "")
+                    + ": they may end anywhere, and what they bring elsewhere is dropped");
+        } else if (plans.traits().areBatches()) {
             notes.add("a crop saves no time with " + settings.method()
                     + ": its paths may end anywhere, and what they bring elsewhere is dropped");
-        }
-        if (plans.haveLightPaths() && settings.crop().isPresent()) {
-            notes.add("a crop has the light paths of the whole picture:"
-                    + " they may end anywhere, and what they bring elsewhere is dropped");
         }
     }
 

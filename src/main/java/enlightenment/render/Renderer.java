@@ -4,6 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.compiled.SceneHints;
 import enlightenment.image.Image;
+import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Method;
@@ -14,6 +15,7 @@ import enlightenment.work.Cancellation;
 import enlightenment.work.Phases;
 import enlightenment.work.PictureMemory;
 import enlightenment.work.Stopwatch;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
@@ -129,12 +131,14 @@ public final class Renderer {
     public static Inspection inspect(Scene scene, RenderSettings settings) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         int primitives = compiled.primitives.length;
+        List<String> hints = new ArrayList<>(SceneHints.of(scene, compiled));
+        Integrators.blindSpot(settings.method(), compiled).ifPresent(hints::add);
         return new Inspection(
                 compiled.features(),
                 compiled.absent(),
                 primitives,
                 memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE,
-                SceneHints.of(scene, compiled));
+                List.copyOf(hints));
     }
 
     /**
@@ -160,8 +164,8 @@ public final class Renderer {
      * @param notModelled what is left out because the scene does not require it
      * @param primitives number of primitives in the compiled scene
      * @param expectedMemoryBytes estimate of the memory for the compiled scene and the picture
-     * @param hints what is surely not meant, such as a camera inside a solid, each with its place; empty for a scene that
-     *     makes sense
+     * @param hints what is surely not meant, such as a camera inside a solid, each with its place, and what the method cannot see;
+     *     empty for a scene that makes sense
      */
     public record Inspection(
             List<String> modelled,

@@ -70,6 +70,7 @@ public record Scene(
         Objects.requireNonNull(render, "render");
         Objects.requireNonNull(animation, "animation");
         ShadingFit fit = new ShadingFit(shading, materials);
+        fit.require(camera);
         Set<String> names = new HashSet<>();
         for (int i = 0; i < objects.size(); i++) {
             SceneObject object = objects.get(i);

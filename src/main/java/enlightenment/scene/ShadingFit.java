@@ -1,5 +1,6 @@
 package enlightenment.scene;
 
+import enlightenment.camera.Camera;
 import enlightenment.material.Material;
 import enlightenment.math.InvalidValueException;
 import java.util.LinkedHashMap;
@@ -7,7 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Collectors;
 
-/** Finds the materials of objects that have no meaning in a scene's shading; materials that nothing uses do no harm. */
+/** Finds the camera and the materials of objects that have no meaning in a scene's shading; materials that nothing uses do no harm. */
 final class ShadingFit {
     /** How many further places are told. */
     private static final int MOST = 3;
@@ -21,6 +22,20 @@ final class ShadingFit {
     ShadingFit(Shading shading, Map<String, Material> named) {
         this.model = shading.model();
         this.named = named;
+    }
+
+    /**
+     * Fails if a camera has no meaning in this shading.
+     *
+     * @throws InvalidValueException with the place
+     */
+    void require(Camera camera) {
+        if (model == Shading.Model.PHYSICAL && camera instanceof Camera.Window w && w.pupilRadius() > 0) {
+            throw new InvalidValueException(
+                    "camera/pupilRadius",
+                    "must be 0 in physical shading: a lens is not modelled, and all light comes to the eye in one point;"
+                            + " leave it out");
+        }
     }
 
     /** Looks at an object. */

@@ -166,7 +166,10 @@ abstract class LightWalker {
         return Hash.unit(Hash.of(hash, ((long) pieces << Integer.SIZE) + events, purpose));
     }
 
-    /** Follows the ray to the next event; returns whether the path goes on. */
+    /**
+     * Follows the ray to the next event; returns whether the path goes on. What happens at opaque surfaces stands here, so that this is too
+     * long to be compiled again into its caller.
+     */
     private boolean step() {
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
@@ -174,25 +177,30 @@ abstract class LightWalker {
             return false;
         }
         if (medium != null && medium.absorbs) {
-            absorb(medium, path.distance(ray));
+            double length = path.distance(ray);
+            filter(
+                    StrictMath.exp(-medium.absorptionR * length),
+                    StrictMath.exp(-medium.absorptionG * length),
+                    StrictMath.exp(-medium.absorptionB * length));
         }
-        return event == PathFollower.Event.SURFACE ? surface() : glass();
-    }
-
-    /** At an opaque surface. */
-    private boolean surface() {
+        boolean isGlass = event == PathFollower.Event.GLASS;
+        if (isGlass) {
+            int opaque = physical.hasPartialGlass ? path.glass.opaque(unit(5)) : -1;
+            if (opaque < 0) {
+                return glass();
+            }
+            path.turnTo(opaque);
+        }
         SurfaceMaterial material = path.material();
-        if (material.isBlack || !counts && !material.isDelta) {
+        Bsdf bsdf = isGlass ? Lambert.INSTANCE : material.bsdf;
+        boolean isDelta = bsdf.isDelta();
+        if (material.isBlack || !counts && !isDelta) {
             return false;
         }
         counts = true;
         path.color(material, surface);
-        return scatter(material.bsdf);
-    }
-
-    private boolean scatter(Bsdf bsdf) {
         Scattering s = path.arrive(ray, surface);
-        if (!bsdf.isDelta()) {
+        if (!isDelta) {
             connect(bsdf, s, null);
         }
         if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
@@ -226,14 +234,6 @@ abstract class LightWalker {
 
     /** At a border of glass, or at a pane. */
     private boolean glass() {
-        if (physical.hasPartialGlass) {
-            int opaque = path.glass.opaque(unit(5));
-            if (opaque >= 0) {
-                path.turnTo(opaque);
-                path.color(path.material(), surface);
-                return counts && scatter(Lambert.INSTANCE);
-            }
-        }
         if (physical.hasRoughGlass) {
             if (!onlyCaustics) {
                 connectAtBorder();
@@ -296,12 +296,5 @@ abstract class LightWalker {
         green /= survival;
         blue /= survival;
         return true;
-    }
-
-    /** By Beer and Lambert's law, on the way to what the path has come to. */
-    private void absorb(SurfaceMaterial medium, double length) {
-        red *= StrictMath.exp(-medium.absorptionR * length);
-        green *= StrictMath.exp(-medium.absorptionG * length);
-        blue *= StrictMath.exp(-medium.absorptionB * length);
     }
 }

@@ -14,20 +14,28 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
+import enlightenment.color.TransferCurve;
+import enlightenment.engine.DividedRender;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
+import enlightenment.material.Material;
 import enlightenment.math.Vec3;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
+import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -139,6 +147,77 @@ class LightMethodTest {
                 .build();
         assertArrayEquals(
                 new float[3 * 8 * 8], Renderer.render(scene, light(scene, 2)).toArray());
+    }
+
+    @Test
+    void whatItCannotSeeIsToldWhereASceneHasItAndNowhereElse() {
+        Scene plain = room().light(sphereLight(0.2, 1.5, -0.1, 0.3, 6)).build();
+        assertEquals(List.of(), blindSpots(plain, BuiltInMethod.LIGHT));
+        Material glass = Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5);
+        Material frosted = new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1.5, 1, 0, true, 0.5, Rgb.BLACK, false);
+        Material air = Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1);
+        for (Material seenThrough : List.of(frosted, air)) {
+            Scene scene = room().object(ball(0, 1, 0, 0.3), seenThrough).build();
+            assertEquals(List.of(), blindSpots(scene, BuiltInMethod.LIGHT));
+        }
+        for (Material shows : List.of(glass, Material.Mirror.of(PhysicalScenes.linear(1, 1, 1)))) {
+            Scene scene = room().object(ball(0, 1, 0, 0.3), shows).build();
+            assertEquals(1, blindSpots(scene, BuiltInMethod.LIGHT).size());
+            assertEquals(List.of(), blindSpots(scene, BuiltInMethod.RAYTRACE));
+            List<String> notes = new ArrayList<>();
+            RenderProgress heard = new RenderProgress() {
+                @Override
+                public void progress(long done, long total, Supplier<Image> soFar) {}
+
+                @Override
+                public void note(String text) {
+                    notes.add(text);
+                }
+            };
+            RenderResult result = Renderer.render(scene, light(scene, 1), heard, () -> false);
+            assertTrue(notes.stream().anyMatch(n -> n.contains("cannot see surfaces in mirrors")), notes::toString);
+            assertTrue(result.report().features().stream().anyMatch(f -> f.contains("cannot see")));
+        }
+    }
+
+    private static List<String> blindSpots(Scene scene, BuiltInMethod method) {
+        return Renderer.inspect(scene, RenderSettings.of(scene).withMethod(method)).hints().stream()
+                .filter(hint -> hint.contains("cannot see"))
+                .toList();
+    }
+
+    @Test
+    void aCropSaysThatItSavesLittle() {
+        Scene scene = room().light(sphereLight(0.2, 1.5, -0.1, 0.3, 6)).build();
+        RenderSettings settings = light(scene, 1).withCrop(new RenderSettings.Crop(2, 2, 4, 4));
+        List<String> notes = DividedRender.prepare(scene, settings, () -> false).notes();
+        assertTrue(
+                notes.size() == 1 && notes.get(0).contains("of the whole picture and saves little time"),
+                notes::toString);
+    }
+
+    /** The upper end of the interval is as asked, and so is the true error. */
+    @Test
+    void anErrorThatIsAskedForIsKept() {
+        Scene scene = room().light(sphereLight(0.2, 1.5, -0.1, 0.3, 6)).build();
+        RenderSettings exact = RenderSettings.of(scene).withAntialias(40);
+        float[] truth = Renderer.render(scene, exact).toArray();
+        for (int seed = 1; seed <= 3; seed++) {
+            RenderSettings settings = light(scene, 1).withSeed(seed).withBudget(Budget.NONE.withError(0.03));
+            RenderResult result = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
+            assertTrue(result.report().sampling().errorInFile() <= 0.03);
+            float[] picture = result.image().toArray();
+            double sum = 0;
+            for (int i = 0; i < truth.length; i++) {
+                double d = shown(picture[i]) - shown(truth[i]);
+                sum += d * d;
+            }
+            assertTrue(Math.sqrt(sum / truth.length) <= 0.03);
+        }
+    }
+
+    private static double shown(double light) {
+        return TransferCurve.encode(Math.min(light, 1));
     }
 
     @Test

@@ -43,6 +43,26 @@ class ShadingFitTest {
     }
 
     @Test
+    void anEyeWithASizeIsRefusedInPhysicalShadingWhichHasNoLens() {
+        Camera eye = eye(0.5);
+        scene(ClassicShading.DEFAULT).camera(eye).build();
+        scene(PhysicalShading.DEFAULT).camera(eye(0)).build();
+        InvalidValueException e = refused(scene(PhysicalShading.DEFAULT).camera(eye));
+        assertEquals("camera/pupilRadius", e.key());
+        assertTrue(e.problem().contains("a lens is not modelled"), e.problem());
+    }
+
+    private static Camera eye(double pupilRadius) {
+        return new Camera.Window(
+                ExactPoint.of(0, 0, -1),
+                ExactPoint.of(0, 0, 0),
+                ExactPoint.of(0, 1, 0),
+                ExactPoint.of(1, 1, 0),
+                ExactPoint.of(1, 0, 0),
+                pupilRadius);
+    }
+
+    @Test
     void aMaterialWithANameIsRefusedAtItsName() {
         assertEquals(
                 "materials/door~1handle~0/type",

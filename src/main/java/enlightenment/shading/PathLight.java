@@ -135,11 +135,6 @@ final class PathLight {
         }
     }
 
-    /** Whether no light that was gathered at a matte vertex was left to chance. */
-    boolean isCertain() {
-        return chances == 0;
-    }
-
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
         if (isIn(l)) {

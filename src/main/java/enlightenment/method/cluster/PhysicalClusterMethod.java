@@ -31,7 +31,6 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     private static final int MOST_MEMBERS = PIXELS / GROUPS;
 
-    static final boolean ALL = Boolean.getBoolean("all");
     private static final int STEP = 4;
 
     /** Binary logarithm of the largest number of first paths; more would tell little more. */
@@ -291,13 +290,8 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             placeX[m] = sampler.filmX();
             placeY[m] = sampler.filmY();
             scene.camera.ray((x + placeX[m]) / settings.width(), (y + placeY[m]) / settings.height(), ray);
-            if (ALL || survey.isIndirect(column[m], row[m])) {
-                tracer.shade(ray, sampler, paths[m]);
-                paths[m].own(colors[m]);
-            } else {
-                tracer.shade(ray, sampler, colors[m]);
-                paths[m].clear();
-            }
+            tracer.shade(ray, sampler, paths[m]);
+            paths[m].own(colors[m]);
             keys[m] = tracer.certain(certain[m]);
             events[m] = tracer.events();
         }

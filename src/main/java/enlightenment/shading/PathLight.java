@@ -74,9 +74,6 @@ final class PathLight {
     double certainGreen;
     double certainBlue;
 
-    /** How many lights there are left to chance. */
-    private int chances;
-
     /** What is known of the lights there: a digit to base three for each, hidden, in full view, or a matter of chance. */
     long views;
 
@@ -110,7 +107,6 @@ final class PathLight {
         certainGreen = 0;
         certainBlue = 0;
         views = 0;
-        chances = 0;
         shadow.begin();
     }
 
@@ -155,7 +151,6 @@ final class PathLight {
                 certainBlue = Math.fma(f, l.b, certainBlue);
             }
         }
-        chances += isByChance ? 1 : 0;
         views = 3 * views + (isByChance ? 2 : e > 0 ? 1 : 0);
     }
 

@@ -1,11 +1,15 @@
 package enlightenment.accel;
 
 import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
+import enlightenment.primitive.BoxPrimitive;
+import enlightenment.primitive.CubePrimitive;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.primitive.RectanglePrimitive;
 import enlightenment.primitive.SpherePrimitive;
+import enlightenment.primitive.TrianglePrimitive;
 
 /**
  * Searches a few primitives, with their numbers side by side: a ray misses most of them by so much that a few operations and a single
@@ -42,7 +46,10 @@ final class QuickTests {
     /** The size of their largest coordinate. */
     private double reach;
 
+    /** All others, those with flat faces in balls around them. */
     private final Primitive[] others;
+
+    private final double[] ballsAround;
     private final int[] otherIds;
     private int otherCount;
 
@@ -55,6 +62,7 @@ final class QuickTests {
         rectangleIds = new int[room];
         walls = new double[WALL * room];
         others = new Primitive[room];
+        ballsAround = new double[BALL * room];
         otherIds = new int[room];
     }
 
@@ -78,6 +86,7 @@ final class QuickTests {
             if (p instanceof SpherePrimitive s && !p.isExtreme()) {
                 setBall(sphereCount++, s, ids[k]);
             } else if (axisOf(p) < 0) {
+                setBallAround(otherCount, p);
                 others[otherCount] = p;
                 otherIds[otherCount++] = ids[k];
             }
@@ -91,10 +100,28 @@ final class QuickTests {
     private void setBall(int k, SpherePrimitive s, int id) {
         spheres[k] = s;
         sphereIds[k] = id;
-        balls[BALL * k] = s.x();
-        balls[BALL * k + 1] = s.y();
-        balls[BALL * k + 2] = s.z();
-        balls[BALL * k + 3] = s.radius() * s.radius() * (1 + ERROR);
+        put(balls, k, s.center(), s.radius());
+    }
+
+    private static void put(double[] balls, int k, Vec3 center, double radius) {
+        balls[BALL * k] = center.x();
+        balls[BALL * k + 1] = center.y();
+        balls[BALL * k + 2] = center.z();
+        balls[BALL * k + 3] = radius * radius * (1 + ERROR);
+    }
+
+    /** Primitives with curved faces, whose tests have errors of another kind, and extreme ones are asked always. */
+    private void setBallAround(int k, Primitive p) {
+        boolean isFlatSided = p instanceof BoxPrimitive
+                || p instanceof CubePrimitive
+                || p instanceof RectanglePrimitive
+                || p instanceof TrianglePrimitive;
+        Bounds box = p.bounds();
+        boolean isAsked = p.isExtreme() || !isFlatSided;
+        Vec3 center = isAsked ? Vec3.ZERO : box.center();
+        double radius =
+                isAsked ? Double.POSITIVE_INFINITY : box.max().minus(center).length();
+        put(ballsAround, k, center, radius);
     }
 
     private void setWall(int k, RectanglePrimitive r, int id, int axis) {
@@ -124,20 +151,17 @@ final class QuickTests {
         if (ray.isSpecial() || !(ray.tMin >= 0) || !(sizes < Double.POSITIVE_INFINITY)) {
             return false;
         }
-        searchSpheres(ray, state);
+        searchBalls(balls, spheres, sphereIds, sphereCount, ray, state);
         double width = 2 * ERROR * (Math.abs(ray.ox) + Math.abs(ray.oy) + Math.abs(ray.oz) + reach);
         searchAcross(0, ray, state, ray.ox, inverseX, ray.oy, ray.dy, ray.oz, ray.dz, width);
         searchAcross(1, ray, state, ray.oy, inverseY, ray.ox, ray.dx, ray.oz, ray.dz, width);
         searchAcross(2, ray, state, ray.oz, inverseZ, ray.ox, ray.dx, ray.oy, ray.dy, width);
-        for (int k = 0; k < otherCount; k++) {
-            state.offerCounted(ray, others[k], otherIds[k]);
-        }
+        searchBalls(ballsAround, others, otherIds, otherCount, ray, state);
         return true;
     }
 
-    /** A sphere is refused if the ray's line stays outside of it, or if the ray starts outside and leads away. */
-    private void searchSpheres(Ray ray, Closest state) {
-        double[] b = balls;
+    /** What is in a ball is refused if the ray's line stays outside of that, or if the ray starts outside and leads away. */
+    private static void searchBalls(double[] b, Primitive[] inBalls, int[] ids, int n, Ray ray, Closest state) {
         double ox = ray.ox;
         double oy = ray.oy;
         double oz = ray.oz;
@@ -145,7 +169,6 @@ final class QuickTests {
         double dy = ray.dy;
         double dz = ray.dz;
         double dd = ray.dd;
-        int n = sphereCount;
         for (int k = 0; k < n; k++) {
             double fx = b[BALL * k] - ox;
             double fy = b[BALL * k + 1] - oy;
@@ -153,10 +176,15 @@ final class QuickTests {
             double along = fx * dx + fy * dy + fz * dz;
             double inside = b[BALL * k + 3] - (fx * fx + fy * fy + fz * fz) * (1 - ERROR);
             long refused = sign(inside * dd + along * along) | sign(inside) & sign(along);
-            if (refused >= 0 && !(spheres[k] == ray.start && ray.startSide == Ray.OUTSIDE)) {
-                state.offerCounted(ray, spheres[k], sphereIds[k]);
+            if (refused >= 0 && !leaves(ray, inBalls[k])) {
+                state.offerCounted(ray, inBalls[k], ids[k]);
             }
         }
+    }
+
+    /** Whether the ray starts on the primitive and never meets it again. */
+    private static boolean leaves(Ray ray, Primitive p) {
+        return p == ray.start && ray.startSide == Ray.OUTSIDE && p.isConvex();
     }
 
     /**

@@ -7,13 +7,21 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.frame.BallCone;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cube;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Triangle;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -66,6 +74,76 @@ class AcceleratorTest {
         for (int i = 0; i < 2_000; i++) {
             compare(all, list, list, random.ray(60));
         }
+    }
+
+    /** A room of walls that share edges and planes, with some things in it. */
+    private static Primitive[] room(RandomPrimitives random) {
+        List<Shape> shapes = new ArrayList<>();
+        for (int k = 0; k < 3; k++) {
+            for (int at = -4; at <= 4; at += 8) {
+                for (int half = 0; half < 2; half++) {
+                    double[][] c = {{-4, -4 + 4 * half}, {-4, 4 * half}, {4, 4 * half}, {4, -4 + 4 * half}};
+                    ExactPoint[] p = new ExactPoint[4];
+                    for (int i = 0; i < 4; i++) {
+                        p[i] = k == 0
+                                ? ExactPoint.of(at, c[i][0], c[i][1])
+                                : k == 1 ? ExactPoint.of(c[i][0], at, c[i][1]) : ExactPoint.of(c[i][0], c[i][1], at);
+                    }
+                    shapes.add(new Rectangle(p[0], p[1], p[2], p[3]));
+                }
+            }
+        }
+        for (int i = 0; i < 4; i++) {
+            Vec3 c = random.vector(3);
+            shapes.add(Sphere.of(ExactPoint.of(c.x(), c.y(), c.z()), 0.1 + random.uniform()));
+            c = random.vector(3);
+            shapes.add(new Cube(ExactPoint.of(c.x(), c.y(), c.z()), 0.1 + random.uniform(), random.vector(90)));
+            shapes.add(new Box(ExactPoint.of(-4, -4, i - 2), ExactPoint.of(-3 + i, -3.5 + 0.25 * i, i - 1)));
+        }
+        shapes.add(new Triangle(ExactPoint.of(0, 0, 0), ExactPoint.of(2, 0, 0), ExactPoint.of(0, 3, 0)));
+        return shapes.stream().map(s -> Primitives.place(s, SceneFrame.WORLD)).toArray(Primitive[]::new);
+    }
+
+    /** Through whole and half numbers, where edges and corners are, and beside them by a few units in the last place. */
+    private static Vec3 nearEdge(RandomPrimitives random) {
+        double[] c = new double[3];
+        for (int k = 0; k < 3; k++) {
+            double v = 0.5 * (random.index(17) - 8);
+            int ulps = random.index(5) - 2;
+            c[k] = random.index(3) == 0 ? 8 * random.uniform() - 4 : v + ulps * Math.ulp(v);
+        }
+        return new Vec3(c[0], c[1], c[2]);
+    }
+
+    @Test
+    void aListOfARoomFindsWhatTheLoopFindsAtEdgesAndFromSurfaces() {
+        RandomPrimitives random = new RandomPrimitives(8);
+        Hit hit = new Hit();
+        int starts = 0;
+        for (int k = 0; k < 20; k++) {
+            Primitive[] all = room(random);
+            PrimitiveList list = PrimitiveList.of(all, new int[all.length]);
+            Ray ray = new Ray();
+            for (int i = 0; i < 2_000; i++) {
+                Vec3 o = i % 2 == 0 ? nearEdge(random) : random.vector(4);
+                Vec3 d = i % 3 == 0 ? random.vector(1) : nearEdge(random).minus(o);
+                if (d.maxAbs() == 0) {
+                    continue;
+                }
+                double scale = Math.scalb(1.0, random.index(60) - 30);
+                double from = i % 5 == 0 ? random.uniform() / scale : i % 7 == 0 ? -random.uniform() / scale : 0;
+                ray.set(o.x(), o.y(), o.z(), scale * d.x(), scale * d.y(), scale * d.z(), from);
+                compare(all, list, list, ray);
+                if (loop.id() >= 0 && all[loop.id()].intersect(ray, hit)) {
+                    starts++;
+                    Vec3 on = nearEdge(random).minus(hit.point());
+                    ray.set(hit.px, hit.py, hit.pz, on.x(), on.y(), on.z(), 0);
+                    double out = on.x() * hit.nx + on.y() * hit.ny + on.z() * hit.nz;
+                    compare(all, list, list, ray.from(all[loop.id()], out > 0 ? Ray.OUTSIDE : Ray.INSIDE));
+                }
+            }
+        }
+        assertTrue(starts > 10_000, starts + " rays from surfaces");
     }
 
     /** Spheres around (x, 0, 0) within a distance of 200 times their radius. */

@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
 import enlightenment.measure.Bench;
+import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -29,6 +30,15 @@ final class BenchCommand extends Subcommand {
 
     @Option(names = "--scenes", paramLabel = "DIR", description = "where the shipped scenes are (default: scenes)")
     private Path scenes = Path.of("scenes");
+
+    @Option(
+            names = "--methods",
+            paramLabel = "LIST",
+            converter = MethodList.Converter.class,
+            completionCandidates = RenderOptions.Methods.class,
+            description =
+                    "methods to measure, with commas, each with the scenes that it can render (default: all of our own)")
+    private MethodList methods;
 
     @Option(
             names = "--repeat",
@@ -61,8 +71,7 @@ final class BenchCommand extends Subcommand {
         boolean complete = line(all, "paper's benchmark", fireAndIce, Bench.paperSettings(fireAndIce));
         for (int i = 0; i < files.size() && complete; i++) {
             Scene scene = SceneReader.read(files.get(i));
-            String name = FileNames.stem(files.get(i));
-            complete = line(all, name, scene, RenderSettings.of(scene));
+            complete = lines(all, FileNames.stem(files.get(i)), scene);
         }
         if (json != null) {
             WholeFile.write(json, BenchJson.of(all, machine, repeat));
@@ -83,6 +92,18 @@ final class BenchCommand extends Subcommand {
                     .sorted()
                     .toList();
         }
+    }
+
+    /** Measures a scene with each method that can render it; false where it was stopped. */
+    private boolean lines(List<Bench> all, String name, Scene scene) {
+        MethodList able = methods == null ? MethodList.oursFor(scene) : methods;
+        for (Method method : able.methods()) {
+            boolean renders = method.shadings().contains(scene.shading().model());
+            if (renders && !line(all, name, scene, RenderSettings.of(scene).withMethod(method))) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Measures and prints; false where it was stopped. */

@@ -5,6 +5,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Renderer;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RayTraceSettings;
@@ -56,6 +57,7 @@ final class InspectCommand extends Subcommand {
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);
         list("method", method(settings, scene));
+        list("can render it", methods(inspection));
         line("settings", options.line(settings) + " threads=" + settings.threads());
         list("modelled", inspection.modelled());
         list("not modelled", inspection.notModelled());
@@ -80,6 +82,26 @@ final class InspectCommand extends Subcommand {
                             ? "of classic shading; a physical path takes one point of a light at a time"
                             : setting.description()));
         }
+        return lines;
+    }
+
+    /** Which methods can render the scene, and what they cannot see of it. */
+    private static List<String> methods(Renderer.Inspection inspection) {
+        List<String> all = new ArrayList<>();
+        List<String> blind = new ArrayList<>();
+        List<String> outside = new ArrayList<>();
+        for (Renderer.Sight sight : inspection.methods()) {
+            String word = sight.method().word();
+            if (sight.blindSpot().isPresent()) {
+                blind.add(sight.blindSpot().get());
+            } else {
+                (sight.method() instanceof BuiltInMethod ? all : outside).add(word);
+            }
+        }
+        List<String> lines = new ArrayList<>();
+        lines.add(String.join(", ", all) + ": all of it");
+        lines.addAll(blind);
+        outside.forEach(word -> lines.add(word + ": from outside the program"));
         return lines;
     }
 

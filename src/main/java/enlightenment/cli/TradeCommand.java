@@ -54,8 +54,8 @@ final class TradeCommand extends Subcommand {
             names = "--budget",
             paramLabel = "SECONDS",
             converter = Seconds.class,
-            description = "take about this long (default: 90)")
-    private double budget = 90;
+            description = "take about this long (default: 45 for each method, at least 90)")
+    private Double budget;
 
     @Option(
             names = "--seeds",
@@ -165,7 +165,8 @@ final class TradeCommand extends Subcommand {
         String frame = options.frame() == null ? "" : ", frame " + options.frame();
         String sceneKey = sceneFile.getFileName() + ", SHA-256 " + SceneFingerprint.of(scene) + frame;
         try {
-            return new TradeSettings(base, words, budget, seeds, sweeps, given, sceneKey);
+            double seconds = budget == null ? TradeSettings.budgetSeconds(words.size()) : budget;
+            return new TradeSettings(scene.shading().model(), base, words, seconds, seeds, sweeps, given, sceneKey);
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--" + optionOf(e.key()) + " " + e.problem());
         }

@@ -7,6 +7,7 @@ import enlightenment.measure.analysis.Curve;
 import enlightenment.measure.analysis.EqualErrorComparison;
 import enlightenment.measure.analysis.EqualTimeComparison;
 import enlightenment.measure.analysis.EqualTimePicture;
+import enlightenment.measure.analysis.MethodChoice;
 import enlightenment.measure.analysis.PowerLaw;
 import enlightenment.measure.analysis.SweepResult;
 import enlightenment.measure.analysis.TradeAnalysis;
@@ -38,6 +39,7 @@ final class TradeJson {
         json.writeNumberProperty("shareOfProcessors", result.shareOfProcessors());
         settings(json, result);
         reference(json, result.result().reference());
+        choice(json, MethodChoice.of(result));
         json.writeArrayPropertyStart("verdicts");
         Verdict.all(result).forEach(v -> verdict(json, v, result));
         json.writeEndArray();
@@ -87,9 +89,43 @@ final class TradeJson {
         json.writeNumberProperty("error", m.error());
         json.writeBooleanProperty("smallest", m.smallest());
         json.writeStringProperty("lightPoints", m.best() ? "best" : "scene");
-        json.writeNumberProperty("timesAsLong", m.ratio());
-        cost(json, "first", m.first());
-        cost(json, "second", m.second());
+        json.writeArrayPropertyStart("methods");
+        for (CostEstimate n : m.costs()) {
+            json.writeStartObject();
+            json.writeNumberProperty("timesAsLong", m.timesAsLong(n));
+            cost(json, "need", n);
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+        json.writeEndObject();
+    }
+
+    private static void choice(JsonGenerator json, MethodChoice choice) {
+        json.writeObjectPropertyStart("choice");
+        choice.sentence().ifPresent(s -> json.writeStringProperty("sentence", s));
+        json.writeArrayPropertyStart("leftOut");
+        choice.leftOut().forEach(json::writeString);
+        json.writeEndArray();
+        json.writeArrayPropertyStart("ranges");
+        for (MethodChoice.Range range : choice.ranges()) {
+            json.writeStartObject();
+            json.writeNumberProperty("largest", range.largest());
+            json.writeNumberProperty("smallest", range.smallest());
+            json.writeArrayPropertyStart("methods");
+            range.methods().forEach(json::writeString);
+            json.writeEndArray();
+            range.alone().ifPresent(e -> json.writeNumberProperty("alone", e));
+            json.writeArrayPropertyStart("rivals");
+            for (MethodChoice.Rival rival : range.rivals()) {
+                json.writeStartObject();
+                json.writeNumberProperty("timesAsLong", rival.ratio());
+                cost(json, "need", rival.cost());
+                json.writeEndObject();
+            }
+            json.writeEndArray();
+            json.writeEndObject();
+        }
+        json.writeEndArray();
         json.writeEndObject();
     }
 

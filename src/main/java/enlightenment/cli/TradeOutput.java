@@ -5,6 +5,7 @@ import enlightenment.image.ImageFiles;
 import enlightenment.measure.Trade;
 import enlightenment.measure.analysis.CostEstimate;
 import enlightenment.measure.analysis.EqualTimeComparison;
+import enlightenment.measure.analysis.MethodChoice;
 import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.chart.Chart;
@@ -56,6 +57,9 @@ final class TradeOutput {
         List<Chart> charts = charts(result);
         WholeFile.write(folder.resolve(PAGE), TradePage.of(result, equalTime, context(), charts));
         Verdict headline = Verdict.headline(result);
+        MethodChoice choice = MethodChoice.of(result);
+        choice.sentence().ifPresent(terminal::show);
+        choice.leftOut().forEach(spot -> terminal.show("Left out: " + spot + "."));
         terminal.show(headline.sentence());
         headline.best()
                 .filter(CostEstimate::isMeasured)
@@ -66,6 +70,7 @@ final class TradeOutput {
             }
         }
         equalTime.sentence().ifPresent(terminal::show);
+        terminal.show(result.referenceSentence());
         terminal.show("All of it: " + folder.resolve(PAGE));
     }
 

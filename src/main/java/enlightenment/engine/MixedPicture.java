@@ -5,6 +5,7 @@ import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatFilm;
 import enlightenment.image.Image;
+import enlightenment.plan.Integrators;
 
 /** The sum of two pictures: of tiles, and of paths that may end anywhere. What the paths bring is part of all finished pixels. */
 final class MixedPicture extends PictureFilm {
@@ -29,7 +30,8 @@ final class MixedPicture extends PictureFilm {
         double samples = outline.plan().samples()
                 * outline.settings().width()
                 * outline.settings().height();
-        shareOfTiles = samples / (samples + units.paths());
+        shareOfTiles = samples
+                / (samples + Integrators.weightOfLightPath(outline.plan().method()) * units.paths());
     }
 
     @Override

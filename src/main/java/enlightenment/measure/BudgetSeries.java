@@ -3,7 +3,6 @@ package enlightenment.measure;
 import enlightenment.measure.analysis.Configuration;
 import enlightenment.measure.analysis.Curve;
 import enlightenment.measure.analysis.Digits;
-import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import java.io.IOException;
@@ -13,7 +12,7 @@ import java.util.List;
 
 /**
  * Renders with budgets of 1, 2, 4, ... samples per pixel (and 2.5), several times each. The methods take turns, render by render, so
- * that a busy machine disturbs all of them alike. A method that takes a fixed number of light samples runs with other numbers as
+ * that a busy machine disturbs all of them alike. A method does not take part in budgets in which another one takes its place. A method that takes a fixed number of light samples runs with other numbers as
  * well, as far as there is time and as long as they may turn out best.
  */
 final class BudgetSeries {
@@ -23,13 +22,16 @@ final class BudgetSeries {
     /** These many budgets are rendered once whatever they take: fewer give no curve. */
     private static final int MIN_BUDGETS = 4;
 
+    /** And these many by each method that does not take part in the first. */
+    private static final int MIN_OWN_BUDGETS = 2;
+
     /** Powers of two, which low-discrepancy samples fill best, and 2.5, where the cluster method begins to survey. */
     private static final double[] SAMPLES = {1, 2, 2.5, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096};
 
     /** Below this, and at fractions, other numbers of light samples are not tried: the best one shows only with more samples. */
     private static final int VARIANTS_FROM = 2;
 
-    /** A budget above this share of the reference's is not rendered: the reference would not be clearly more accurate. */
+    /** A budget above this share of the reference's by the same method is not rendered: the reference would not be clearly more accurate. */
     private static final double MAX_OF_REFERENCE = 0.25;
 
     /** Seeds of neighbouring budgets are this far apart, so that no two renders share their random numbers. */
@@ -42,7 +44,7 @@ final class BudgetSeries {
     }
 
     void run() throws IOException {
-        for (int index = 0; index < budgets(); index++) {
+        for (int index = 0; index < SAMPLES.length; index++) {
             double samples = SAMPLES[index];
             session.say(samples == 1 ? "1 sample per pixel" : Digits.samples(samples) + " samples per pixel");
             boolean none = true;
@@ -53,7 +55,7 @@ final class BudgetSeries {
                     none = false;
                 }
             }
-            if (none) {
+            if (none && index >= lastNeeded()) {
                 return;
             }
         }
@@ -63,12 +65,15 @@ final class BudgetSeries {
     private List<Configuration> configurations(int index, int turn) {
         double samples = SAMPLES[index];
         List<Configuration> own = session.settings.methods().stream()
+                .filter(m -> samples >= session.fewest(m))
                 .map(m -> Configuration.ofScene(session.settings, m))
+                .filter(c -> isNeeded(c, index) || isBelowTheReference(c.method(), samples))
                 .toList();
-        boolean needed = index < MIN_BUDGETS && turn == 0;
         List<Configuration> chosen = new ArrayList<>();
-        if (needed || own.stream().noneMatch(c -> isDone(c, index)) && fits(own, samples)) {
+        if (own.stream().noneMatch(c -> isDone(c, index)) && fits(own, samples)) {
             chosen.addAll(own);
+        } else if (turn == 0) {
+            own.stream().filter(c -> isNeeded(c, index)).forEach(chosen::add);
         }
         List<Configuration> others = new ArrayList<>(own);
         if (samples >= VARIANTS_FROM && samples == Math.rint(samples)) {
@@ -86,12 +91,32 @@ final class BudgetSeries {
         return chosen;
     }
 
-    /** Whether its error can no longer be distinguished from the reference's: more samples add nothing. */
+    private int lastNeeded() {
+        return session.settings.methods().stream()
+                .mapToInt(m -> first(m) + MIN_OWN_BUDGETS - 1)
+                .reduce(MIN_BUDGETS - 1, Math::max);
+    }
+
+    private boolean isNeeded(Configuration own, int index) {
+        return index < MIN_BUDGETS || index < first(own.method()) + MIN_OWN_BUDGETS;
+    }
+
+    /** The index of the first budget that a method takes part in. */
+    private int first(String method) {
+        int index = 0;
+        while (SAMPLES[index] < session.fewest(method)) {
+            index++;
+        }
+        return index;
+    }
+
+    /** Whether with fewer samples its error could no longer be distinguished from the reference's: more add nothing. */
     private boolean isDone(Configuration configuration, int index) {
         return index >= MIN_BUDGETS
+                && !isNeeded(configuration, index)
                 && Curve.of(
                                 configuration,
-                                session.runs(r -> r.samples() == SAMPLES[index - 1]),
+                                session.runs(r -> r.samples() > 0 && r.samples() < SAMPLES[index]),
                                 session.reference().variance())
                         .points()
                         .stream()
@@ -113,16 +138,11 @@ final class BudgetSeries {
         return session.fits(seconds, share);
     }
 
-    private int budgets() {
-        double most = session.reference().parts().stream()
-                .mapToDouble(Reference.Part::samples)
-                .min()
-                .orElse(Double.POSITIVE_INFINITY);
-        int count = MIN_BUDGETS;
-        while (count < SAMPLES.length && SAMPLES[count] <= MAX_OF_REFERENCE * most) {
-            count++;
-        }
-        return count;
+    /** Whether the reference would be clearly more accurate; of other methods than its own that is not known before. */
+    private boolean isBelowTheReference(String method, double samples) {
+        return session.reference().parts().stream()
+                .filter(part -> part.method().equals(method))
+                .allMatch(part -> samples <= MAX_OF_REFERENCE * part.samples());
     }
 
     private void step(List<Configuration> configurations, double samples, long seed, int turn) throws IOException {

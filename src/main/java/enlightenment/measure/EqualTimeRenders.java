@@ -58,7 +58,7 @@ final class EqualTimeRenders {
                     renders.put(i + " " + samples, t);
                     return t.wall();
                 },
-                () -> session.fits(4 * seconds, share));
+                () -> session.fits(2 * best.size() * seconds, share));
         EqualTimeSearch.Found found = search.search(start);
         List<TimedRenderer.Timed> chosen = new ArrayList<>();
         for (int i = 0; i < start.length; i++) {

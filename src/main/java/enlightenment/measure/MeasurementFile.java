@@ -31,7 +31,7 @@ final class MeasurementFile {
         List<String> lines = new ArrayList<>();
         lines.add(VARIANCE + "=" + reference.variance());
         for (Reference.Part p : reference.parts()) {
-            lines.add(PART + "=" + p.method() + "," + p.lightSamples() + "," + p.samples() + "," + p.seed());
+            lines.add(PART + "=" + text(p));
         }
         lines.add(COLD + "=" + c.coldSeconds());
         lines.add(SECONDS + "=" + c.seconds());
@@ -74,6 +74,20 @@ final class MeasurementFile {
         }
         return new Content(
                 new Reference(picture, variance, parts), new TradeResult.Conditions(machine, cold, seconds, complete));
+    }
+
+    /** A part of the reference in one line. */
+    static String text(Reference.Part p) {
+        return p.method() + "," + p.lightSamples() + "," + p.samples() + "," + p.seed();
+    }
+
+    /** The part that a file tells of in its one line. */
+    static Reference.Part part(Path file) throws IOException {
+        try {
+            return part(Files.readString(file).strip());
+        } catch (NumberFormatException e) {
+            throw new IOException(file + ": is not what the command trade wrote", e);
+        }
     }
 
     private static Reference.Part part(String value) {

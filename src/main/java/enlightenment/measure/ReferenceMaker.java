@@ -15,8 +15,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Makes the reference: the mean of one long render by each method, with seeds that no run uses. Each part is kept in a file, so that
- * a resumed measurement has it at once.
+ * Makes the reference: the mean of two long renders by what a trial finds best, with seeds that no run uses. Each part is kept in a file,
+ * so that a resumed measurement has it at once.
  */
 final class ReferenceMaker {
     /** The share of the budget for all parts together, without sweeps and with. */
@@ -24,18 +24,17 @@ final class ReferenceMaker {
 
     private static final double SHARE_WITH_SWEEPS = 0.3;
 
+    /** How many renders the reference is the mean of: the error of a single one is unknown. */
+    static final int PARTS = 2;
+
+    /** The share of the trials of methods in what the parts may take. */
+    private static final double TRIALS = 0.25;
+
     private static final double MIN_SAMPLES = 16;
-    private static final int PILOTS = 3;
     private static final double MAX_SAMPLES = 1 << 16;
 
     /** The share for the two renders that estimate the error of a given reference. */
     private static final double PROBE_SHARE = 0.1;
-
-    /**
-     * Light samples per hit of a part by {@code raytrace}, unless the scene asks for fewer: many camera rays with few light samples
-     * each converge sooner. Fitted: 2 took 0.6 to 0.8 of the time to equal error of 10 and 25.
-     */
-    private static final int LIGHT_SAMPLES = 2;
 
     private final Session session;
 
@@ -54,73 +53,59 @@ final class ReferenceMaker {
     }
 
     private Reference made() throws IOException {
-        boolean sweeps = !session.settings.sweeps().isEmpty();
-        List<String> methods = pair();
-        double share = (sweeps ? SHARE_WITH_SWEEPS : SHARE) / methods.size();
+        double share = session.settings.sweeps().isEmpty() ? SHARE : SHARE_WITH_SWEEPS;
+        double seconds = share * session.settings.budgetSeconds();
         List<Image> images = new ArrayList<>();
         List<Reference.Part> parts = new ArrayList<>();
-        for (int i = 0; i < methods.size(); i++) {
-            part(i, configuration(methods.get(i)), share, images, parts);
+        List<Configuration> chosen = List.of();
+        for (int i = 0; i < PARTS; i++) {
+            if (!isKept(i) && chosen.isEmpty()) {
+                chosen = new ReferenceTrial(session).run(TRIALS * seconds);
+            }
+            parts.add(isKept(i) ? kept(i, images) : part(i, chosen.get(i), seconds / PARTS, images));
         }
         return meanOf(images, parts);
-    }
-
-    /** Every method once, or the only one twice: the error of a single render is unknown. */
-    private List<String> pair() {
-        List<String> methods = session.settings.methods();
-        return methods.size() > 1 ? methods : List.of(methods.get(0), methods.get(0));
-    }
-
-    private Configuration configuration(String method) {
-        Configuration own = Configuration.ofScene(session.settings, method);
-        boolean fewer = !Configuration.variants(own).isEmpty() && LIGHT_SAMPLES < own.lightSamples();
-        return fewer ? new Configuration(method, LIGHT_SAMPLES, false) : own;
     }
 
     private long seed(int part) {
         return session.settings.base().seed() - 1 - part;
     }
 
-    /** One part from its file, or rendered. */
-    private void part(
-            int index, Configuration configuration, double share, List<Image> images, List<Reference.Part> parts)
+    private Path note(int part) {
+        return session.folder.file("reference-" + (part + 1) + ".txt");
+    }
+
+    private Path picture(int part) {
+        return session.folder.file("reference-" + (part + 1) + ".pfm");
+    }
+
+    private boolean isKept(int part) {
+        return Files.exists(note(part)) && Files.exists(picture(part));
+    }
+
+    /** A part from its file. */
+    private Reference.Part kept(int index, List<Image> images) throws IOException {
+        Reference.Part part = MeasurementFile.part(note(index));
+        images.add(session.read(picture(index)));
+        return part;
+    }
+
+    private Reference.Part part(int index, Configuration configuration, double seconds, List<Image> images)
             throws IOException {
-        Path note = session.folder.file("reference-" + (index + 1) + ".txt");
-        Path file = session.folder.file("reference-" + (index + 1) + ".pfm");
-        if (Files.exists(note) && Files.exists(file)) {
-            images.add(session.read(file));
-            parts.add(part(configuration, samples(note), index));
-            return;
-        }
-        double samples = samples(configuration, share * session.settings.budgetSeconds());
+        double samples = samples(configuration, seconds);
         session.say("reference: " + configuration.name() + ", " + (long) samples + " samples per pixel");
         Image image = session.timed(configuration, samples, seed(index)).image();
-        ImageFiles.writePfm(image, file);
+        ImageFiles.writePfm(image, picture(index));
+        Reference.Part part =
+                new Reference.Part(configuration.method(), configuration.lightSamples(), samples, seed(index));
         // Last: it marks the part as whole.
-        WholeFile.write(note, samples + "\n");
+        WholeFile.write(note(index), MeasurementFile.text(part) + "\n");
         images.add(image);
-        parts.add(part(configuration, samples, index));
-    }
-
-    private Reference.Part part(Configuration configuration, double samples, int index) {
-        return new Reference.Part(configuration.method(), configuration.lightSamples(), samples, seed(index));
-    }
-
-    private static double samples(Path note) throws IOException {
-        try {
-            return Double.parseDouble(Files.readString(note).strip());
-        } catch (NumberFormatException e) {
-            throw new IOException(note + ": is not what the command trade wrote", e);
-        }
+        return part;
     }
 
     /** The largest power of two that fits into this many seconds: powers of two are the best distributed. */
     private double samples(Configuration configuration, double seconds) {
-        long seed = session.settings.base().seed();
-        for (int k = 0; k < PILOTS && session.expected(configuration, MIN_SAMPLES) < seconds / 4; k++) {
-            // A small budget includes fixed costs, and Java may still be compiling.
-            session.timed(configuration, MIN_SAMPLES, seed);
-        }
         double samples = MIN_SAMPLES;
         while (2 * samples <= MAX_SAMPLES && session.expected(configuration, 2 * samples) <= seconds) {
             samples *= 2;
@@ -130,11 +115,12 @@ final class ReferenceMaker {
 
     private Reference given(Image image) {
         session.say("estimating the error of the reference");
-        List<String> methods = pair();
+        double seconds = PROBE_SHARE * session.settings.budgetSeconds();
+        List<Configuration> chosen = new ReferenceTrial(session).run(TRIALS * seconds);
         List<Image> images = new ArrayList<>();
-        for (int i = 0; i < 2; i++) {
-            Configuration configuration = configuration(methods.get(i));
-            double samples = samples(configuration, PROBE_SHARE / 2 * session.settings.budgetSeconds());
+        for (int i = 0; i < PARTS; i++) {
+            Configuration configuration = chosen.get(i);
+            double samples = samples(configuration, seconds / PARTS);
             images.add(session.timed(configuration, samples, seed(i)).image());
         }
         return given(image, images.get(0), images.get(1));

@@ -8,12 +8,15 @@ import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeListener;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
+import enlightenment.render.Renderer;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 
@@ -22,8 +25,13 @@ final class Session {
     private static final double NANO = 1e-9;
 
     final TradeSettings settings;
+
+    /** The words of methods that cannot see all of the scene: their errors include what is missing. */
+    final Set<String> blind = new HashSet<>();
+
     final TradeFolder folder;
     final TimedRenderer renderer;
+    private final Map<String, Double> fewest = new HashMap<>();
     private final TradeListener listener;
     private final long start = System.nanoTime();
 
@@ -36,10 +44,18 @@ final class Session {
     Session(
             Scene scene,
             TradeSettings settings,
+            List<Renderer.Sight> methods,
             TradeFolder folder,
             TradeListener listener,
             BooleanSupplier cancelled) {
         this.settings = settings;
+        for (Renderer.Sight sight : methods) {
+            String word = sight.method().word();
+            fewest.put(word, sight.fewestSamples());
+            if (sight.blindSpot().isPresent()) {
+                blind.add(word);
+            }
+        }
         this.folder = folder;
         this.listener = listener;
         renderer = new TimedRenderer(scene, cancelled, this::tick);
@@ -57,6 +73,11 @@ final class Session {
     /** Whether work of this many seconds would end within this share of the budget. */
     boolean fits(double seconds, double share) {
         return elapsed() + seconds <= share * settings.budgetSeconds();
+    }
+
+    /** The fewest samples per pixel that a method can do with itself: with fewer, another one takes its place. */
+    double fewest(String method) {
+        return fewest.getOrDefault(method, 1.0);
     }
 
     /** Tells the listener what comes next. */
@@ -91,7 +112,7 @@ final class Session {
         // A number of light samples that has not run yet takes as long as the scene's own; a larger one longer in
         // proportion.
         double unseen = secondsPerSample.getOrDefault(own, 0.0)
-                * Math.max((double) configuration.lightSamples() / own.lightSamples(), 1);
+                * Math.max((double) configuration.lightSamples() / Math.max(own.lightSamples(), 1), 1);
         return secondsPerSample.getOrDefault(configuration, unseen) * samples;
     }
 

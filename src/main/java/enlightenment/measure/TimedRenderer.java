@@ -1,5 +1,6 @@
 package enlightenment.measure;
 
+import enlightenment.color.Encoding;
 import enlightenment.image.Flip;
 import enlightenment.image.Image;
 import enlightenment.image.ImageError;
@@ -69,7 +70,9 @@ final class TimedRenderer {
                 kind,
                 s.method().word(),
                 s.antialias(),
-                RayTraceSettings.of(s).shadowSamples(),
+                r.image.encoding() == Encoding.LINEAR
+                        ? 0
+                        : RayTraceSettings.of(s).shadowSamples(),
                 s.threads(),
                 s.budget().samples().orElse(0),
                 s.seed(),

@@ -7,10 +7,12 @@ import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.TradeListener;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeSettings;
+import enlightenment.render.Renderer;
 import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -45,7 +47,8 @@ public final class Trade {
         // Before there is a folder of it.
         settings.methods().forEach(word -> Method.requireSupport(Method.named(word), scene));
         TradeFolder files = TradeFolder.open(folder, settings, resume);
-        Session session = new Session(scene, settings, files, listener, cancelled);
+        List<Renderer.Sight> methods = methods(scene, settings);
+        Session session = new Session(scene, settings, methods, files, listener, cancelled);
         Map<String, String> machine = Bench.machine();
         double cold = 0;
         boolean complete = true;
@@ -67,7 +70,8 @@ public final class Trade {
         }
         TradeResult.Conditions conditions = new TradeResult.Conditions(machine, cold, session.elapsed(), complete);
         files.keep(session.reference(), conditions);
-        return Optional.of(new TradeResult(settings, session.reference(), session.runs(r -> true), conditions));
+        return Optional.of(new TradeResult(
+                settings, session.reference(), session.runs(r -> true), conditions, blindSpots(methods)));
     }
 
     /**
@@ -83,7 +87,29 @@ public final class Trade {
     public static TradeResult read(Scene scene, TradeSettings settings, Path folder) throws IOException {
         TradeFolder files = TradeFolder.stored(folder, settings);
         MeasurementFile.Content kept = files.kept(scene);
-        return new TradeResult(settings, kept.reference(), files.journal().runs(), kept.conditions());
+        return new TradeResult(
+                settings,
+                kept.reference(),
+                files.journal().runs(),
+                kept.conditions(),
+                blindSpots(methods(scene, settings)));
+    }
+
+    /** What is to be known of the methods of a measurement, in their order. */
+    private static List<Renderer.Sight> methods(Scene scene, TradeSettings settings) {
+        List<Renderer.Sight> all = Renderer.inspect(scene, settings.base()).methods();
+        return settings.methods().stream()
+                .flatMap(word -> all.stream().filter(s -> s.method().word().equals(word)))
+                .toList();
+    }
+
+    /** What the methods cannot see of the scene, by their words. */
+    private static Map<String, String> blindSpots(List<Renderer.Sight> methods) {
+        Map<String, String> spots = new LinkedHashMap<>();
+        for (Renderer.Sight sight : methods) {
+            sight.blindSpot().ifPresent(spot -> spots.put(sight.method().word(), spot));
+        }
+        return spots;
     }
 
     /**

@@ -3,6 +3,7 @@ package enlightenment.measure;
 import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
+import enlightenment.measure.analysis.Configuration;
 import enlightenment.measure.analysis.EqualTimeComparison;
 import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeResult;
@@ -10,7 +11,6 @@ import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
@@ -79,12 +79,13 @@ final class TradeFolder {
             checkIdentity(folder, settings, "evaluate");
         }
         TradeFolder stored = new TradeFolder(folder, TradeJournal.open(folder.resolve(RUNS)));
-        checkRuns(folder, stored.journal.runs(), settings.base());
+        checkRuns(folder, stored.journal.runs(), settings);
         return stored;
     }
 
-    private static void checkRuns(Path folder, List<TradeRun> runs, RenderSettings base) {
-        int lightSamples = RayTraceSettings.of(base).shadowSamples();
+    private static void checkRuns(Path folder, List<TradeRun> runs, TradeSettings settings) {
+        RenderSettings base = settings.base();
+        int lightSamples = Configuration.ofScene(settings, base.method().word()).lightSamples();
         boolean ran = false;
         for (TradeRun run : runs) {
             boolean series = run.kind().equals(TradeRun.BUDGET_SERIES);
@@ -132,8 +133,7 @@ final class TradeFolder {
     /** The names of all files that a measurement of these methods may write. */
     static List<String> names(List<String> methods) {
         List<String> names = new ArrayList<>(List.of(IDENTITY, RUNS, KEPT, "reference.pfm", "reference.png"));
-        // The reference of a single method has two parts.
-        for (int part = 1; part <= Math.max(methods.size(), 2); part++) {
+        for (int part = 1; part <= ReferenceMaker.PARTS; part++) {
             names.addAll(List.of("reference-" + part + ".pfm", "reference-" + part + ".txt"));
         }
         for (String method : methods) {
@@ -150,7 +150,7 @@ final class TradeFolder {
         RenderSettings base = settings.base();
         RenderSettings.Crop c = base.region();
         List<String> lines = new ArrayList<>(List.of(
-                "format=2",
+                "format=3",
                 "scene=" + settings.sceneKey(),
                 "methods=" + String.join(",", settings.methods()),
                 "size=" + base.width() + "x" + base.height(),

@@ -62,6 +62,10 @@ final class Validation {
     private List<Configuration> candidates(double target) {
         Set<Configuration> candidates = new LinkedHashSet<>();
         for (String method : session.settings.methods()) {
+            if (session.blind.contains(method)) {
+                // No advice names it.
+                continue;
+            }
             candidates.add(Configuration.ofScene(session.settings, method));
             List<MeasuredCosts> costs = session.costs(method).stream()
                     .filter(r -> !r.configuration().grid())

@@ -4,6 +4,7 @@ import enlightenment.measure.analysis.Configuration;
 
 /** Renders without counting until Java has compiled the code, so that the first measured run does not pay for it. */
 final class WarmUp {
+    /** At least these many, and so many that no method is replaced by another. */
     private static final double SAMPLES = 4;
 
     /** Ends after this share of the budget, at most after this many seconds. Measured: fire and ice needs three to four. */
@@ -23,7 +24,8 @@ final class WarmUp {
         long seed = session.settings.base().seed();
         for (int round = 0; round < MIN_ROUNDS || session.elapsed() < limit; round++) {
             for (String method : session.settings.methods()) {
-                double wall = session.timed(Configuration.ofScene(session.settings, method), SAMPLES, seed)
+                double samples = Math.max(SAMPLES, Math.ceil(session.fewest(method)));
+                double wall = session.timed(Configuration.ofScene(session.settings, method), samples, seed)
                         .wall();
                 if (method.equals(session.settings.methods().get(0))) {
                     first = round == 0 ? wall : first;

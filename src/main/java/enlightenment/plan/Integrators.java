@@ -18,6 +18,7 @@ import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -43,6 +44,9 @@ public final class Integrators {
 
     /** Paths of the method that finds nearly all light by them, per camera sample. */
     private static final double LIGHT_PATHS = 1;
+
+    /** Camera rays beside them end at the first surface, mostly. */
+    private static final double LIGHT_PATH_WEIGHT = 8;
 
     /**
      * The same for physical light: its survey tells little of paths, and with few samples the first paths of each pixel are few. Measured:
@@ -73,6 +77,11 @@ public final class Integrators {
                         MOST_WITHOUT_SURVEY,
                         FIRST_OF_CLUSTER);
         };
+    }
+
+    /** The fewest samples per pixel with which a method is used itself. */
+    public static double fewestSamples(Method method, Shading.Model shading) {
+        return traits(method, shading == Shading.Model.PHYSICAL).fewest();
     }
 
     /** The same for scenes of a shading. */
@@ -113,6 +122,11 @@ public final class Integrators {
         return method instanceof IntegratorFactory factory && method.kind() == Method.Kind.TILES
                 ? factory.lightPathsPerSample(scene, settings)
                 : 0;
+    }
+
+    /** How long a path that is splatted over the tiles of a method takes, in camera samples of these: about, to tell what is done. */
+    public static double weightOfLightPath(Method method) {
+        return method == BuiltInMethod.LIGHT ? LIGHT_PATH_WEIGHT : 1;
     }
 
     /**

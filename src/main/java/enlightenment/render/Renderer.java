@@ -17,6 +17,7 @@ import enlightenment.work.PictureMemory;
 import enlightenment.work.Stopwatch;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
@@ -133,12 +134,22 @@ public final class Renderer {
         int primitives = compiled.primitives.length;
         List<String> hints = new ArrayList<>(SceneHints.of(scene, compiled));
         Integrators.blindSpot(settings.method(), compiled).ifPresent(hints::add);
+        List<Sight> methods = new ArrayList<>();
+        for (Method method : Method.all()) {
+            if (method.shadings().contains(scene.shading().model())) {
+                methods.add(new Sight(
+                        method,
+                        Integrators.blindSpot(method, compiled),
+                        Integrators.fewestSamples(method, scene.shading().model())));
+            }
+        }
         return new Inspection(
                 compiled.features(),
                 compiled.absent(),
                 primitives,
                 memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE,
-                List.copyOf(hints));
+                List.copyOf(hints),
+                List.copyOf(methods));
     }
 
     /**
@@ -166,11 +177,24 @@ public final class Renderer {
      * @param expectedMemoryBytes estimate of the memory for the compiled scene and the picture
      * @param hints what is surely not meant, such as a camera inside a solid, each with its place, and what the method cannot see;
      *     empty for a scene that makes sense
+     * @param methods the methods that can render the scene's shading, in the order of {@link Method#all}
      */
     public record Inspection(
             List<String> modelled,
             List<String> notModelled,
             int primitives,
             long expectedMemoryBytes,
-            List<String> hints) {}
+            List<String> hints,
+            List<Sight> methods) {}
+
+    /**
+     * A method that can render a scene.
+     *
+     * @param method the method
+     * @param blindSpot what of the scene it cannot see, as a sentence without a full stop that begins with its name; empty if it sees
+     *     everything. Of a method from outside the program that is not known, and nothing is said
+     * @param fewestSamples the fewest samples per pixel that it makes pictures of its own with, at least 1; with fewer its pictures are those
+     *     of {@link Method#standIn}
+     */
+    public record Sight(Method method, Optional<String> blindSpot, double fewestSamples) {}
 }

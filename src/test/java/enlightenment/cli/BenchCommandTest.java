@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.measure.Bench;
@@ -22,11 +23,14 @@ class BenchCommandTest {
         Path scene = CliRun.scene(folder, "\"width\": 8, \"height\": 8");
         Files.move(scene, folder.resolve("fire-and-ice.json"));
         Path json = Files.createDirectory(folder.resolve("out")).resolve("bench.json");
-        CliRun run = CliRun.of("bench", "--scenes", folder, "--repeat", "1", "--json", json);
+        CliRun run =
+                CliRun.of("bench", "--scenes", folder, "--repeat", "1", "--json", json, "--methods", "light,cluster");
         assertEquals(0, run.code(), run.err());
         assertTrue(run.out().contains("processor:"), run.out());
         assertTrue(run.out().contains("paper's benchmark              raytrace 400x200 aa 2 sh 5 th 12 "), run.out());
-        assertTrue(run.out().contains("\nfire-and-ice "), run.out());
+        assertTrue(run.out().contains("\nfire-and-ice                   cluster 8x8 aa "), run.out());
+        // Classic shading is nothing that paths from lights could render.
+        assertFalse(run.out().contains("light 8x8"), run.out());
         String text = Files.readString(json);
         // 2 × 2 positions for each of 400 × 200 pixels.
         assertTrue(text.contains("\"name\": \"paper's benchmark\"") && text.contains("\"rays\": "), text);

@@ -106,6 +106,16 @@ class LightCommandsTest {
         assertTrue(out.contains("caustics by light tracing") && out.contains(images), out);
     }
 
+    @Test
+    void inspectSaysWhichMethodsSeeWhat() {
+        String mirror = CliRun.of("inspect", "scenes/caustics.json").out();
+        assertTrue(mirror.contains("can render it:    raytrace, cluster"), mirror);
+        assertTrue(mirror.contains("\n                  light cannot see surfaces in mirrors"), mirror);
+        String classic = CliRun.of("inspect", "scenes/cube.json").out();
+        assertTrue(classic.contains("can render it:    raytrace, cluster"), classic);
+        assertFalse(classic.contains("light cannot see"), classic);
+    }
+
     /** What inspect says is modelled of a scene. */
     private static List<String> modelled(Path scene) {
         String out = CliRun.of("inspect", scene).out();

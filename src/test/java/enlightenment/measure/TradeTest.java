@@ -11,6 +11,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageError;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.trade.Advice;
+import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.Sweep;
 import enlightenment.measure.trade.TradeListener;
 import enlightenment.measure.trade.TradeResult;
@@ -53,6 +54,7 @@ class TradeTest {
 
     private final TradeSettings settings = TradeSettings.of(
                     RenderSettings.of(scene).withThreads(1), scene.shading().model(), "two balls")
+            .withMethods(List.of("raytrace", "cluster"))
             .withBudgetSeconds(NO_TIME)
             .withSeeds(2);
 
@@ -74,10 +76,48 @@ class TradeTest {
         assertTrue(result.conditions().complete());
         assertEquals(settings, result.settings());
         assertEquals(2, result.reference().parts().size());
-        for (String method : settings.methods()) {
-            assertEquals(Set.of(1.0, 2.0, 2.5, 4.0), budgets(result, method));
-        }
+        assertEquals(Set.of(1.0, 2.0, 2.5, 4.0), budgets(result, "raytrace"));
+        // Below that its pictures are those of the other one.
+        assertEquals(Set.of(2.5, 4.0), budgets(result, "cluster"));
         assertTrue(result.runs().stream().allMatch(r -> r.wallSeconds() > 0 && r.samplesPerPixel() > 0));
+    }
+
+    /** A ring of mirror, a ball of glass: what is seen in them, paths from lights do not show. */
+    @Test
+    void theReferenceIsMadeByWhatSeesAllOfTheScene() throws IOException {
+        Scene room = SceneReader.read(Path.of("scenes/caustics.json"));
+        RenderSettings base = RenderSettings.of(room).withSize(8, 8).withThreads(1);
+        TradeSettings what = TradeSettings.of(base, room.shading().model(), "a room")
+                .withMethods(List.of("light", "cluster"))
+                .withBudgetSeconds(NO_TIME)
+                .withSeeds(1);
+        TradeResult result = Trade.run(room, what, folder, false, TradeListener.NONE, () -> false)
+                .orElseThrow();
+        assertEquals(Set.of("light"), result.blindSpots().keySet());
+        assertEquals(List.of("cluster"), result.sightedMethods());
+        assertEquals(
+                List.of("cluster", "cluster"),
+                result.reference().parts().stream().map(Reference.Part::method).toList());
+        assertEquals(
+                2,
+                result.reference().parts().stream()
+                        .map(Reference.Part::seed)
+                        .distinct()
+                        .count());
+        assertEquals(Set.of(1.0, 2.0, 2.5, 4.0), budgets(result, "light"));
+        assertEquals(Set.of(8.0, 16.0), budgets(result, "cluster"));
+        assertEquals(result.blindSpots(), Trade.read(room, what, folder).blindSpots());
+        // If nothing else is compared, path tracing makes the reference.
+        TradeResult alone = Trade.run(
+                        room,
+                        what.withMethods(List.of("light")),
+                        folder.resolve("alone"),
+                        false,
+                        TradeListener.NONE,
+                        () -> false)
+                .orElseThrow();
+        assertEquals("raytrace", alone.reference().parts().get(0).method());
+        assertEquals(Advice.Basis.NOTHING, Trade.advice(alone, 1).basis());
     }
 
     @Test

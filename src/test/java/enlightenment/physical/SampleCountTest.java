@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** However many samples a pixel has, and whatever its method, a picture has the same mean: nothing is divided by the wrong number. */
 class SampleCountTest {
-    private static final int[] SIDES = {1, 4, 8};
+    private static final int[] SIDES = {1, 2, 4, 8};
 
     /** Samples per pixel and number of pictures together. */
     private static final int SAMPLES = 64;

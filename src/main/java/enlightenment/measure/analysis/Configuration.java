@@ -6,6 +6,7 @@ import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -13,7 +14,7 @@ import java.util.List;
  * Everything but the budget that makes renders differ in a comparison.
  *
  * @param method the method
- * @param lightSamples light samples per hit and light
+ * @param lightSamples light samples per hit and light; 0 with physical shading, where that is nothing to choose
  * @param grid whether budgets are given as {@code --antialias} instead of {@code --samples}: the positions in the pixel differ
  */
 public record Configuration(String method, int lightSamples, boolean grid) {
@@ -22,7 +23,10 @@ public record Configuration(String method, int lightSamples, boolean grid) {
 
     /** A method with the scene's own number of light samples. */
     public static Configuration ofScene(TradeSettings settings, String method) {
-        return new Configuration(method, RayTraceSettings.of(settings.base()).shadowSamples(), false);
+        int lightSamples = settings.shading() == Shading.Model.PHYSICAL
+                ? 0
+                : RayTraceSettings.of(settings.base()).shadowSamples();
+        return new Configuration(method, lightSamples, false);
     }
 
     /** The configuration of a run. */
@@ -50,9 +54,10 @@ public record Configuration(String method, int lightSamples, boolean grid) {
 
     /** Whether the method takes a fixed number of light samples per hit instead of choosing it. */
     private boolean takesLightSamples() {
-        return Method.of(method)
-                .filter(m -> m.settings().contains(RayTraceSettings.SHADOW_SAMPLES))
-                .isPresent();
+        return lightSamples > 0
+                && Method.of(method)
+                        .filter(m -> m.settings().contains(RayTraceSettings.SHADOW_SAMPLES))
+                        .isPresent();
     }
 
     /** Whether a run has this configuration. */
@@ -62,9 +67,10 @@ public record Configuration(String method, int lightSamples, boolean grid) {
 
     /** The settings of a render with this budget of camera rays per pixel. */
     public RenderSettings settings(RenderSettings base, double samples, long seed) {
-        RenderSettings own = base.withMethod(Method.named(method))
-                .with(RayTraceSettings.SHADOW_SAMPLES, lightSamples)
-                .withSeed(seed);
+        RenderSettings own = base.withMethod(Method.named(method)).withSeed(seed);
+        if (lightSamples > 0) {
+            own = own.with(RayTraceSettings.SHADOW_SAMPLES, lightSamples);
+        }
         return grid
                 ? own.withAntialias(side(samples)).withBudget(Budget.NONE)
                 : own.withBudget(Budget.NONE.withSamples(samples));
@@ -90,7 +96,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     String options(double samples, int sceneLightSamples) {
         String budget = grid ? " --antialias " + side(samples) : " --samples " + Digits.samples(samples);
         return "--method " + method
-                + (lightSamples == sceneLightSamples
+                + (lightSamples == sceneLightSamples || lightSamples == 0
                         ? ""
                         : " " + RayTraceSettings.SHADOW_SAMPLES.option() + " " + lightSamples)
                 + budget;

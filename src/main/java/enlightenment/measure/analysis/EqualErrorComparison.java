@@ -8,41 +8,49 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 
 /**
- * The times of two methods at an error that both were measured at. Only there is the ratio of times known.
+ * The times of methods at an error that at least two of them were measured at. Only there are the ratios of times known.
  *
  * @param error the error
- * @param smallest whether it is the smallest that both were measured to reach
- * @param best false where both take the scene's own number of light samples, true where each takes the best number measured
- * @param first the cost by the method that the settings name first
- * @param second the cost by the other one
+ * @param smallest whether it is the smallest that these methods were all measured to reach
+ * @param best false where each takes the scene's own number of light samples, true where each takes the best number measured
+ * @param costs the cost by each method that was measured there, at least two, in the order of the settings
  */
-public record EqualErrorComparison(
-        double error, boolean smallest, boolean best, CostEstimate first, CostEstimate second) {
-    /** The time of the first method divided by that of the second. */
-    public double ratio() {
-        return first.wall().median() / second.wall().median();
+public record EqualErrorComparison(double error, boolean smallest, boolean best, List<CostEstimate> costs) {
+    private static final int FEWEST = 2;
+
+    public EqualErrorComparison {
+        costs = List.copyOf(costs);
+    }
+
+    /** The cost in the least time. */
+    public CostEstimate fastest() {
+        return costs.stream()
+                .min(Comparator.comparingDouble(n -> n.wall().median()))
+                .orElseThrow();
+    }
+
+    /** The time of one of the {@link #costs} divided by that of the fastest. */
+    public double timesAsLong(CostEstimate cost) {
+        return cost.wall().median() / fastest().wall().median();
     }
 
     /**
-     * All comparisons that the runs allow: of the first method with each other one, with the scene's own number of light samples
-     * first, in descending order of the error.
+     * All comparisons that the runs of methods which see the whole scene allow: with the scene's own number of light samples first, in
+     * descending order of the error.
      */
     public static List<EqualErrorComparison> all(TradeAnalysis analysis) {
         List<EqualErrorComparison> all = new ArrayList<>();
-        List<String> methods = analysis.settings().methods();
-        for (String other : methods.subList(1, methods.size())) {
-            for (boolean best : new boolean[] {false, true}) {
-                List<MeasuredCosts> a = candidates(analysis, methods.get(0), best);
-                List<MeasuredCosts> b = candidates(analysis, other, best);
-                OptionalDouble smallest = smallest(a, b);
-                if (smallest.isEmpty()) {
-                    continue;
-                }
-                for (double error : errors(a, b, smallest.getAsDouble(), best)) {
-                    compare(a, b, error, error == smallest.getAsDouble(), best).ifPresent(all::add);
+        for (boolean best : new boolean[] {false, true}) {
+            List<List<MeasuredCosts>> methods = analysis.methods().stream()
+                    .map(m -> candidates(analysis, m, best))
+                    .toList();
+            Set<Double> smallest = smallest(methods);
+            for (double error : errors(methods, smallest)) {
+                List<CostEstimate> costs = measured(methods, error);
+                if (costs.size() >= FEWEST) {
+                    all.add(new EqualErrorComparison(error, smallest.contains(error), best, costs));
                 }
             }
         }
@@ -50,49 +58,74 @@ public record EqualErrorComparison(
     }
 
     /**
-     * Where to compare, in descending order: at the target errors, at those that one side gives where it clearly undercuts a
-     * target, and at the smallest that both were measured at.
+     * Where to compare, in descending order: at the target errors, at those that a method gives where it clearly undercuts a target,
+     * and at the smallest.
      */
-    private static Set<Double> errors(List<MeasuredCosts> a, List<MeasuredCosts> b, double smallest, boolean best) {
+    private static Set<Double> errors(List<List<MeasuredCosts>> methods, Set<Double> smallest) {
         Set<Double> errors = new TreeSet<>(Comparator.reverseOrder());
         errors.addAll(TradeResult.TARGETS);
         for (double target : TradeResult.TARGETS) {
-            compare(a, b, target, false, best).ifPresent(m -> Stream.of(m.first, m.second)
-                    .filter(CostEstimate::undercutsTarget)
-                    .forEach(n -> errors.add(n.error())));
+            List<CostEstimate> there = measured(methods, target);
+            if (there.size() >= FEWEST) {
+                there.stream().filter(CostEstimate::undercutsTarget).forEach(n -> errors.add(n.error()));
+            }
         }
-        errors.removeIf(e -> e < smallest);
-        errors.add(smallest);
+        // Below the smallest that two of them reached there is nothing to compare.
+        double end = smallest.stream().min(Double::compare).orElse(Double.POSITIVE_INFINITY);
+        errors.removeIf(e -> e < end);
+        errors.addAll(smallest);
         return errors;
     }
 
     private static List<MeasuredCosts> candidates(TradeAnalysis analysis, String method, boolean best) {
-        return analysis.costs().stream()
-                .filter(r -> best
-                        ? r.configuration().method().equals(method)
-                        : r.configuration().equals(analysis.own(method)))
+        return best
+                ? analysis.costs(method)
+                : analysis.costs(analysis.own(method)).stream().toList();
+    }
+
+    private static List<CostEstimate> measured(List<List<MeasuredCosts>> methods, double error) {
+        return methods.stream()
+                .map(costs -> TradeAnalysis.fastest(costs, error))
+                .flatMap(Optional::stream)
+                .filter(CostEstimate::isMeasured)
                 .toList();
     }
 
-    private static Optional<EqualErrorComparison> compare(
-            List<MeasuredCosts> a, List<MeasuredCosts> b, double error, boolean smallest, boolean best) {
-        Optional<CostEstimate> first = TradeAnalysis.fastest(a, error).filter(CostEstimate::isMeasured);
-        Optional<CostEstimate> second = TradeAnalysis.fastest(b, error).filter(CostEstimate::isMeasured);
-        return first.isEmpty() || second.isEmpty()
-                ? Optional.empty()
-                : Optional.of(new EqualErrorComparison(error, smallest, best, first.get(), second.get()));
+    /**
+     * The smallest errors that two, three, ... methods were all measured at: each the largest of the smallest ones of its methods. One of them
+     * may have gone below the reference's own error, where nothing is known of how far.
+     */
+    private static Set<Double> smallest(List<List<MeasuredCosts>> methods) {
+        double[] reached = methods.stream()
+                .map(EqualErrorComparison::reached)
+                .flatMapToDouble(OptionalDouble::stream)
+                .sorted()
+                .toArray();
+        double[] known = methods.stream()
+                .map(EqualErrorComparison::known)
+                .flatMapToDouble(OptionalDouble::stream)
+                .sorted()
+                .toArray();
+        Set<Double> smallest = new TreeSet<>(Comparator.reverseOrder());
+        for (int i = 1; i < reached.length; i++) {
+            if (isKnown(methods, reached[i])) {
+                smallest.add(reached[i]);
+            } else if (i < known.length) {
+                smallest.add(known[i]);
+            }
+        }
+        return smallest;
     }
 
-    /** The larger of the smallest errors that either was measured at; one of the two may have gone below the reference's. */
-    private static OptionalDouble smallest(List<MeasuredCosts> a, List<MeasuredCosts> b) {
-        OptionalDouble known = larger(known(a), known(b));
-        OptionalDouble reached = larger(
-                a.stream().flatMapToDouble(r -> r.smallest().stream()).min(),
-                b.stream().flatMapToDouble(r -> r.smallest().stream()).min());
-        boolean oneKnown = Stream.concat(a.stream(), b.stream())
+    private static boolean isKnown(List<List<MeasuredCosts>> methods, double error) {
+        return methods.stream()
+                .flatMap(List::stream)
                 .flatMap(r -> r.mostAccurate().stream())
-                .anyMatch(p -> p.error().median() == reached.orElse(0));
-        return oneKnown ? reached : known;
+                .anyMatch(p -> p.error().median() == error);
+    }
+
+    private static OptionalDouble reached(List<MeasuredCosts> costs) {
+        return costs.stream().flatMapToDouble(r -> r.smallest().stream()).min();
     }
 
     private static OptionalDouble known(List<MeasuredCosts> costs) {
@@ -100,11 +133,5 @@ public record EqualErrorComparison(
                 .flatMap(r -> r.mostAccurate().stream())
                 .mapToDouble(p -> p.error().median())
                 .min();
-    }
-
-    private static OptionalDouble larger(OptionalDouble a, OptionalDouble b) {
-        return a.isEmpty() || b.isEmpty()
-                ? OptionalDouble.empty()
-                : OptionalDouble.of(Math.max(a.getAsDouble(), b.getAsDouble()));
     }
 }

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -18,8 +19,9 @@ import java.util.function.ToDoubleFunction;
  *
  * @param pictures in the order of the methods; empty where there was no time for them
  * @param referenceVariance the reference's own mean squared error
+ * @param blind the words of methods that cannot see all of the scene, which are not compared
  */
-public record EqualTimeComparison(List<EqualTimePicture> pictures, double referenceVariance) {
+public record EqualTimeComparison(List<EqualTimePicture> pictures, double referenceVariance, Set<String> blind) {
     /** Times that differ by at most this factor are called equal. */
     public static final double TOLERANCE = 1.1;
 
@@ -33,6 +35,7 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
 
     public EqualTimeComparison {
         pictures = List.copyOf(pictures);
+        blind = Set.copyOf(blind);
     }
 
     /** The last comparison of a result, with its pictures as far as they are in the folder. */
@@ -54,7 +57,7 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
                     image(folder.resolve(differenceName(run.method()))),
                     gain(runs, variance)));
         }
-        return new EqualTimeComparison(pictures, variance);
+        return new EqualTimeComparison(pictures, variance, result.blindSpots().keySet());
     }
 
     private static Optional<Image> image(Path file) throws IOException {
@@ -96,7 +99,7 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
         return longest / shortest <= TOLERANCE;
     }
 
-    /** Which method is closer to the reference, with the times, in one sentence; empty for fewer than two pictures. */
+    /** Which method is closest to the reference, with the times, in one sentence; empty for fewer than two pictures. */
     public Optional<String> sentence() {
         if (pictures.size() < 2) {
             return Optional.empty();
@@ -106,29 +109,34 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
                 pictures.stream()
                         .map(p -> name(p) + " " + Digits.of(p.run().wallSeconds(), 2) + " s")
                         .toList());
-        if (!isEqual()) {
-            return Optional.of("These pictures are not at equal time: " + times + ".");
+        List<EqualTimePicture> compared =
+                pictures.stream().filter(p -> !blind.contains(p.run().method())).toList();
+        if (!isEqual() || compared.size() < 2) {
+            return Optional.of("These pictures are " + (isEqual() ? "" : "not ") + "at equal time: " + times + ".");
         }
-        return Optional.of("At equal time (" + times + ") " + verdict() + ".");
+        return Optional.of("At equal time (" + times + ") " + verdict(compared)
+                + (compared.size() < pictures.size() ? ", of those that see all of the scene" : "") + ".");
     }
 
-    private String verdict() {
-        Optional<String> rmse = better(p -> p.run().error(referenceVariance));
-        Optional<String> flip = better(p -> p.run().flip());
+    private String verdict(List<EqualTimePicture> compared) {
+        Optional<String> rmse = better(compared, p -> p.run().error(referenceVariance));
+        Optional<String> flip = better(compared, p -> p.run().flip());
+        boolean two = compared.size() == 2;
+        String nearest = two ? " is nearer to the truth" : " is nearest to the truth";
         if (rmse.isEmpty() || flip.isEmpty()) {
-            return rmse.map(m -> "by RMSE " + m + " is nearer to the truth, FLIP sees no difference")
-                    .or(() -> flip.map(m -> "by FLIP " + m + " is nearer to the truth, RMSE sees no difference"))
-                    .orElse("neither is nearer to the truth, by RMSE and by FLIP");
+            return rmse.map(m -> "by RMSE " + m + nearest + ", FLIP sees no difference")
+                    .or(() -> flip.map(m -> "by FLIP " + m + nearest + ", RMSE sees no difference"))
+                    .orElse((two ? "neither" : "no single one") + nearest + ", by RMSE and by FLIP");
         }
         return rmse.equals(flip)
-                ? rmse.get() + " is nearer to the truth, by RMSE and by FLIP"
-                : "the two measures disagree: by RMSE " + rmse.get() + " is nearer to the truth, by FLIP " + flip.get();
+                ? rmse.get() + nearest + ", by RMSE and by FLIP"
+                : "the two measures disagree: by RMSE " + rmse.get() + nearest + ", by FLIP " + flip.get();
     }
 
     /** The one with the smallest value, if all others are clearly larger. */
-    private Optional<String> better(ToDoubleFunction<EqualTimePicture> value) {
+    private static Optional<String> better(List<EqualTimePicture> all, ToDoubleFunction<EqualTimePicture> value) {
         List<EqualTimePicture> sorted =
-                pictures.stream().sorted(Comparator.comparingDouble(value)).toList();
+                all.stream().sorted(Comparator.comparingDouble(value)).toList();
         boolean clear = value.applyAsDouble(sorted.get(1)) > ALIKE * value.applyAsDouble(sorted.get(0));
         return clear ? Optional.of(name(sorted.get(0))) : Optional.empty();
     }

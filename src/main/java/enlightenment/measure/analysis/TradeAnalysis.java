@@ -1,5 +1,6 @@
 package enlightenment.measure.analysis;
 
+import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.Spread;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeRun;
@@ -16,7 +17,7 @@ import java.util.Set;
  * @param result what was measured
  * @param curves error against budget of each configuration: methods in the order asked for, the scene's own number of light
  *     samples first
- * @param costs what an error costs with each configuration
+ * @param costs what an error costs with each configuration of the methods that see all of the scene
  * @param sweeps what each value of a swept setting costs and gains
  */
 public record TradeAnalysis(
@@ -41,7 +42,10 @@ public record TradeAnalysis(
                         .map(c -> Curve.of(c, runs, variance))
                         .filter(c -> !c.points().isEmpty())
                         .toList(),
-                costs(settings, runs, variance),
+                costs(settings, runs, variance).stream()
+                        .filter(c -> result.sightedMethods()
+                                .contains(c.configuration().method()))
+                        .toList(),
                 settings.sweeps().stream()
                         .map(s -> SweepResult.of(s, settings.base().method().word(), runs, variance))
                         .toList());
@@ -72,6 +76,23 @@ public record TradeAnalysis(
         return result.settings();
     }
 
+    /** The methods that may be advised: those that see all of the scene, in the order asked for. */
+    public List<String> methods() {
+        return result.sightedMethods();
+    }
+
+    /** Whether a method cannot see all of the scene. */
+    public boolean isBlind(String method) {
+        return result.blindSpots().containsKey(method);
+    }
+
+    /** The costs of a method with any number of light samples. */
+    public List<MeasuredCosts> costs(String method) {
+        return costs.stream()
+                .filter(r -> r.configuration().method().equals(method))
+                .toList();
+    }
+
     /** A method with the scene's own number of light samples. */
     public Configuration own(String method) {
         return Configuration.ofScene(settings(), method);
@@ -94,11 +115,7 @@ public record TradeAnalysis(
      * measured is preferred to what is extrapolated.
      */
     public Optional<CostEstimate> best(String method, double target) {
-        return fastest(
-                costs.stream()
-                        .filter(r -> r.configuration().method().equals(method))
-                        .toList(),
-                target);
+        return fastest(costs(method), target);
     }
 
     /** The fastest of some configurations for an error; of those that were measured there, if any was. */
@@ -112,6 +129,21 @@ public record TradeAnalysis(
     /** Whether anything can be said about an error: it is not below that of the reference. */
     public boolean isKnown(double target) {
         return target >= result.reference().error();
+    }
+
+    /** How the reference was made and how exact it is, in two sentences. */
+    public String referenceSentence() {
+        Reference reference = result.reference();
+        String error = Digits.of(reference.error(), 2);
+        if (reference.parts().isEmpty()) {
+            return "The reference was given. Its own error, estimated from two independent renders, is " + error + ".";
+        }
+        List<String> parts = reference.parts().stream()
+                .map(p -> new Configuration(p.method(), p.lightSamples(), false).name() + ", "
+                        + Digits.samples(p.samples()) + " samples per pixel")
+                .toList();
+        return "The reference is the mean of two independent renders: " + String.join(" and ", parts)
+                + ". Its own error, from the difference of the two, is " + error + ".";
     }
 
     /**

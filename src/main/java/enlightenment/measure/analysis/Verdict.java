@@ -104,10 +104,9 @@ public record Verdict(
     /** The smallest measured error of each method. */
     private static String smallest(TradeAnalysis analysis) {
         List<String> all = new ArrayList<>();
-        for (String method : analysis.settings().methods()) {
-            analysis.costs().stream()
-                    .filter(r -> r.configuration().method().equals(method)
-                            && r.mostAccurate().isPresent())
+        for (String method : analysis.methods()) {
+            analysis.costs(method).stream()
+                    .filter(r -> r.mostAccurate().isPresent())
                     .min(Comparator.comparingDouble(
                             r -> r.mostAccurate().orElseThrow().error().median()))
                     .ifPresent(r -> all.add(
@@ -120,7 +119,7 @@ public record Verdict(
     /** The advised method with the scene's number of light samples, and the others with that and with their best one. */
     private static List<Configuration> others(TradeAnalysis analysis, CostEstimate best) {
         List<Configuration> others = new ArrayList<>();
-        for (String method : analysis.settings().methods()) {
+        for (String method : analysis.methods()) {
             Configuration own = analysis.own(method);
             if (!own.equals(best.configuration())) {
                 others.add(own);
@@ -136,7 +135,7 @@ public record Verdict(
         return others;
     }
 
-    private static Comparison compare(CostEstimate best, CostEstimate other) {
+    static Comparison compare(CostEstimate best, CostEstimate other) {
         double ratio = other.wall().median() / best.wall().median();
         boolean overlap = other.wall().low() <= best.wall().high();
         return new Comparison(other, ratio, ratio < ALIKE || overlap);
@@ -151,7 +150,7 @@ public record Verdict(
     }
 
     /** A time in which the target was undercut is an upper bound of the time to the target. */
-    private static String bound(CostEstimate best, CostEstimate other) {
+    static String bound(CostEstimate best, CostEstimate other) {
         if (best.undercutsTarget() == other.undercutsTarget()) {
             return "";
         }
@@ -205,18 +204,24 @@ public record Verdict(
         return TradeResult.TARGETS.stream().map(t -> of(analysis, t)).toList();
     }
 
-    /** The most useful advice: for the largest error that some method does not reach with a single sample. */
+    /** The most useful advice: for the largest error that some method does not reach with its smallest budget. */
     public static Verdict headline(TradeAnalysis analysis) {
         for (double target : TradeResult.TARGETS) {
             Verdict verdict = of(analysis, target);
-            boolean trivial = analysis.settings().methods().stream().allMatch(m -> analysis.own(m, target)
-                    .filter(n -> n.samples() <= 1)
+            boolean trivial = analysis.methods().stream().allMatch(m -> analysis.costs(analysis.own(m))
+                    .filter(r -> reachesAtOnce(r, target))
                     .isPresent());
             if (verdict.known == Basis.MEASURED && !trivial) {
                 return verdict;
             }
         }
         return of(analysis, TradeResult.TARGETS.get(0));
+    }
+
+    private static boolean reachesAtOnce(MeasuredCosts costs, double target) {
+        return costs.forError(target)
+                .filter(n -> n.samples() <= costs.points().get(0).samples())
+                .isPresent();
     }
 
     /** The advice without the measurements it is compared with. */

@@ -17,12 +17,22 @@ final class ChartTheme {
     static final int WIDTH = 900;
     static final int HEIGHT = 560;
 
-    /** From Okabe and Ito's palette: blue, vermilion, bluish green, reddish purple. */
-    private static final List<Color> COLORS =
-            List.of(new Color(0x0072B2), new Color(0xD55E00), new Color(0x009E73), new Color(0xCC79A7));
+    /** From Okabe and Ito's palette: blue, vermilion, bluish green, reddish purple, orange, sky blue, black. */
+    private static final List<Color> COLORS = List.of(
+            new Color(0x0072B2),
+            new Color(0xD55E00),
+            new Color(0x009E73),
+            new Color(0xCC79A7),
+            new Color(0xE69F00),
+            new Color(0x56B4E9),
+            new Color(0x000000));
 
-    private static final List<Marker> MARKERS =
-            List.of(SeriesMarkers.CIRCLE, SeriesMarkers.DIAMOND, SeriesMarkers.SQUARE, SeriesMarkers.TRIANGLE_UP);
+    private static final List<Marker> MARKERS = List.of(
+            SeriesMarkers.CIRCLE,
+            SeriesMarkers.DIAMOND,
+            SeriesMarkers.SQUARE,
+            SeriesMarkers.TRIANGLE_UP,
+            SeriesMarkers.TRIANGLE_DOWN);
 
     private static final Color INK = new Color(0x222222);
     private static final Color GRID = new Color(0xE4E4E4);

@@ -108,7 +108,7 @@ public final class TradeCharts {
         List<Curve> curves = shown(result);
         for (int i = 0; i < curves.size(); i++) {
             Curve curve = curves.get(i);
-            String label = name(curve, curves);
+            String label = name(curve, curves) + (result.isBlind(curve.method()) ? " (does not see all)" : "");
             List<Curve.Point> points = curve.judgedPoints().stream()
                     .filter(p -> xOfPoint.applyAsDouble(p) > 0)
                     .toList();
@@ -117,7 +117,9 @@ public final class TradeCharts {
             }
             double[] x = points.stream().mapToDouble(xOfPoint).toArray();
             double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
-            line(chart, legend(label, fit.apply(curve)), x, y, i);
+            // What is missing from a picture does not fall with a power of the samples.
+            Optional<PowerLaw> law = result.isBlind(curve.method()) ? Optional.empty() : fit.apply(curve);
+            line(chart, legend(label, law), x, y, i);
             List<TradeRun> runs = result.result().runs().stream()
                     .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES)
                             && curve.configuration().made(r)
@@ -139,6 +141,9 @@ public final class TradeCharts {
         double[] y = allY.stream().mapToDouble(Double::doubleValue).toArray();
         ChartTheme.logarithmic(chart, x, y);
         targets(chart, x, y);
+        // The lower left is empty: no error is small at once. So is the upper right, where all errors fall.
+        boolean allFall = curves.stream().noneMatch(c -> result.isBlind(c.method()));
+        chart.getStyler().setLegendPosition(allFall ? Styler.LegendPosition.InsideNE : Styler.LegendPosition.InsideSW);
         return Optional.of(new Chart(name, title + ". The numbers are in the tables below.", chart));
     }
 
@@ -179,7 +184,7 @@ public final class TradeCharts {
     private static void dots(XYChart chart, String name, double[] x, double[] y, int i) {
         XYSeries series = chart.addSeries(name, x, y);
         series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
-        series.setMarker(i == 0 ? SeriesMarkers.PLUS : SeriesMarkers.CROSS).setMarkerColor(ChartTheme.color(i));
+        series.setMarker(i % 2 == 0 ? SeriesMarkers.PLUS : SeriesMarkers.CROSS).setMarkerColor(ChartTheme.color(i));
         series.setShowInLegend(false);
     }
 
@@ -203,6 +208,5 @@ public final class TradeCharts {
                 chart.addAnnotation(new AnnotationText(name, place, target * lift, false));
             }
         }
-        chart.getStyler().setLegendPosition(Styler.LegendPosition.InsideNE);
     }
 }

@@ -8,18 +8,21 @@ import enlightenment.measure.analysis.EqualErrorComparison;
 import enlightenment.measure.analysis.EqualTimeComparison;
 import enlightenment.measure.analysis.EqualTimePicture;
 import enlightenment.measure.analysis.MeasuredCosts;
+import enlightenment.measure.analysis.MethodChoice;
 import enlightenment.measure.analysis.SweepResult;
 import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.chart.Chart;
-import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 
 /** The page of a measurement: one HTML file that refers to no other. */
 public final class TradePage {
@@ -65,11 +68,12 @@ public final class TradePage {
         html.element("title", "Speed against accuracy: " + context.title());
         html.raw("<style>\n" + PageStyle.CSS + "</style></head><body><main>\n");
         html.element("h1", context.title() + ": speed against accuracy");
+        boolean isPhysical = result.settings().shading() == Shading.Model.PHYSICAL;
         RenderSettings.Crop region = s.region();
         html.element(
                 "p class=\"quiet\"",
                 region.width() + " × " + region.height() + " pixels, "
-                        + RayTraceSettings.of(s).shadowSamples() + " light samples per hit, "
+                        + (isPhysical ? "" : RayTraceSettings.of(s).shadowSamples() + " light samples per hit, ")
                         + s.threads() + (s.threads() == 1 ? " thread" : " threads")
                         + ". The figures hold for this size and these settings.");
         if (!result.result().conditions().complete()) {
@@ -92,8 +96,16 @@ public final class TradePage {
     }
 
     private void verdict() {
+        MethodChoice choice = MethodChoice.of(result);
         Verdict headline = Verdict.headline(result);
-        html.raw("<section class=\"verdict\">\n").element("p class=\"big\"", headline.sentence());
+        html.raw("<section class=\"verdict\">\n");
+        if (choice.sentence().isPresent()) {
+            html.element("p class=\"big\"", choice.sentence().get());
+        }
+        for (String spot : choice.leftOut()) {
+            html.element("p", "Left out: " + spot + ".");
+        }
+        html.element(choice.sentence().isPresent() ? "p" : "p class=\"big\"", headline.sentence());
         headline.best().ifPresent(best -> {
             html.element("pre", context.render(best, result.settings()));
             if (best.source() == CostEstimate.Source.TRIED) {
@@ -186,25 +198,26 @@ public final class TradePage {
         return count + (count == 1 ? " run" : " runs");
     }
 
-    /** The ratios of times, where both methods were measured. */
+    /** The ratios of times, where several methods were measured. */
     private void comparisons() {
-        List<List<String>> rows = new ArrayList<>();
+        Set<List<String>> rows = new LinkedHashSet<>();
         for (EqualErrorComparison m : EqualErrorComparison.all(result)) {
-            rows.add(List.of(
-                    Digits.of(m.error(), 2) + (m.smallest() ? ", the smallest that both reached" : ""),
-                    side(m.first()),
-                    side(m.second()),
-                    Digits.of(m.ratio(), 2)));
+            for (CostEstimate n : m.costs()) {
+                rows.add(List.of(
+                        Digits.of(m.error(), 2) + (m.smallest() ? ", the smallest that these reached" : ""),
+                        n.configuration().name(),
+                        Digits.of(n.wall().median(), 2),
+                        Digits.of(m.timesAsLong(n), 2),
+                        n.flip().map(f -> Digits.of(f, 2)).orElse("–"),
+                        n.evidence()));
+            }
         }
         if (!rows.isEmpty()) {
             html.element("h2", "Times at equal error");
-            html.table(List.of("error", "first", "second", "time of the first / time of the second"), rows);
+            html.table(
+                    List.of("error", "by", "seconds", "times as long as the fastest", "FLIP", "how known"),
+                    List.copyOf(rows));
         }
-    }
-
-    private static String side(CostEstimate n) {
-        return n.configuration().name() + ": " + Digits.of(n.wall().median(), 2) + " s"
-                + n.flip().map(f -> ", FLIP " + Digits.of(f, 2)).orElse("") + " (" + n.evidence() + ")";
     }
 
     private static String spread(double low, double median, double high) {
@@ -303,6 +316,9 @@ public final class TradePage {
                         Digits.of(p.estimated().median(), 3)));
             }
         }
+        for (String spot : result.result().blindSpots().values()) {
+            html.element("p", spot + ": its errors include what is missing.");
+        }
         html.table(
                 List.of(
                         "by",
@@ -327,27 +343,17 @@ public final class TradePage {
 
     private void howMeasured() {
         html.element("h2", "How this was measured");
-        Reference r = result.result().reference();
-        StringBuilder parts = new StringBuilder();
-        for (Reference.Part part : r.parts()) {
-            parts.append(parts.isEmpty() ? "" : " and ");
-            parts.append(new Configuration(part.method(), part.lightSamples(), false).name())
-                    .append(", ");
-            parts.append(Digits.samples(part.samples())).append(" samples per pixel");
-        }
+        boolean isGiven = result.result().reference().parts().isEmpty();
         html.element(
                 "p",
-                (r.parts().isEmpty()
-                                ? "The reference was given. Its own error, estimated from two independent renders, is "
-                                : "The reference is the mean of two independent renders: " + parts
-                                        + ". Its own error, from the difference of the two, is ")
-                        + Digits.of(r.error(), 2)
-                        + ". It has been taken off the errors above (as squares). "
+                result.referenceSentence()
+                        + (isGiven ? "" : " What it was rendered by had the least error for its time in a trial.")
+                        + " Its error has been taken off the errors above (as squares). "
                         + "Runs whose error is smaller are left out: it cannot be distinguished from the reference's.");
         html.element(
                 "p",
                 "Java was warmed up first. The methods took turns, render by render, so that a busy machine disturbs "
-                        + "both alike; times are medians, with the smallest and the largest, from the scene in memory to the "
+                        + "all alike; times are medians, with the smallest and the largest, from the scene in memory to the "
                         + "finished picture, without reading and writing files. Every render in the table of budgets has "
                         + "random numbers of its own.");
         List<List<String>> rows = new ArrayList<>();

@@ -21,7 +21,7 @@ public record Reference(Optional<Image> picture, double variance, List<Part> par
      * One of the independent renders whose mean is the reference.
      *
      * @param method its method
-     * @param lightSamples light samples per hit and light
+     * @param lightSamples light samples per hit and light; 0 with physical shading
      * @param samples its budget of camera rays per pixel
      * @param seed the seed of its random numbers, which no measured run uses
      */

@@ -12,13 +12,28 @@ import java.util.Map;
  * @param reference what the errors are measured against
  * @param runs all runs, in the order they ended
  * @param conditions machine and time
+ * @param blindSpots by the word of a method that cannot see all of the scene: what it cannot see, as a sentence without a full stop. Its
+ *     errors include what is missing from its pictures
  */
-public record TradeResult(TradeSettings settings, Reference reference, List<TradeRun> runs, Conditions conditions) {
+public record TradeResult(
+        TradeSettings settings,
+        Reference reference,
+        List<TradeRun> runs,
+        Conditions conditions,
+        Map<String, String> blindSpots) {
     /** The errors that advice is given for: root mean square errors of one, a half and a tenth of a percent of white. */
     public static final List<Double> TARGETS = List.of(0.01, 0.005, 0.001);
 
     public TradeResult {
         runs = List.copyOf(runs);
+        blindSpots = new LinkedHashMap<>(blindSpots);
+    }
+
+    /** The methods that see all of the scene, in the order of the settings. */
+    public List<String> sightedMethods() {
+        return settings.methods().stream()
+                .filter(word -> !blindSpots.containsKey(word))
+                .toList();
     }
 
     /**

@@ -6,7 +6,7 @@ package enlightenment.measure.trade;
  * @param kind why it was made: {@link #BUDGET_SERIES}, {@link #CHECK}, {@link #EQUAL_TIME}, or {@link #SWEEP} and the sweep's name
  * @param method the method
  * @param antialias n for the n × n grid of positions per pixel; used where {@code samples} is 0
- * @param shadowSamples light samples per hit and light
+ * @param shadowSamples light samples per hit and light; 0 with physical shading
  * @param threads threads that shared the work
  * @param samples the budget of camera rays per pixel; 0 where {@code antialias} decided
  * @param seed the seed of its random numbers

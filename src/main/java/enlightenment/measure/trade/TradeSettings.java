@@ -14,6 +14,7 @@ import java.util.Optional;
 /**
  * What to measure. {@link #of} has the usual values, the {@code with} methods change one.
  *
+ * @param shading what kind of shading the scene has
  * @param base the settings that all renders share; its method is that of the sweeps, its budget is not used
  * @param methods the words of the methods to compare, each once, at least one
  * @param budgetSeconds about how long the measurement may take by the clock; greater than 0. The fewest renders that give a result
@@ -24,6 +25,7 @@ import java.util.Optional;
  * @param sceneKey distinguishes the scene from others; kept in the folder, so that no other scene's measurement is resumed in it
  */
 public record TradeSettings(
+        Shading.Model shading,
         RenderSettings base,
         List<String> methods,
         double budgetSeconds,
@@ -34,8 +36,10 @@ public record TradeSettings(
     /** The largest number of renders of one budget. */
     public static final int MAX_SEEDS = 1000;
 
-    /** The usual value of {@link #budgetSeconds}. */
-    public static final double BUDGET_SECONDS = 90;
+    /** The usual share of {@link #budgetSeconds} for each method, and its smallest usual value. */
+    private static final double SECONDS_PER_METHOD = 45;
+
+    private static final double FEWEST_SECONDS = 90;
 
     /** The usual value of {@link #seeds}. */
     public static final int SEEDS = 3;
@@ -73,40 +77,41 @@ public record TradeSettings(
         }
     }
 
-    /** All methods of this program that can render a shading, {@link #BUDGET_SECONDS}, {@link #SEEDS}, no sweeps, and a reference to be made. */
+    /** The usual value of {@link #budgetSeconds} for so many methods: 90 for one or two, 45 more for each further one. */
+    public static double budgetSeconds(int methods) {
+        return Math.max(SECONDS_PER_METHOD * methods, FEWEST_SECONDS);
+    }
+
+    /** All methods of this program that can render a shading, the usual {@link #budgetSeconds}, {@link #SEEDS}, no sweeps, and a reference to be made. */
     public static TradeSettings of(RenderSettings base, Shading.Model shading, String sceneKey) {
+        List<String> methods = Method.words(BuiltInMethod.rendering(shading));
         return new TradeSettings(
-                base,
-                Method.words(BuiltInMethod.rendering(shading)),
-                BUDGET_SECONDS,
-                SEEDS,
-                List.of(),
-                Optional.empty(),
-                sceneKey);
+                shading, base, methods, budgetSeconds(methods.size()), SEEDS, List.of(), Optional.empty(), sceneKey);
     }
 
     /** The same with another list of {@link #methods}. */
     public TradeSettings withMethods(List<String> methods) {
-        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
+        return new TradeSettings(shading, base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
     }
 
     /** The same with another {@link #budgetSeconds}. */
     public TradeSettings withBudgetSeconds(double budgetSeconds) {
-        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
+        return new TradeSettings(shading, base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
     }
 
     /** The same with another number of {@link #seeds}. */
     public TradeSettings withSeeds(int seeds) {
-        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
+        return new TradeSettings(shading, base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
     }
 
     /** The same with other {@link #sweeps}. */
     public TradeSettings withSweeps(List<Sweep> sweeps) {
-        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
+        return new TradeSettings(shading, base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
     }
 
     /** The same with a given {@link #reference}. */
     public TradeSettings withReference(Image reference) {
-        return new TradeSettings(base, methods, budgetSeconds, seeds, sweeps, Optional.of(reference), sceneKey);
+        return new TradeSettings(
+                shading, base, methods, budgetSeconds, seeds, sweeps, Optional.of(reference), sceneKey);
     }
 }

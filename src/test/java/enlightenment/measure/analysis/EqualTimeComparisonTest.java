@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.measure.trade.TradeRun;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 class EqualTimeComparisonTest {
@@ -16,19 +17,21 @@ class EqualTimeComparisonTest {
     }
 
     private static String sentence(EqualTimePicture a, EqualTimePicture b) {
-        return new EqualTimeComparison(List.of(a, b), 0).sentence().orElseThrow();
+        return new EqualTimeComparison(List.of(a, b), 0, Set.of()).sentence().orElseThrow();
     }
 
     @Test
     void timesMoreThanATenthApartAreNotCalledEqual() {
         List<EqualTimePicture> pictures =
                 List.of(picture("raytrace", 0.02, 0.02, 0.111), picture("cluster", 0.01, 0.01, 0.1));
-        assertFalse(new EqualTimeComparison(pictures, 0).isEqual());
+        assertFalse(new EqualTimeComparison(pictures, 0, Set.of()).isEqual());
         assertEquals(
                 "These pictures are not at equal time: raytrace with 10 light samples 0.11 s, cluster 0.10 s.",
-                new EqualTimeComparison(pictures, 0).sentence().orElseThrow());
+                new EqualTimeComparison(pictures, 0, Set.of()).sentence().orElseThrow());
         assertTrue(new EqualTimeComparison(
-                        List.of(picture("raytrace", 0.02, 0.02, 0.109), picture("cluster", 0.01, 0.01, 0.1)), 0)
+                        List.of(picture("raytrace", 0.02, 0.02, 0.109), picture("cluster", 0.01, 0.01, 0.1)),
+                        0,
+                        Set.of())
                 .isEqual());
     }
 
@@ -50,8 +53,24 @@ class EqualTimeComparisonTest {
 
     @Test
     void aSinglePictureIsComparedWithNothing() {
-        assertTrue(new EqualTimeComparison(List.of(picture("cluster", 0.1, 0.1, 1)), 0)
+        assertTrue(new EqualTimeComparison(List.of(picture("cluster", 0.1, 0.1, 1)), 0, Set.of())
                 .sentence()
                 .isEmpty());
+    }
+
+    @Test
+    void ofSeveralMethodsTheNearestIsNamedAndTheBlindAreNotJudged() {
+        List<EqualTimePicture> all = List.of(
+                picture("raytrace", 0.02, 0.02, 1),
+                picture("light", 0.001, 0.001, 1),
+                picture("cluster", 0.01, 0.01, 1));
+        assertTrue(new EqualTimeComparison(all, 0, Set.of())
+                .sentence()
+                .orElseThrow()
+                .endsWith(" light is nearest to the truth, by RMSE and by FLIP."));
+        assertTrue(new EqualTimeComparison(all, 0, Set.of("light"))
+                .sentence()
+                .orElseThrow()
+                .endsWith(" cluster is nearer to the truth, by RMSE and by FLIP, of those that see all of the scene."));
     }
 }

@@ -9,6 +9,7 @@ import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -72,13 +73,24 @@ public final class SyntheticRuns {
         return runs;
     }
 
+    /** The analysis of a comparison of any methods, of which some cannot see all of the scene; no error in the reference. */
+    public static TradeAnalysis trade(List<String> methods, Map<String, String> blindSpots, List<TradeRun> runs) {
+        return TradeAnalysis.of(new TradeResult(
+                settings().withMethods(methods),
+                new Reference(Optional.empty(), 0, List.of()),
+                runs,
+                new TradeResult.Conditions(Map.of(), 0, 1, true),
+                blindSpots));
+    }
+
     /** The analysis of a comparison of both methods with 10 light samples, given these runs. */
     public static TradeAnalysis trade(double referenceError, List<TradeRun> runs) {
         return TradeAnalysis.of(new TradeResult(
                 settings(),
                 new Reference(Optional.empty(), referenceError * referenceError, List.of()),
                 runs,
-                new TradeResult.Conditions(Map.of(), 0, 1, true)));
+                new TradeResult.Conditions(Map.of(), 0, 1, true),
+                Map.of()));
     }
 
     public static TradeSettings settings() {
@@ -93,6 +105,14 @@ public final class SyntheticRuns {
                 ChosenSettings.of(new RayTraceSettings(LIGHT_SAMPLES)),
                 2,
                 8);
-        return new TradeSettings(base, List.of("raytrace", "cluster"), 1, 1, List.of(), Optional.empty(), "a scene");
+        return new TradeSettings(
+                Shading.Model.CLASSIC,
+                base,
+                List.of("raytrace", "cluster"),
+                1,
+                1,
+                List.of(),
+                Optional.empty(),
+                "a scene");
     }
 }

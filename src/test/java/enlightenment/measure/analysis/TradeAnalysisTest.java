@@ -19,7 +19,8 @@ class TradeAnalysisTest {
                 result.reference(),
                 runs,
                 new TradeResult.Conditions(
-                        Map.of(TradeResult.Conditions.PROCESSORS, Integer.toString(processors)), 0, 1, true)));
+                        Map.of(TradeResult.Conditions.PROCESSORS, Integer.toString(processors)), 0, 1, true),
+                Map.of()));
     }
 
     /** Synthetic runs use two threads. */

@@ -12,6 +12,7 @@ import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** Two methods whose curves, and so whose crossing and ratios, are known. */
@@ -178,7 +179,7 @@ class VerdictTest {
                 .filter(m -> m.error() == 0.0025)
                 .findFirst()
                 .orElseThrow();
-        assertEquals(8 / 12.8, there.ratio(), 1e-9);
+        assertEquals(12.8 / 8, there.timesAsLong(there.costs().get(1)), 1e-9);
     }
 
     @Test
@@ -189,12 +190,41 @@ class VerdictTest {
         EqualErrorComparison scene =
                 all.stream().filter(m -> m.smallest() && !m.best()).findFirst().orElseThrow();
         assertEquals(0.01, scene.error(), 1e-12);
-        assertEquals(4, scene.ratio(), 1e-9);
+        assertEquals(4, scene.timesAsLong(scene.costs().get(0)), 1e-9);
         EqualErrorComparison best =
                 all.stream().filter(m -> m.smallest() && m.best()).findFirst().orElseThrow();
         assertEquals(0.005, best.error(), 1e-12);
-        assertEquals(2, best.ratio(), 1e-9);
-        assertTrue(all.stream().allMatch(m -> m.error() >= 0.005 && m.first().isMeasured()));
+        assertEquals(2, best.timesAsLong(best.costs().get(0)), 1e-9);
+        assertTrue(all.stream()
+                .allMatch(m -> m.error() >= 0.005 && m.costs().get(0).isMeasured()));
+    }
+
+    /** raytrace was measured down to 0.01, light to 0.005, cluster to 0.00125: two of them meet at 0.005, all three at 0.01. */
+    @Test
+    void ofThreeMethodsThoseMeetThatWereMeasuredThere() {
+        List<TradeRun> runs = new ArrayList<>(raytrace(10, 64, 0.08, 0.1));
+        runs.addAll(SyntheticRuns.series("light", 10, 64, 0.04, 0.04, 0.2));
+        runs.addAll(cluster(1024, 0.04, 0.1));
+        List<String> methods = List.of("raytrace", "light", "cluster");
+        List<EqualErrorComparison> all = EqualErrorComparison.all(SyntheticRuns.trade(methods, Map.of(), runs));
+        List<String> smallest = all.stream()
+                .filter(m -> m.smallest() && !m.best())
+                .map(m -> Digits.of(m.error(), 2) + " "
+                        + m.costs().stream().map(CostEstimate::method).toList())
+                .toList();
+        assertEquals(List.of("0.010 [raytrace, light, cluster]", "0.0050 [light, cluster]"), smallest);
+        EqualErrorComparison three = all.get(0);
+        assertEquals("cluster", three.fastest().method());
+        assertEquals(4, three.timesAsLong(three.costs().get(0)), 1e-9);
+        assertEquals(2, three.timesAsLong(three.costs().get(1)), 1e-9);
+        // Whoever cannot see all of the scene meets nobody, and nobody advises it.
+        TradeAnalysis blind = SyntheticRuns.trade(methods, Map.of("cluster", "cluster sees nothing"), runs);
+        assertTrue(EqualErrorComparison.all(blind).stream()
+                .flatMap(m -> m.costs().stream())
+                .noneMatch(n -> n.method().equals("cluster")));
+        Verdict verdict = Verdict.of(blind, 0.01);
+        assertEquals("light", verdict.best().orElseThrow().method());
+        assertFalse(verdict.sentence().contains("cluster"), verdict.sentence());
     }
 
     /** How far below the reference's error something is cannot be told, so its time is a bound, also just above that error. */
@@ -219,7 +249,7 @@ class VerdictTest {
                 .findFirst()
                 .orElseThrow();
         assertEquals(0.005, smallest.error(), 1e-6);
-        assertTrue(smallest.second().undercutsTarget());
+        assertTrue(smallest.costs().get(1).undercutsTarget());
     }
 
     @Test

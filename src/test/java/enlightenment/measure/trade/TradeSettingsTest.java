@@ -39,7 +39,14 @@ class TradeSettingsTest {
                 .withReference(reference);
         assertEquals(
                 new TradeSettings(
-                        USUAL.base(), List.of("cluster"), 7, 5, sweeps, Optional.of(reference), USUAL.sceneKey()),
+                        USUAL.shading(),
+                        USUAL.base(),
+                        List.of("cluster"),
+                        7,
+                        5,
+                        sweeps,
+                        Optional.of(reference),
+                        USUAL.sceneKey()),
                 all);
     }
 

@@ -77,7 +77,16 @@ class PhysicalClusterTest {
 
     @Tag("full")
     @ParameterizedTest
-    @ValueSource(strings = {"fire-and-ice-physical", "cornell-box", "metals", "lamp-room", "glass-physical", "furnace"})
+    @ValueSource(
+            strings = {
+                "fire-and-ice-physical",
+                "cornell-box",
+                "metals",
+                "lamp-room",
+                "door-ajar",
+                "glass-physical",
+                "furnace"
+            })
     void itMeansThePictureOfRaytraceWithManySeeds(String name) {
         compare(name, 16, 128);
     }

@@ -48,9 +48,12 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final PathNoise noise;
     private final Interpolation interpolation = new Interpolation();
     private final Ray ray = new Ray();
-    private final SobolSampler sampler = new SobolSampler();
 
     private int members;
+
+    /** Set to the pixels of the group: what they know of a pixel serves all of its samples. */
+    private final SobolSampler[] samplers = new SobolSampler[MOST_MEMBERS];
+
     private final int[] column = new int[MOST_MEMBERS];
     private final int[] row = new int[MOST_MEMBERS];
     private final int[] count = new int[MOST_MEMBERS];
@@ -79,10 +82,20 @@ public final class PhysicalClusterMethod implements TileIntegrator {
      */
     public PhysicalClusterMethod(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double effort, double samples) {
+        this(scene, settings, counters, effort, samples, firstOf(samples));
+    }
+
+    private PhysicalClusterMethod(
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            double effort,
+            double samples,
+            int firstSamples) {
         this.scene = scene;
         this.settings = settings;
         allocation = new PhysicalAllocation(effort, samples);
-        firstSamples = Math.min(PhysicalAllocation.leastSamples(samples), MOST_FIRST);
+        this.firstSamples = firstSamples;
         first = new double[3 * PIXELS << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
         tracer = new PathTracer(scene, counters);
@@ -91,8 +104,20 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         noise = new PathNoise(scene.display, survey);
         for (int m = 0; m < MOST_MEMBERS; m++) {
             paths[m] = new PathCut();
+            samplers[m] = new SobolSampler();
             spreads[m] = new SampleSpread();
         }
+    }
+
+    private static int firstOf(double samples) {
+        return Math.min(PhysicalAllocation.leastSamples(samples), MOST_FIRST);
+    }
+
+    /** One that only looks at blocks, with half as many first paths: of many blocks together they tell enough. */
+    static PhysicalClusterMethod looking(CompiledScene scene, RenderSettings settings, double samples) {
+        RayCounters counters = new RayCounters(scene.kindNames.size());
+        int first = Math.max(firstOf(samples) - 1, 0);
+        return new PhysicalClusterMethod(scene, settings, counters, EffortSearch.LEAST_EFFORT, samples, first);
     }
 
     @Override
@@ -118,6 +143,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         for (int group = 0; group < GROUPS; group++) {
             gather(block, group);
             if (isWanted(block, tile)) {
+                toPixels(block, settings.seed());
                 renderGroup(block, tile);
             }
         }
@@ -132,6 +158,12 @@ public final class PhysicalClusterMethod implements TileIntegrator {
                 column[members] = i;
                 row[members++] = j;
             }
+        }
+    }
+
+    private void toPixels(Block block, long seed) {
+        for (int m = 0; m < members; m++) {
+            samplers[m].pixel(seed, block.x() + column[m], block.y() + row[m]);
         }
     }
 
@@ -161,7 +193,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         int done = 1 << firstSamples;
         for (int s = 0; s < most; s++) {
             if (s >= done) {
-                sample(block, s, settings.seed());
+                sample(block, s);
             }
             for (int m = 0; m < members; m++) {
                 if (s < count[m]) {
@@ -186,9 +218,8 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             from = first;
             at = 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s);
             if (s < 2) {
-                sampler.pixel(settings.seed(), x, y);
-                sampler.sample(s);
-                spreads[m].at(sampler.filmX(), sampler.filmY());
+                samplers[m].sample(s);
+                spreads[m].at(samplers[m].filmX(), samplers[m].filmY());
             }
         } else {
             spreads[m].at(0, 0);
@@ -224,11 +255,17 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         survey.take(block);
         int count = 1 << firstSamples;
         noise.begin(block, count, spreadOver);
+        if (survey.isEmpty()) {
+            Arrays.fill(first, 0);
+            noise.finish();
+            return;
+        }
         for (int group = 0; group < GROUPS; group++) {
             gather(block, group);
+            toPixels(block, seed);
             Arrays.fill(this.count, 0, members, count);
             for (int s = 0; s < count; s++) {
-                sample(block, s, seed);
+                sample(block, s);
                 for (int m = 0; m < members; m++) {
                     System.arraycopy(
                             colors[m], 0, first, 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s), 3);
@@ -278,14 +315,21 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     }
 
     /** Takes a sample of each member of the group that has so many. */
-    private void sample(Block block, int index, long seed) {
+    private void sample(Block block, int index) {
+        if (survey.isEmpty()) {
+            // All that is seen is certain, and known already.
+            for (int m = 0; m < members; m++) {
+                Arrays.fill(colors[m], 0);
+            }
+            return;
+        }
         for (int m = 0; m < members; m++) {
             if (index >= count[m]) {
                 continue;
             }
             int x = block.x() + column[m];
             int y = block.y() + row[m];
-            sampler.pixel(seed, x, y);
+            SobolSampler sampler = samplers[m];
             sampler.sample(index);
             placeX[m] = sampler.filmX();
             placeY[m] = sampler.filmY();

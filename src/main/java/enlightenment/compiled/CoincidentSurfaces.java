@@ -70,6 +70,17 @@ public final class CoincidentSurfaces {
         return entries != null && entries[id] != null;
     }
 
+    /** Whether a face of a primitive coincides with one of another. */
+    boolean coincide(int id, int face, int other, int otherFace) {
+        int[] all = of(id);
+        for (int k = 0; k < all.length; k += ENTRY) {
+            if (all[k] == face && all[k + 1] == other && all[k + 2] == otherFace) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** For each coincidence of the primitive, three numbers: its face, the other primitive, that one's face. */
     int[] of(int id) {
         return concerns(id) ? entries[id] : NONE;

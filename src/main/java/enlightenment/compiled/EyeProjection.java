@@ -92,6 +92,18 @@ public final class EyeProjection {
         return true;
     }
 
+    /** The {@link #importance} of a point that the camera is known to see. */
+    public double importanceOf(double px, double py, double pz) {
+        if (isParallel) {
+            return parallel.length() / Math.abs(determinant);
+        }
+        double qx = px - start.x();
+        double qy = py - start.y();
+        double qz = pz - start.z();
+        double s = dot(along, qx, qy, qz) / determinant;
+        return Math.sqrt(qx * qx + qy * qy + qz * qz) / (s * s * s * Math.abs(determinant));
+    }
+
     private void turn(double vx, double vy, double vz, double part) {
         toEyeX = -vx * part;
         toEyeY = -vy * part;

@@ -63,6 +63,7 @@ public final class Tracer {
     private final int[] allLights;
 
     private final CoincidentHits coincident;
+    private final Hit end = new Hit();
 
     /** The light that the last {@link #trace} met, or null. */
     public CompiledLight light;
@@ -248,6 +249,48 @@ public final class Tracer {
         }
         counters.shadowRays++;
         return scene.accelerator.occludedWithin(ray, 1, query);
+    }
+
+    /**
+     * Traces a ray between two places on surfaces: whether nothing lies between them. Whether rounding puts the end's own surface before or
+     * behind it means nothing.
+     *
+     * @param ray it knows the surfaces that it starts on
+     * @param length the t at which it ends
+     * @param endId the primitive that it ends on
+     * @param endFace the face of that
+     */
+    public boolean joins(Ray ray, double length, int endId, int endFace) {
+        counters.shadowRays++;
+        closest.reset(length);
+        scene.accelerator.search(ray, closest);
+        int met = closest.id();
+        if (met == NOTHING) {
+            return true;
+        }
+        if (met != endId && !scene.coincident.concerns(endId)) {
+            return false;
+        }
+        scene.primitives[met].complete(ray, closest.t(), end);
+        return isEnd(ray, length - closest.t(), met, end, endId, endFace);
+    }
+
+    /**
+     * Whether a hit is the end of a ray.
+     *
+     * @param left how far behind the hit the ray ends, in lengths of its direction
+     */
+    public boolean isEnd(Ray ray, double left, int met, Hit at, int endId, int endFace) {
+        if (met == endId ? at.face != endFace : !scene.coincident.coincide(endId, endFace, met, at.face)) {
+            return false;
+        }
+        Primitive p = scene.primitives[met];
+        // A line meets a plane once, but it may meet a curved face earlier as well.
+        if (p.support(at.face).isFlat()) {
+            return true;
+        }
+        double across = Math.abs(at.nx * ray.dx + at.ny * ray.dy + at.nz * ray.dz);
+        return left * across <= CoincidentSurfaces.tolerance(p.bounds(), p.bounds());
     }
 
     /**

@@ -3,6 +3,8 @@ package enlightenment.plan;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.math.InvalidValueException;
+import enlightenment.method.BidirectionalMethod;
+import enlightenment.method.BidirectionalPaths;
 import enlightenment.method.CausticPaths;
 import enlightenment.method.Integrator;
 import enlightenment.method.LightPaths;
@@ -67,7 +69,7 @@ public final class Integrators {
                     method, method instanceof IntegratorFactory factory && factory.dividesIntoPasses());
         }
         return switch (own) {
-            case RAYTRACE, LIGHT -> MethodTraits.ofAnySamples(method, true);
+            case RAYTRACE, LIGHT, BIDIRECTIONAL -> MethodTraits.ofAnySamples(method, true);
             case CLUSTER ->
                 new MethodTraits(
                         false,
@@ -117,6 +119,7 @@ public final class Integrators {
             return switch (own) {
                 case RAYTRACE, CLUSTER -> scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
                 case LIGHT -> LIGHT_PATHS;
+                case BIDIRECTIONAL -> BidirectionalMethod.PATHS_PER_SAMPLE;
             };
         }
         return method instanceof IntegratorFactory factory && method.kind() == Method.Kind.TILES
@@ -146,6 +149,7 @@ public final class Integrators {
         return switch ((BuiltInMethod) plan.method()) {
             case RAYTRACE, CLUSTER -> new CausticPaths(scene, settings, counters);
             case LIGHT -> new LightPaths(scene, settings, counters);
+            case BIDIRECTIONAL -> new BidirectionalPaths(scene, settings, counters);
         };
     }
 
@@ -189,6 +193,7 @@ public final class Integrators {
         return switch (method) {
             case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
             case LIGHT -> RayTraceMethod.ofSeenLight(scene, settings, counters, plan.level());
+            case BIDIRECTIONAL -> BidirectionalMethod.of(scene, settings, counters, plan.level());
             case CLUSTER ->
                 scene.physical == null
                         ? new ClusterMethod(

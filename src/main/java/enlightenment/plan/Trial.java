@@ -114,8 +114,9 @@ final class Trial {
         Workers.run(settings.threads(), batches, stop, () -> {
             RayCounters counters = new RayCounters(scene.kindNames.size());
             SplatIntegrator method = Integrators.splats(plan, scene, settings, counters);
-            method.stopWhen(stop);
             SplatScale scale = SplatScale.of(method.expectedContribution(), (long) batches * AT_ONCE, pixels);
+            // Not before: what is not a piece of the work cannot be ended in its middle.
+            method.stopWhen(stop);
             SplatBatch out = new SplatBatch(region.x(), region.y(), region.width(), region.height(), scale);
             return (IntConsumer) i -> {
                 out.begin(AT_ONCE);

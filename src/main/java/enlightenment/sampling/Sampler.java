@@ -19,7 +19,15 @@ public interface Sampler {
         /** The point of the one light that is sampled. */
         LIGHT,
         /** The point of a light's image in a mirror. */
-        MIRROR
+        MIRROR,
+        /** Where on which light, and in which direction, a path from a light begins. */
+        EMISSION,
+        /** {@link #DIRECTION} of a path from a light. */
+        LIGHT_DIRECTION,
+        /** {@link #CHOICE} of a path from a light. */
+        LIGHT_CHOICE,
+        /** {@link #ROULETTE} of a path from a light. */
+        LIGHT_ROULETTE
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

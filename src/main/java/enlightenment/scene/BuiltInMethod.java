@@ -29,6 +29,14 @@ public enum BuiltInMethod implements Method {
             "paths from the lights, connected to the eye wherever they are scattered",
             List.of(),
             null,
+            Shading.Model.PHYSICAL),
+
+    /** Paths from both ends: for light that is hard to find from the eye. */
+    BIDIRECTIONAL(
+            "bidirectional",
+            "paths from the eye and from lights, each vertex of one connected to each of the other",
+            List.of(),
+            null,
             Shading.Model.PHYSICAL);
 
     /** All of them, in order. */

@@ -27,10 +27,17 @@ final class LightSource extends PathSource {
     /** The cosine at the light, on the side that the path leaves it to; 1 where it has no surface. */
     double cosine;
 
+    private boolean isInside;
+
     /** @param starts of the same scene */
     LightSource(LightStarts starts, PhysicalScene physical) {
         this.starts = starts;
         this.physical = physical;
+    }
+
+    /** The same on the outside of a surface: negative if the path leaves it to the inside. */
+    double cosineOutside() {
+        return isInside ? -cosine : cosine;
     }
 
     /** Whether the light is a point: only paths from it find it. */
@@ -120,6 +127,7 @@ final class LightSource extends PathSource {
                 disk[1],
                 Math.sqrt(Math.max(1 - disk[2], 0)));
         cosine = side * (dx * point.nx + dy * point.ny + dz * point.nz);
+        isInside = side == Ray.INSIDE;
         ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
         l.lyingOn().startOn(ray, side);
     }

@@ -238,6 +238,11 @@ final class PathFollower {
         return glass.roughBorder(ray, hit, s);
     }
 
+    /** How many scattering events it has had. */
+    int bounces() {
+        return bounces;
+    }
+
     /** Whether the path may have one more scattering event. */
     boolean mayScatter() {
         return bounces < maxBounces;

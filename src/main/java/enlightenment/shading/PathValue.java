@@ -16,7 +16,7 @@ final class PathValue {
     static final double FAINT = 0.05;
 
     /** Paths of a closed white room must end, too. */
-    private static final double LARGEST_SURVIVAL = 0.99;
+    static final double LARGEST_SURVIVAL = 0.99;
 
     /** What was gathered. */
     double red;

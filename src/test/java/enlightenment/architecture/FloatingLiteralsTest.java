@@ -63,8 +63,11 @@ class FloatingLiteralsTest {
             new Explained("compiled/CausticPass.java", "0.05", "the least cosine that powers are estimated with"),
             new Explained("shading/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),
             new Explained("shading/MirrorImage.java", "0x1p-6", "an image is so much wider than it need be: a ratio"),
+            new Explained("shading/PathSampler.java", "0x1p-32", "32 bits to 0..1"),
             new Explained("shading/PathValue.java", "0.05", "roulette: a share of a path's throughput, a ratio"),
             new Explained("shading/PathValue.java", "0.99", "roulette: the largest probability to survive"),
+            new Explained(
+                    "shading/SubpathDensities.java", "0x1p-500", "a cosine that can be squared: no quotient of 0"),
             new Explained("numeric/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),
             new Explained(
                     "primitive/SpherePrimitive.java", "0.75", "ratio of two roots that chooses between equal forms"),

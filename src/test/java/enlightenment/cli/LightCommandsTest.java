@@ -12,6 +12,9 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.picture.Exposure;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.Method;
+import enlightenment.scene.Shading;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -20,6 +23,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** What the command line does with pictures of linear light. */
 class LightCommandsTest {
@@ -104,6 +109,31 @@ class LightCommandsTest {
         assertFalse(modelled(CORNELL).toString().contains("caustics"));
         String out = CliRun.of("inspect", CORNELL).out();
         assertTrue(out.contains("caustics by light tracing") && out.contains(images), out);
+    }
+
+    /** Trials of light paths end where the time is over. */
+    @ParameterizedTest
+    @MethodSource("methodsOfLight")
+    void howeverShortTheTimeThereIsAPicture(Method method) {
+        CliRun run = CliRun.of(
+                "render",
+                "scenes/caustics.json",
+                "-o",
+                png,
+                "--size",
+                "12x8",
+                "--method",
+                method,
+                "--time",
+                "0.000001",
+                "--progress",
+                "none");
+        assertEquals(0, run.code(), run.err());
+        assertTrue(run.err().contains("is too short"), run.err());
+    }
+
+    static List<BuiltInMethod> methodsOfLight() {
+        return BuiltInMethod.rendering(Shading.Model.PHYSICAL);
     }
 
     @Test

@@ -19,9 +19,11 @@ import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -80,6 +82,33 @@ class TradeTest {
         // Below that its pictures are those of the other one.
         assertEquals(Set.of(2.5, 4.0), budgets(result, "cluster"));
         assertTrue(result.runs().stream().allMatch(r -> r.wallSeconds() > 0 && r.samplesPerPixel() > 0));
+    }
+
+    /** An open room without mirrors: all of them see it, and each begins where no other takes its place. */
+    @Test
+    void allMethodsThatCanRenderTheSceneAreCompared() throws IOException {
+        Scene room = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
+        RenderSettings base = RenderSettings.of(room).withSize(8, 8).withThreads(1);
+        TradeSettings what = TradeSettings.of(base, room.shading().model(), "a room")
+                .withBudgetSeconds(NO_TIME)
+                .withSeeds(1);
+        TradeResult result = Trade.run(room, what, folder, false, TradeListener.NONE, () -> false)
+                .orElseThrow();
+        assertEquals(Method.words(BuiltInMethod.rendering(Shading.Model.PHYSICAL)), what.methods());
+        assertEquals(what.methods(), result.sightedMethods());
+        for (Renderer.Sight sight : Renderer.inspect(room, base).methods()) {
+            Set<Double> rendered = budgets(result, sight.method().word());
+            // Those from outside want to be named.
+            assertEquals(what.methods().contains(sight.method().word()), rendered.size() >= 2, rendered.toString());
+            assertTrue(rendered.stream().allMatch(n -> n >= sight.fewestSamples()), rendered.toString());
+        }
+        // One picture of each, whatever the time.
+        assertEquals(
+                Set.copyOf(what.methods()),
+                result.runs().stream()
+                        .filter(r -> r.kind().equals(TradeRun.EQUAL_TIME))
+                        .map(TradeRun::method)
+                        .collect(Collectors.toSet()));
     }
 
     /** A ring of mirror, a ball of glass: what is seen in them, paths from lights do not show. */

@@ -75,6 +75,15 @@ class UnitKindsTest {
                         .withMethod(BuiltInMethod.LIGHT)
                         .withAntialias(2)
                         .withTileSize(9),
+                16),
+
+        /** Twelve tiles of paths from both ends, and four batches of those that are connected to the eye itself. */
+        BIDIRECTIONAL(
+                PHYSICAL_ROOM,
+                RenderSettings.of(PHYSICAL_ROOM)
+                        .withMethod(BuiltInMethod.BIDIRECTIONAL)
+                        .withAntialias(2)
+                        .withTileSize(9),
                 16);
 
         final Scene scene;

@@ -18,6 +18,14 @@ public final class Digits {
         return Math.min(Math.max(rounded, 1), Budget.MAX_SAMPLES);
     }
 
+    /** A number rounded up to two significant digits. */
+    static double upTwoOf(double value) {
+        return new BigDecimal(value)
+                .round(new MathContext(9, RoundingMode.HALF_EVEN))
+                .round(new MathContext(2, RoundingMode.UP))
+                .doubleValue();
+    }
+
     /** A number of samples rounded to two significant digits, within the range of a budget. */
     public static double nearTwo(double samples) {
         double rounded = new BigDecimal(samples)

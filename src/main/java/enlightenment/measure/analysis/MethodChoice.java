@@ -72,7 +72,11 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
         if (analysis.methods().size() < 2) {
             return new MethodChoice(List.of(), leftOut, Optional.empty());
         }
-        List<Place> places = places(analysis);
+        List<Place> places = places(analysis, ERRORS);
+        if (places.isEmpty()) {
+            // A hard scene, or little time: what there is to compare are larger errors, or those between.
+            places = places(analysis, reached(analysis));
+        }
         List<Range> ranges = new ArrayList<>();
         for (int from = 0; from < places.size(); ) {
             List<String> methods = new ArrayList<>(places.get(from).good());
@@ -92,10 +96,19 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
         return new MethodChoice(ranges, leftOut, Optional.of(sentence(ranges)));
     }
 
-    /** The errors where more than one method was measured and that take more than a single sample. */
-    private static List<Place> places(TradeAnalysis analysis) {
+    /** The smallest errors that several methods were measured to reach, with two digits. */
+    private static List<Double> reached(TradeAnalysis analysis) {
+        return EqualErrorComparison.all(analysis).stream()
+                .filter(m -> m.best() && m.smallest())
+                .map(m -> Digits.upTwoOf(m.error()))
+                .distinct()
+                .toList();
+    }
+
+    /** Those of some errors, in descending order, where methods were measured and that take more than a single sample. */
+    private static List<Place> places(TradeAnalysis analysis, List<Double> errors) {
         List<Place> places = new ArrayList<>();
-        for (double error : ERRORS) {
+        for (double error : errors) {
             List<CostEstimate> costs = analysis.methods().stream()
                     .flatMap(m -> analysis.best(m, error).stream())
                     .filter(CostEstimate::isMeasured)
@@ -174,10 +187,13 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
         if (i == 0) {
             return " for errors of " + Digits.samples(range.smallest) + " and more";
         }
-        boolean isLast = i == ranges.size() - 1;
-        return isLast || range.largest == range.smallest
-                ? " for errors of " + Digits.samples(range.largest) + (isLast ? " and less" : "")
-                : " for errors of " + Digits.samples(range.largest) + " to " + Digits.samples(range.smallest);
+        String largest = Digits.samples(range.largest);
+        if (i == ranges.size() - 1) {
+            return " for errors of " + largest + " and less";
+        }
+        return range.largest == range.smallest
+                ? " for an error of " + largest
+                : " for errors of " + largest + " to " + Digits.samples(range.smallest);
     }
 
     private static String why(Range range) {

@@ -17,6 +17,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.knowm.xchart.AnnotationText;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
@@ -54,97 +55,110 @@ public final class TradeCharts {
         return names;
     }
 
+    /** What a chart of errors has to the right. */
+    private record Budgets(
+            String name,
+            String title,
+            String axis,
+            ToDoubleFunction<TradeRun> ofRun,
+            ToDoubleFunction<Curve.Point> ofPoint,
+            Function<Curve, Optional<PowerLaw>> fit) {}
+
     /** All charts that the result has points for. */
     public static List<Chart> of(TradeAnalysis result) {
-        List<Chart> charts = new ArrayList<>();
-        String threads = result.settings().base().threads() == 1
-                ? "1 thread"
-                : result.settings().base().threads() + " threads";
-        errors(
-                        result,
+        int number = result.settings().base().threads();
+        String threads = number == 1 ? "1 thread" : number + " threads";
+        List<Budgets> all = List.of(
+                new Budgets(
                         OVER_TIME,
                         "Error against time: lower left is better",
                         "time for the picture in seconds by the clock, " + threads,
                         TradeRun::wallSeconds,
                         p -> p.wall().median(),
-                        Curve::overTime)
-                .ifPresent(charts::add);
-        errors(
-                        result,
+                        Curve::overTime),
+                new Budgets(
                         OVER_SAMPLES,
                         "Error against samples",
                         "camera rays per pixel",
                         TradeRun::samplesPerPixel,
                         Curve.Point::samplesPerPixel,
-                        Curve::overSamples)
-                .ifPresent(charts::add);
-        errors(
-                        result,
+                        Curve::overSamples),
+                new Budgets(
                         OVER_PROCESSOR_TIME,
                         "Error against processor time: less disturbed by other work",
                         "time of all processors together in seconds",
                         TradeRun::cpuSeconds,
                         p -> p.cpu().median(),
-                        c -> Optional.empty())
-                .ifPresent(charts::add);
+                        c -> Optional.empty()));
+        List<Chart> charts = new ArrayList<>();
+        all.forEach(budgets -> errors(result, budgets).ifPresent(charts::add));
         for (SweepResult sweep : result.sweeps()) {
-            SweepChart.of(sweep, result.settings().base().threads()).ifPresent(charts::add);
+            SweepChart.of(sweep, number).ifPresent(charts::add);
         }
         return charts;
     }
 
-    private static Optional<Chart> errors(
-            TradeAnalysis result,
-            String name,
-            String title,
-            String xTitle,
-            ToDoubleFunction<TradeRun> xOfRun,
-            ToDoubleFunction<Curve.Point> xOfPoint,
-            Function<Curve, Optional<PowerLaw>> fit) {
-        double variance = result.result().reference().variance();
-        XYChart chart = ChartTheme.chart(title, xTitle, "error (RMSE, 1 = black against white)");
+    private static Optional<Chart> errors(TradeAnalysis result, Budgets budgets) {
+        XYChart chart = ChartTheme.chart(budgets.title, budgets.axis, "error (RMSE, 1 = black against white)");
         List<Double> allX = new ArrayList<>();
         List<Double> allY = new ArrayList<>();
         List<Curve> curves = shown(result);
         for (int i = 0; i < curves.size(); i++) {
-            Curve curve = curves.get(i);
-            String label = name(curve, curves) + (result.isBlind(curve.method()) ? " (does not see all)" : "");
-            List<Curve.Point> points = curve.judgedPoints().stream()
-                    .filter(p -> xOfPoint.applyAsDouble(p) > 0)
-                    .toList();
-            if (points.isEmpty()) {
-                continue;
-            }
-            double[] x = points.stream().mapToDouble(xOfPoint).toArray();
-            double[] y = points.stream().mapToDouble(p -> p.error().median()).toArray();
-            // What is missing from a picture does not fall with a power of the samples.
-            Optional<PowerLaw> law = result.isBlind(curve.method()) ? Optional.empty() : fit.apply(curve);
-            line(chart, legend(label, law), x, y, i);
-            List<TradeRun> runs = result.result().runs().stream()
-                    .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES)
-                            && curve.configuration().made(r)
-                            && r.isJudged(variance)
-                            && xOfRun.applyAsDouble(r) > 0)
-                    .toList();
-            double[] runX = runs.stream().mapToDouble(xOfRun).toArray();
-            double[] runY = runs.stream().mapToDouble(r -> r.error(variance)).toArray();
-            dots(chart, label + ", each run", runX, runY, i);
-            for (int k = 0; k < runX.length; k++) {
-                allX.add(runX[k]);
-                allY.add(runY[k]);
+            for (double[] run : draw(chart, result, budgets, curves, i)) {
+                allX.add(run[0]);
+                allY.add(run[1]);
             }
         }
         if (allX.isEmpty()) {
             return Optional.empty();
         }
-        double[] x = allX.stream().mapToDouble(Double::doubleValue).toArray();
-        double[] y = allY.stream().mapToDouble(Double::doubleValue).toArray();
+        double[] x = numbers(allX, Double::doubleValue);
+        double[] y = numbers(allY, Double::doubleValue);
         ChartTheme.logarithmic(chart, x, y);
-        targets(chart, x, y);
+        targets(chart);
         // The lower left is empty: no error is small at once. So is the upper right, where all errors fall.
         boolean allFall = curves.stream().noneMatch(c -> result.isBlind(c.method()));
         chart.getStyler().setLegendPosition(allFall ? Styler.LegendPosition.InsideNE : Styler.LegendPosition.InsideSW);
-        return Optional.of(new Chart(name, title + ". The numbers are in the tables below.", chart));
+        return Optional.of(new Chart(budgets.name, budgets.title + ". The numbers are in the tables below.", chart));
+    }
+
+    /** Draws the line of one of the curves, and its runs, which are returned as x and y. */
+    private static List<double[]> draw(
+            XYChart chart, TradeAnalysis result, Budgets budgets, List<Curve> curves, int i) {
+        Curve curve = curves.get(i);
+        boolean isBlind = result.isBlind(curve.method());
+        double variance = result.result().reference().variance();
+        List<Curve.Point> points = curve.judgedPoints().stream()
+                .filter(p -> budgets.ofPoint.applyAsDouble(p) > 0)
+                .toList();
+        if (points.isEmpty()) {
+            return List.of();
+        }
+        String label = name(curve, curves) + (isBlind ? " (does not see all)" : "");
+        // What is missing from a picture does not fall with a power of the samples.
+        Optional<PowerLaw> law = isBlind ? Optional.empty() : budgets.fit.apply(curve);
+        line(
+                chart,
+                legend(label, law),
+                numbers(points, budgets.ofPoint),
+                numbers(points, p -> p.error().median()),
+                i);
+        List<TradeRun> runs = result.result().runs().stream()
+                .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES)
+                        && curve.configuration().made(r)
+                        && r.isJudged(variance)
+                        && budgets.ofRun.applyAsDouble(r) > 0)
+                .toList();
+        double[] x = numbers(runs, budgets.ofRun);
+        double[] y = numbers(runs, r -> r.error(variance));
+        dots(chart, label + ", each run", x, y, i);
+        return IntStream.range(0, x.length)
+                .mapToObj(k -> new double[] {x[k], y[k]})
+                .toList();
+    }
+
+    private static <T> double[] numbers(List<T> things, ToDoubleFunction<T> value) {
+        return things.stream().mapToDouble(value).toArray();
     }
 
     /** The methods with the scene's number of light samples, and with another one that is best for some target error. */
@@ -189,7 +203,7 @@ public final class TradeCharts {
     }
 
     /** A horizontal line for each target error within the chart. */
-    private static void targets(XYChart chart, double[] x, double[] y) {
+    private static void targets(XYChart chart) {
         double left = chart.getStyler().getXAxisMin();
         double right = chart.getStyler().getXAxisMax();
         for (double target : TradeResult.TARGETS) {

@@ -1,0 +1,224 @@
+package enlightenment.shading;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.LightStarts;
+import enlightenment.compiled.PhysicalScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The radiance seen along one camera ray, by paths from both ends: one from the eye and one from a light are followed, and each vertex of
+ * the one is connected to each of the other (E. Lafortune and Y. Willems, "Bi-directional path tracing", 1993; E. Veach and L. Guibas,
+ * "Bidirectional estimators for light transport", 1994). So a path is found in several ways, and their weights by the power heuristic
+ * add up to 1. What light paths bring to the eye straight is a part of these weights, but found elsewhere:
+ * {@link BidirectionalLightTracer}. See docs/bidirectional.md.
+ */
+public final class BidirectionalTracer implements Shader {
+    private final PhysicalScene physical;
+    private final EyeSubpath eye;
+    private final LightSubpath light;
+    private final BidirectionalLights lights;
+    private final SegmentRays segments;
+    private final Scattering there = new Scattering();
+    private final ReverseDensity reverse = new ReverseDensity();
+
+    /** Null but in tests. */
+    private Strategies strategies;
+
+    private double red;
+    private double green;
+    private double blue;
+
+    /** For one thread, and a scene of physical shading. */
+    public BidirectionalTracer(CompiledScene scene, RayCounters counters) {
+        physical = scene.physical;
+        LightStarts starts = new LightStarts(scene, false);
+        eye = new EyeSubpath(scene, counters, BidirectionalLightTracer.PATHS_PER_SAMPLE);
+        light = new LightSubpath(scene, starts, counters);
+        lights = new BidirectionalLights(scene, starts, counters, eye);
+        segments = new SegmentRays(scene, counters, eye.path);
+    }
+
+    /** Lets somebody look at what is found. */
+    void watch(Strategies by) {
+        strategies = by;
+    }
+
+    /** The path from the light that was followed last. */
+    LightSubpath light() {
+        return light;
+    }
+
+    /** The path from the eye that was followed last. */
+    EyeSubpath eye() {
+        return eye;
+    }
+
+    /** What was found by aiming at a light, or running into one. */
+    BidirectionalLights lights() {
+        return lights;
+    }
+
+    @Override
+    public void beginTile(double x0, double y0, double x1, double y1) {
+        eye.path.tracer.beginTile(x0, y0, x1, y1);
+    }
+
+    @Override
+    public boolean seesNothing() {
+        return eye.path.tracer.seesNothing();
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier condition) {
+        eye.path.poll.stopWhen(condition);
+        light.path.poll.stopWhen(condition);
+    }
+
+    @Override
+    public void shade(Ray ray, Sampler sampler, double[] out) {
+        red = 0;
+        green = 0;
+        blue = 0;
+        followLight(sampler);
+        eye.begin(ray);
+        while (step(sampler)) {}
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    private void followLight(Sampler sampler) {
+        boolean goes = light.begin(sampler);
+        while (goes) {
+            goes = switch (light.next(sampler)) {
+                case SURFACE, BORDER -> light.mayScatter() && light.leave(sampler);
+                case PASSED -> true;
+                case NOTHING, ENDED -> false;
+            };
+        }
+    }
+
+    private boolean step(Sampler sampler) {
+        switch (eye.next(sampler)) {
+            case NOTHING:
+                add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                return false;
+            case PASSED:
+                return true;
+            case SURFACE:
+                glow();
+                break;
+            case BORDER:
+                break;
+            default:
+                return false;
+        }
+        if (!eye.mayScatter()) {
+            return false;
+        }
+        if (!eye.bsdf.isDelta()) {
+            gather(sampler);
+        }
+        return eye.leave(sampler);
+    }
+
+    /** Adds light that comes to the last vertex of the path from the eye. */
+    private void add(double factor, double r, double g, double b) {
+        double scale = factor * eye.compression;
+        red = Math.fma(scale * eye.red, r, red);
+        green = Math.fma(scale * eye.green, g, green);
+        blue = Math.fma(scale * eye.blue, b, blue);
+    }
+
+    private double watched(int s, int t, double weight) {
+        return strategies == null ? weight : strategies.weight(s, t, weight);
+    }
+
+    /** The eye's path has come to a light. */
+    private void glow() {
+        if (eye.glowing != null && eye.glowing.glowsTo(eye.path.hit.side)) {
+            // Light that is seen straight is found in this way alone.
+            double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
+            add(weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB);
+        }
+    }
+
+    private void gather(Sampler sampler) {
+        int t = eye.vertices.size() + 1;
+        if (lights.aim(sampler)) {
+            double weight = watched(1, t, lights.weight);
+            add(weight, lights.red, lights.green, lights.blue);
+        }
+        for (int k = 0; k < light.vertices.size(); k++) {
+            if (light.vertices.bsdf(k) != null
+                    && light.vertices.bounces(k) + eye.path.bounces() + 2 <= physical.maxBounces) {
+                connect(k, t);
+            }
+        }
+    }
+
+    private void connect(int k, int t) {
+        PathVertices v = light.vertices;
+        Scattering s = eye.s;
+        double x = v.x(k) - eye.path.hit.px;
+        double y = v.y(k) - eye.path.hit.py;
+        double z = v.z(k) - eye.path.hit.pz;
+        double d2 = x * x + y * y + z * z;
+        double d = Math.sqrt(d2);
+        s.ix = x / d;
+        s.iy = y / d;
+        s.iz = z / d;
+        double here = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz;
+        if (!(d > 0) || !(eye.isBorder || here > 0)) {
+            return;
+        }
+        Bsdf bsdf = v.bsdf(k);
+        v.get(k, there);
+        there.ix = -s.ix;
+        there.iy = -s.iy;
+        there.iz = -s.iz;
+        double beyond = there.ix * there.nx + there.iy * there.ny + there.iz * there.nz;
+        if (!(bsdf.transmits() || beyond > 0)) {
+            return;
+        }
+        eye.bsdf.evaluate(s);
+        if (eye.isBorder) {
+            lights.turn(s);
+        }
+        bsdf.evaluate(there);
+        if (beyond < 0) {
+            // The colours of a border are those of what passes it.
+            there.valueR *= there.red;
+            there.valueG *= there.green;
+            there.valueB *= there.blue;
+        }
+        double r = s.valueR * there.valueR * v.red(k) / d2;
+        double g = s.valueG * there.valueG * v.green(k) / d2;
+        double b = s.valueB * there.valueB * v.blue(k) / d2;
+        if (!(r > 0 || g > 0 || b > 0)) {
+            return;
+        }
+        segments.begin(eye.isBorder, here < 0);
+        if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
+            double weight = watched(k + 2, t, weight(k, here, beyond, d2));
+            add(weight, r * segments.rgb[0], g * segments.rgb[1], b * segments.rgb[2]);
+        }
+    }
+
+    /** The weight of a connection of the two vertices that were evaluated. */
+    private double weight(int k, double here, double beyond, double d2) {
+        PathVertices v = light.vertices;
+        double q = v.survival(k);
+        double toLight = eye.survival * eye.s.pdf * Math.abs(beyond) / d2;
+        double toEye = q * there.pdf * Math.abs(here) / d2;
+        double ofLight = SubpathDensities.square(toLight) * v.behind(k, q * reverse.of(v.bsdf(k), there));
+        double ofEye =
+                SubpathDensities.square(toEye) * eye.densities.behind(eye.survival * reverse.of(eye.bsdf, eye.s));
+        return SubpathDensities.weight(ofLight, ofEye);
+    }
+}

@@ -1,0 +1,101 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.LightStarts;
+import enlightenment.compiled.PhysicalLight;
+import enlightenment.compiled.RayCounters;
+import enlightenment.emitter.LightChoice;
+import enlightenment.primitive.Hit;
+import enlightenment.sampling.Sampler;
+
+/** The part of a path that begins at a light. */
+final class LightSubpath extends Subpath {
+    final LightSource source;
+
+    /** Where it begins. */
+    double startX;
+
+    double startY;
+    double startZ;
+
+    private final LightView view = new LightView();
+    private final LightChoice scratch = new LightChoice();
+    private final double[] numbers = new double[PathSource.NUMBERS];
+    private final double[] pair = new double[2];
+
+    LightSubpath(CompiledScene scene, LightStarts starts, RayCounters counters) {
+        super(
+                scene,
+                counters,
+                Sampler.Purpose.LIGHT_CHOICE,
+                Sampler.Purpose.LIGHT_DIRECTION,
+                Sampler.Purpose.LIGHT_ROULETTE);
+        source = new LightSource(starts, scene.physical);
+    }
+
+    /** Begins at a light; returns whether there is a path. */
+    boolean begin(Sampler sampler) {
+        for (int k = 0; k < PathSource.NUMBERS; k += 2) {
+            sampler.pair(k / 2, Sampler.Purpose.EMISSION, pair);
+            numbers[k] = pair[0];
+            numbers[k + 1] = pair[1];
+        }
+        vertices.clear();
+        if (!source.emit(numbers, ray)) {
+            return false;
+        }
+        begin(source.red, source.green, source.blue);
+        startX = ray.ox;
+        startY = ray.oy;
+        startZ = ray.oz;
+        path.beginAtLight(ray, source.media());
+        return true;
+    }
+
+    /** The power that it brings, mean of the bands. */
+    double power() {
+        return (source.red + source.green + source.blue) / 3;
+    }
+
+    /** Light does not change with the index of refraction, only how it spreads. */
+    @Override
+    void enter(double index) {}
+
+    private double emission() {
+        return source.probability * source.pointDensity * source.directionDensity;
+    }
+
+    private double ofBeyond(double cosine) {
+        return source.isPoint() ? 0 : SubpathDensities.square(source.cosine / (emission() * cosine));
+    }
+
+    @Override
+    void beginDensities(double cosine) {
+        Hit at = path.hit;
+        double nx = isBorder ? 0 : s.nx;
+        double ny = isBorder ? 0 : s.ny;
+        double nz = isBorder ? 0 : s.nz;
+        double aimed = aimed(at) * physical.picker.probability(source.light, at.px, at.py, at.pz, nx, ny, nz, scratch);
+        densities.begin(SubpathDensities.square(aimed / (emission() * cosine)), ofBeyond(cosine));
+    }
+
+    /** The density, per area there times the squared distance, with which the path's first point is chosen by whoever aims at the light. */
+    private double aimed(Hit at) {
+        PhysicalLight l = physical.lights[source.light];
+        double x = at.px - startX;
+        double y = at.py - startY;
+        double z = at.pz - startZ;
+        double d2 = x * x + y * y + z * z;
+        if (l.isPoint) {
+            return d2;
+        }
+        double d = Math.sqrt(d2);
+        view.aim(l, at.px, at.py, at.pz);
+        return l.form.pdf(view.sample, -x / d, -y / d, -z / d, d, source.cosineOutside()) * source.cosine;
+    }
+
+    @Override
+    void beginDensitiesOfDelta() {
+        densities.begin(0, ofBeyond(1));
+    }
+}

@@ -1,0 +1,352 @@
+package enlightenment.shading;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.GlossyReflection;
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.PhysicalScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import java.util.Arrays;
+
+/**
+ * A part of a path, from the eye or from a light, that is followed from vertex to vertex, with what the weights of all ways to make the
+ * path must know of it. Roulette goes by the surface alone, from the first vertex on: so it is known, too, how likely somebody who
+ * comes the other way survives. One per thread.
+ */
+abstract class Subpath {
+    /** What a part of a path comes to. */
+    enum Event {
+        /** It leaves the scene. */
+        NOTHING,
+        /** An opaque surface. */
+        SURFACE,
+        /** A rough border of two media. */
+        BORDER,
+        /** It has passed glass, or was reflected by it, and goes on. */
+        PASSED,
+        /** It ends. */
+        ENDED
+    }
+
+    final PathFollower path;
+    final PhysicalScene physical;
+    final Ray ray = new Ray();
+    final SubpathDensities densities = new SubpathDensities();
+
+    /** The vertices so far. */
+    final PathVertices vertices = new PathVertices();
+
+    /** The surface that the path is at, with its colour. */
+    Scattering s;
+
+    Bsdf bsdf;
+
+    /** Whether it is a rough border of two media. */
+    boolean isBorder;
+
+    /** The colours of what passes that. */
+    final double[] color = new double[3];
+
+    /** What it emits; null if nothing. */
+    SurfaceMaterial glowing;
+
+    /** The probability of going on from here. */
+    double survival;
+
+    /** What is left of the path's light: the product of all weights. */
+    double red;
+
+    double green;
+    double blue;
+
+    /** Which numbers of the sampler the path has used. */
+    int address;
+
+    /** The last vertex but the one that the path is at, and the normal of where light comes from there: 0 at a border. */
+    double lastX;
+
+    double lastY;
+    double lastZ;
+    double lastNx;
+    double lastNy;
+    double lastNz;
+
+    /** Whether a connection could end there. */
+    boolean lastConnects;
+
+    /** Whether the path has had no vertex before the one that it is at. */
+    boolean isFirst;
+
+    final ReverseDensity reverse = new ReverseDensity();
+    private final RayCounters counters;
+    private final boolean absorbs;
+    private final Scattering border = new Scattering();
+    private final double[] pair = new double[2];
+    private final double[] weight = new double[3];
+    private final Sampler.Purpose choosing;
+    private final Sampler.Purpose directing;
+    private final Sampler.Purpose surviving;
+    private double choice;
+
+    /** Of the densities what passes a delta event: {@link SubpathDensities#beyond} before the path arrived. */
+    private double beyondDelta;
+
+    Subpath(
+            CompiledScene scene,
+            RayCounters counters,
+            Sampler.Purpose choosing,
+            Sampler.Purpose directing,
+            Sampler.Purpose surviving) {
+        physical = scene.physical;
+        this.counters = counters;
+        this.choosing = choosing;
+        this.directing = directing;
+        this.surviving = surviving;
+        path = new PathFollower(scene, counters, physical.maxBounces);
+        absorbs = physical.hasAbsorption;
+    }
+
+    void begin(double r, double g, double b) {
+        red = r;
+        green = g;
+        blue = b;
+        address = 0;
+        isFirst = true;
+        lastConnects = false;
+        vertices.clear();
+    }
+
+    /**
+     * Sets the densities at the path's first vertex: what {@link #s} says, at {@link PathFollower#hit}.
+     *
+     * @param cosine between the normal and the direction that the path came from
+     */
+    abstract void beginDensities(double cosine);
+
+    /** Sets the densities of a path whose first vertex is a delta event. */
+    abstract void beginDensitiesOfDelta();
+
+    /** The path has come into the medium with this index of refraction. */
+    abstract void enter(double index);
+
+    /** Goes to the next event. */
+    Event next(Sampler sampler) {
+        SurfaceMaterial medium = absorbs ? path.medium() : null;
+        PathFollower.Event event = path.next(ray);
+        if (event == PathFollower.Event.NOTHING) {
+            return Event.NOTHING;
+        }
+        if (medium != null && medium.absorbs) {
+            absorb(medium, path.distance(ray));
+        }
+        return event == PathFollower.Event.SURFACE ? surface() : glass(sampler);
+    }
+
+    private void absorb(SurfaceMaterial medium, double length) {
+        filter(
+                StrictMath.exp(-medium.absorptionR * length),
+                StrictMath.exp(-medium.absorptionG * length),
+                StrictMath.exp(-medium.absorptionB * length));
+    }
+
+    private void filter(double r, double g, double b) {
+        red *= r;
+        green *= g;
+        blue *= b;
+    }
+
+    private Event surface() {
+        SurfaceMaterial material = path.material();
+        glowing = material.glows ? material : null;
+        opaque(material, material.bsdf);
+        return Event.SURFACE;
+    }
+
+    private void opaque(SurfaceMaterial material, Bsdf scatters) {
+        path.color(material, color);
+        s = path.arrive(ray, color);
+        bsdf = scatters;
+        isBorder = false;
+        survival = survival(color[0], color[1], color[2]);
+        if (bsdf instanceof GlossyReflection metal) {
+            // Along the surface it reflects more.
+            metal.reflectAtNormal(s);
+            survival = survival(0.5 + 0.5 * s.valueR, 0.5 + 0.5 * s.valueG, 0.5 + 0.5 * s.valueB);
+        }
+        if (material.isBlack) {
+            survival = 0;
+        } else if (bsdf.isDelta()) {
+            survival = 1;
+        }
+        arrive();
+    }
+
+    /** The root makes longer paths than the colour itself, which pays: docs/bidirectional.md. */
+    private static double survival(double r, double g, double b) {
+        return Math.min(Math.sqrt(Math.max(r, Math.max(g, b))), PathValue.LARGEST_SURVIVAL);
+    }
+
+    /** Whether the path may be scattered where it is. */
+    boolean mayScatter() {
+        return survival > 0 && path.mayScatter();
+    }
+
+    private void arrive() {
+        Hit at = path.hit;
+        double cosine = SubpathDensities.cosine(s.ox * s.nx + s.oy * s.ny + s.oz * s.nz);
+        boolean isDelta = bsdf.isDelta();
+        if (isFirst && isDelta) {
+            beginDensitiesOfDelta();
+        } else if (isFirst) {
+            beginDensities(cosine);
+        }
+        beyondDelta = densities.beyond;
+        if (!isFirst) {
+            double x = at.px - lastX;
+            double y = at.py - lastY;
+            double z = at.pz - lastZ;
+            densities.arrive(x * x + y * y + z * z, cosine);
+        }
+        if (isDelta) {
+            vertices.addDelta(at, 1);
+        } else {
+            vertices.add(at, path.id, bsdf, s, color, path.bounces(), densities, survival);
+            vertices.power(red, green, blue);
+        }
+    }
+
+    private void passDelta(double expansion) {
+        if (isFirst) {
+            beginDensitiesOfDelta();
+        }
+        densities.pass(expansion);
+        vertices.addDelta(path.hit, expansion);
+    }
+
+    private Event glass(Sampler sampler) {
+        sampler.pair(address, choosing, pair);
+        choice = pair[0];
+        glowing = null;
+        if (physical.hasPartialGlass) {
+            int k = path.glass.opaque(pair[1]);
+            if (k >= 0) {
+                path.turnTo(k);
+                opaque(path.material(), Lambert.INSTANCE);
+                return Event.SURFACE;
+            }
+        }
+        Bsdf rough = physical.hasRoughGlass && path.mayScatter() ? path.roughBorder(ray, border) : null;
+        if (rough == null) {
+            return pass(sampler);
+        }
+        bsdf = rough;
+        s = border;
+        isBorder = true;
+        survival = PathValue.LARGEST_SURVIVAL;
+        Arrays.fill(color, 1);
+        path.filter(color);
+        path.turnTo(0);
+        arrive();
+        return Event.BORDER;
+    }
+
+    /** At smooth glass. */
+    private Event pass(Sampler sampler) {
+        if (physical.hasRoughGlass) {
+            sampler.pair(address, directing, pair);
+        }
+        path.glass.choose(choice, pair);
+        cross();
+        if (path.glass.passedStraight()) {
+            address++;
+            filter(weight[0], weight[1], weight[2]);
+            return path.goesOn() ? Event.PASSED : Event.ENDED;
+        }
+        Scattering b = path.glass.border;
+        passDelta(b.transmitted ? b.eta * b.eta : 1);
+        remember(b, false);
+        boolean goes = survives(sampler, survival(weight[0], weight[1], weight[2]));
+        address++;
+        return goes && path.goesOn() ? Event.PASSED : Event.ENDED;
+    }
+
+    /** Crosses the glass that the path is at, or is reflected. */
+    private void cross() {
+        boolean through = path.cross(ray);
+        Arrays.fill(weight, path.glass.weight());
+        if (through) {
+            path.filter(weight);
+        }
+        enter(path.glass.indexOfRefraction());
+    }
+
+    private void remember(Scattering at, boolean connects) {
+        isFirst = false;
+        lastConnects = connects;
+        lastX = path.hit.px;
+        lastY = path.hit.py;
+        lastZ = path.hit.pz;
+        boolean takesFromAllSides = isBorder && connects;
+        lastNx = takesFromAllSides ? 0 : at.nx;
+        lastNy = takesFromAllSides ? 0 : at.ny;
+        lastNz = takesFromAllSides ? 0 : at.nz;
+    }
+
+    /** Leaves the surface or the border that the path is at; returns whether it goes on. */
+    boolean leave(Sampler sampler) {
+        sampler.pair(address, directing, pair);
+        boolean goes = isBorder ? leaveBorder(sampler) : leaveSurface(sampler);
+        address++;
+        return goes && path.goesOn();
+    }
+
+    private boolean leaveSurface(Sampler sampler) {
+        if (!bsdf.sample(s, pair[0], pair[1], sampler.unit(address, choosing))) {
+            return false;
+        }
+        remember(s, !s.delta);
+        weight[0] = s.valueR;
+        weight[1] = s.valueG;
+        weight[2] = s.valueB;
+        if (s.delta) {
+            counters.mirrorRays++;
+            survival = survival(s.valueR, s.valueG, s.valueB);
+            densities.beyond = beyondDelta;
+            densities.pass(1);
+        } else {
+            leave(s);
+        }
+        path.leave(ray, s);
+        return survives(sampler, survival);
+    }
+
+    private boolean leaveBorder(Sampler sampler) {
+        path.glass.choose(choice, pair);
+        cross();
+        if (!(path.glass.weight() > 0)) {
+            return false;
+        }
+        remember(path.glass.border, true);
+        leave(path.glass.border);
+        return survives(sampler, survival);
+    }
+
+    private void leave(Scattering at) {
+        double cosine = at.ix * at.nx + at.iy * at.ny + at.iz * at.nz;
+        densities.leave(cosine, survival * at.pdf, survival * reverse.of(bsdf, at));
+    }
+
+    private boolean survives(Sampler sampler, double probability) {
+        if (!(probability > 0) || !(sampler.unit(address, surviving) < probability)) {
+            return false;
+        }
+        double scale = 1 / probability;
+        filter(scale * weight[0], scale * weight[1], scale * weight[2]);
+        return red > 0 || green > 0 || blue > 0;
+    }
+}

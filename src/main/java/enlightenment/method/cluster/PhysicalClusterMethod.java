@@ -257,7 +257,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         noise.begin(block, count, spreadOver);
         if (survey.isEmpty()) {
             Arrays.fill(first, 0);
-            noise.finish();
+            noise.finishQuiet();
             return;
         }
         for (int group = 0; group < GROUPS; group++) {

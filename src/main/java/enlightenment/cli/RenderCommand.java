@@ -54,6 +54,12 @@ final class RenderCommand extends Subcommand {
     private Path clusters;
 
     @Option(
+            names = "--dump-chains",
+            paramLabel = "FILE",
+            description = "write what became of each Markov chain to this .json or .csv file")
+    private Path chains;
+
+    @Option(
             names = "--preview",
             paramLabel = "SECONDS",
             converter = PreviewPeriod.class,
@@ -100,14 +106,18 @@ final class RenderCommand extends Subcommand {
         view.check(scene);
         aovFiles.check(scene);
         options.warnOfStretch(scene, settings, terminal);
-        if (clusters != null) {
-            ClusterFile.check(clusters, settings);
-        }
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("-o", output.file());
         report.register(files);
         files.writes("--dump-clusters", clusters);
+        files.writes("--dump-chains", chains);
         aovFiles.register(files);
         files.check();
+        if (clusters != null) {
+            ClusterFile.check(clusters, settings);
+        }
+        if (chains != null) {
+            ChainFile.check(chains, settings);
+        }
         if (part == null) {
             renderPicture(scene, settings);
         } else {
@@ -141,10 +151,12 @@ final class RenderCommand extends Subcommand {
         }
         // The depth is that of the picture that is to meet an error.
         boolean isDeep = output.hasDepth() && !options.hasError();
-        boolean hasFurther = !aov.kinds().isEmpty() || preview != null || clusters != null || view.isGiven();
+        boolean hasFurther =
+                !aov.kinds().isEmpty() || preview != null || clusters != null || chains != null || view.isGiven();
         if (isDeep || output.hasFormat() || report.isAsked() || hasFurther) {
-            throw CliException.wrongUsage("with --part there is no picture yet: --depth (but for --error), --format,"
-                    + " --exposure, --report, --stats, --aov, --preview and --dump-clusters must not be given");
+            throw CliException.wrongUsage(
+                    "with --part there is no picture yet: --depth (but for --error), --format,"
+                            + " --exposure, --report, --stats, --aov, --preview, --dump-clusters and --dump-chains must not be given");
         }
         if (options.hasTime()) {
             throw CliException.wrongUsage(
@@ -192,6 +204,9 @@ final class RenderCommand extends Subcommand {
         if (clusters != null) {
             ClusterFile.write(clusters, result, terminal);
         }
+        if (chains != null) {
+            ChainFile.write(chains, result, terminal);
+        }
         if (!result.complete()) {
             boolean hasPreview = result.shownPixels() > result.report().pixels();
             throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "");
@@ -211,6 +226,7 @@ final class RenderCommand extends Subcommand {
                 .withCancelled(terminal.stop())
                 .withAuxiliary(aov.kinds())
                 .withClusters(clusters != null)
+                .withChains(chains != null)
                 .withProgressive(writer != null);
         try {
             return Renderer.render(request);

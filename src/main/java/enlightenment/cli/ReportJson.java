@@ -5,6 +5,7 @@ import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
+import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
 import tools.jackson.core.JsonGenerator;
@@ -98,7 +99,11 @@ final class ReportJson {
             json.writeNumberProperty("rounds", s.rounds());
             json.writeBooleanProperty("errorMet", report.isErrorMet());
         }
-        json.writeNumberProperty("clusters", s.clusters());
+        boolean areChains = s.method() == Method.METROPOLIS;
+        if (areChains) {
+            json.writeNumberProperty("blocks", MetropolisSettings.blocks(report.settings()));
+        }
+        json.writeNumberProperty(areChains ? "chains" : "clusters", s.clusters());
         json.writeNumberProperty("proposals", s.proposals());
         json.writeNumberProperty("accepted", s.accepted());
         json.writeEndObject();

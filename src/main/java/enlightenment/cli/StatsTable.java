@@ -1,6 +1,8 @@
 package enlightenment.cli;
 
 import enlightenment.report.RenderReport;
+import enlightenment.scene.Method;
+import enlightenment.scene.MetropolisSettings;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -63,7 +65,17 @@ final class StatsTable {
         }
         if (s.clusters() > 0) {
             double percent = s.proposals() == 0 ? 0 : 100.0 * s.accepted() / s.proposals();
-            line("ray clusters", "%,18d   %,d proposals, %.1f %% accepted", s.clusters(), s.proposals(), percent);
+            boolean areChains = s.method() == Method.METROPOLIS;
+            line(
+                    areChains ? "Markov chains" : "ray clusters",
+                    "%,18d   %,d %s, %.1f %% accepted",
+                    s.clusters(),
+                    s.proposals(),
+                    areChains ? "steps proposed" : "proposals",
+                    percent);
+            if (areChains) {
+                row("  in blocks", MetropolisSettings.blocks(report.settings()));
+            }
         }
     }
 

@@ -25,13 +25,13 @@ public final class RayCounters {
     /** Lookups of image textures. */
     public long textureLookups;
 
-    /** Light samples proposed by ray clusters. */
+    /** Light samples proposed by ray clusters, or steps proposed to Markov chains. */
     public long proposals;
 
-    /** Those of them that had the visibility the cluster sought. */
+    /** Those of them that had the visibility the cluster sought, or were made. */
     public long accepted;
 
-    /** Ray clusters that proposed light samples. */
+    /** Ray clusters that proposed light samples, or Markov chains. */
     public long clusters;
 
     /** Tests by kind of primitive; {@link CompiledScene#kindNames} names them. */

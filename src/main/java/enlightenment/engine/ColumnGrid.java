@@ -1,6 +1,5 @@
 package enlightenment.engine;
 
-import enlightenment.film.FilmTile;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
 
@@ -10,14 +9,14 @@ import enlightenment.scene.RenderSettings;
  * from the left, each from the top.
  */
 final class ColumnGrid implements TileCut {
-    /** Width of a tile, and what its first row is a multiple of. */
-    private static final int SIDE = FilmTile.BLOCK_SIDE;
-
     /** At least this many tiles, if there are as many blocks: a hundred machines get dozens each. */
     private static final int FEWEST_TILES = 1 << 12;
 
-    /** A tile of this many rows is half a megabyte. */
-    private static final int MOST_ROWS = 2048;
+    /** A tile of this many pixels is half a megabyte; of linear light it is larger. */
+    private static final int MOST_PIXELS = 1 << 14;
+
+    /** Width of a tile, and what its first row is a multiple of. */
+    private final int side;
 
     private final RenderSettings.Crop region;
     private final int firstColumn;
@@ -28,14 +27,15 @@ final class ColumnGrid implements TileCut {
 
     ColumnGrid(RenderSettings settings, RenderPlan plan) {
         region = settings.region();
-        firstColumn = region.x() / SIDE;
-        int across = (region.x() + region.width() - 1) / SIDE - firstColumn + 1;
-        int blocksDown = (region.y() + region.height() - 1) / SIDE - region.y() / SIDE + 1;
-        firstRow = region.y() / SIDE * SIDE;
+        side = WorkUnits.blockSide(plan);
+        firstColumn = region.x() / side;
+        int across = (region.x() + region.width() - 1) / side - firstColumn + 1;
+        int blocksDown = (region.y() + region.height() - 1) / side - region.y() / side + 1;
+        firstRow = region.y() / side * side;
         int pieces = Math.max(tilesFor(region, plan) / across, 1);
         int blocks = Math.max((blocksDown + pieces - 1) / pieces, 1);
-        rows = Math.min(blocks * SIDE, MOST_ROWS);
-        down = (blocksDown * SIDE + rows - 1) / rows;
+        rows = Math.min(blocks * side, MOST_PIXELS / side);
+        down = (blocksDown * side + rows - 1) / rows;
         tiles = Math.multiplyExact(across, down);
     }
 
@@ -52,8 +52,8 @@ final class ColumnGrid implements TileCut {
 
     @Override
     public RenderSettings.Crop place(int tile) {
-        int left = (firstColumn + tile / down) * SIDE;
+        int left = (firstColumn + tile / down) * side;
         int top = firstRow + tile % down * rows;
-        return region.intersection(new RenderSettings.Crop(left, top, SIDE, rows));
+        return region.intersection(new RenderSettings.Crop(left, top, side, rows));
     }
 }

@@ -3,6 +3,7 @@ package enlightenment.engine;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.plan.Learned;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
@@ -178,7 +179,7 @@ public final class DividedRender {
      */
     public UnitMaker maker(BooleanSupplier cancelled) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = new UnitWork(units, compiled, outline, counters, null, cancelled);
+        UnitWork work = new UnitWork(units, compiled, outline, counters, Learned.UNSEEN, cancelled);
         return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
     }
 

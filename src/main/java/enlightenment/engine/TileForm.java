@@ -41,7 +41,7 @@ final class TileForm extends ResultForm {
     ByteBuffer make(int unit, UnitWork work, ResultHeader header) {
         RenderSettings.Crop place = units.place(unit);
         ByteBuffer out = ByteBuffer.allocate(longest(unit));
-        int side = FilmTile.BLOCK_SIDE;
+        int side = units.blockSide();
         int bottom = place.y() + place.height();
         for (int y = place.y(); y < bottom; y = Math.min((y / side + 1) * side, bottom)) {
             int height = Math.min((y / side + 1) * side, bottom) - y;

@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.film.FilmTile;
 import enlightenment.scene.RenderSettings;
 import java.math.BigInteger;
 
@@ -19,8 +20,18 @@ public final class TileGrid implements TileCut {
 
     /** The tiles of the part of the picture that is rendered. */
     public TileGrid(RenderSettings settings) {
+        this(settings, FilmTile.BLOCK_SIDE);
+    }
+
+    /** @param blockSide of {@link enlightenment.plan.MethodTraits}: larger ones are not cut, whatever the settings say */
+    public TileGrid(RenderSettings settings, int blockSide) {
         region = settings.region();
-        size = settings.tileSize();
+        int asked = settings.tileSize();
+        size = blockSide == FilmTile.BLOCK_SIDE
+                ? asked
+                : (int) Math.min(
+                        ((long) asked + blockSide - 1) / blockSide * blockSide,
+                        Integer.MAX_VALUE / blockSide * blockSide);
         // Tiles are cut from the whole picture's corner, so that a crop shares them with the whole.
         across = (region.x() + region.width() - 1) / size - region.x() / size + 1;
         int down = (region.y() + region.height() - 1) / size - region.y() / size + 1;

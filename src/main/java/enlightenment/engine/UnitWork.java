@@ -8,12 +8,10 @@ import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatSums;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
-import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.plan.Integrators;
+import enlightenment.plan.Learned;
 import enlightenment.scene.RenderSettings;
-import java.util.List;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 
 /** Does units of work, for one thread. */
 public final class UnitWork {
@@ -33,7 +31,7 @@ public final class UnitWork {
      *
      * @param units those of the render that is outlined
      * @param counters what it counts is added to these
-     * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
+     * @param learned is shown what the method learns
      * @param cancelled asked now and then; soon after it becomes true a {@link java.util.concurrent.CancellationException} ends what
      *     is under way
      */
@@ -42,13 +40,13 @@ public final class UnitWork {
             CompiledScene scene,
             RenderOutline outline,
             RayCounters counters,
-            Consumer<List<ClusterStatistics>> clusters,
+            Learned learned,
             BooleanSupplier cancelled) {
         this.units = units;
         display = outline.display();
         RenderSettings settings = outline.settings();
         if (units.haveTiles()) {
-            tiles = (TileIntegrator) Integrators.of(outline.plan(), scene, settings, counters, clusters);
+            tiles = (TileIntegrator) Integrators.of(outline.plan(), scene, settings, counters, learned);
             tiles.stopWhen(cancelled);
         } else {
             tiles = null;

@@ -37,6 +37,9 @@ public final class WorkUnits {
 
     private static final int SAMPLES_PER_PASS = 16;
 
+    /** Where blocks are large and not more than these, their quarters are units: there is something to do for all. */
+    private static final int FEW_LARGE_BLOCKS = 1 << 10;
+
     /** Paths of a batch, if there are not so many that there would be too many batches. */
     private static final int PATHS_PER_BATCH = 1 << 16;
 
@@ -57,8 +60,10 @@ public final class WorkUnits {
     private final int pathsPerBatch;
     private final int batches;
     private final int count;
+    private final int blockSide;
 
     private WorkUnits(RenderSettings settings, RenderPlan plan, TileCut cut) {
+        blockSide = blockSide(plan);
         this.cut = cut;
         if (cut == null) {
             passes = 1;
@@ -79,12 +84,17 @@ public final class WorkUnits {
 
     /** As they are handed out to the threads of one process. */
     public static WorkUnits forThreads(RenderSettings settings, RenderPlan plan) {
-        return new WorkUnits(settings, plan, areBatches(plan) ? null : new TileGrid(settings));
+        return new WorkUnits(settings, plan, areBatches(plan) ? null : new TileGrid(settings, blockSide(plan)));
     }
 
     /** As they are handed out to many machines. */
     public static WorkUnits forMachines(RenderSettings settings, RenderPlan plan) {
         return new WorkUnits(settings, plan, areBatches(plan) ? null : new ColumnGrid(settings, plan));
+    }
+
+    /** Side of the blocks that tiles are not cut through. */
+    static int blockSide(RenderPlan plan) {
+        return Integrators.traits(plan.method()).blockSide();
     }
 
     private static boolean areBatches(RenderPlan plan) {
@@ -97,8 +107,11 @@ public final class WorkUnits {
      */
     static int passes(RenderSettings settings, RenderPlan plan) {
         MethodTraits traits = Integrators.traits(plan.method());
-        int side = FilmTile.BLOCK_SIDE;
+        int side = traits.blockSide();
         long blocks = (settings.width() + side - 1L) / side * ((settings.height() + side - 1L) / side);
+        if (side > FilmTile.BLOCK_SIDE) {
+            return traits.dividesIntoPasses() && blocks <= FEW_LARGE_BLOCKS ? FEWEST_PASSES : 1;
+        }
         double most = Math.min(
                 Math.min(NEAREST * side * side * plan.samples() / RAYS_PER_UNIT, (double) MOST_UNITS / blocks),
                 // Pixels have between a half and twice as many samples as planned in the mean.
@@ -118,6 +131,11 @@ public final class WorkUnits {
             size *= 2;
         }
         return (int) size;
+    }
+
+    /** Side of the blocks that tiles are not cut through. */
+    int blockSide() {
+        return blockSide;
     }
 
     /** How many there are. */

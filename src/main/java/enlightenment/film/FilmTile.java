@@ -387,6 +387,11 @@ public final class FilmTile {
         return known[PER_KNOWN * pixel + 3];
     }
 
+    /** Counts samples of linear light that were no finite numbers, and were taken for black by whoever put the pixels. */
+    public void addLostSamples(long samples) {
+        lost += samples;
+    }
+
     /** See {@link #addSurveyRays}. */
     public long surveyRays() {
         return surveyRays;

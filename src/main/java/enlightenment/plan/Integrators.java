@@ -2,6 +2,7 @@ package enlightenment.plan;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
 import enlightenment.math.InvalidValueException;
 import enlightenment.method.BidirectionalMethod;
 import enlightenment.method.BidirectionalPaths;
@@ -12,19 +13,18 @@ import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.ClusterMethod;
-import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.method.cluster.PhysicalClusterMethod;
+import enlightenment.method.metropolis.MetropolisMethod;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.Method;
+import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 
 /** Makes what does the work of a render: the one place that knows the class behind each method, and what planning needs of it. */
 public final class Integrators {
@@ -60,6 +60,11 @@ public final class Integrators {
 
     private static final double FIRST_OF_PHYSICAL_CLUSTER = 8;
 
+    /** With fewer samples there would be hardly any independent paths for chains to begin with. */
+    private static final double FEWEST_OF_METROPOLIS = 8;
+
+    private static final double MOST_WITHOUT_METROPOLIS = 7.99;
+
     private Integrators() {}
 
     /** What has to be known of a method before there is a scene. */
@@ -77,7 +82,17 @@ public final class Integrators {
                         own.standIn().orElseThrow(),
                         FEWEST_OF_CLUSTER,
                         MOST_WITHOUT_SURVEY,
-                        FIRST_OF_CLUSTER);
+                        FIRST_OF_CLUSTER,
+                        FilmTile.BLOCK_SIDE);
+            case METROPOLIS ->
+                new MethodTraits(
+                        false,
+                        true,
+                        own.standIn().orElseThrow(),
+                        FEWEST_OF_METROPOLIS,
+                        MOST_WITHOUT_METROPOLIS,
+                        FEWEST_OF_METROPOLIS,
+                        MetropolisSettings.BLOCK_SIDE);
         };
     }
 
@@ -96,7 +111,8 @@ public final class Integrators {
                         traits.below(),
                         FEWEST_OF_PHYSICAL_CLUSTER,
                         MOST_WITHOUT_PHYSICAL_SURVEY,
-                        FIRST_OF_PHYSICAL_CLUSTER)
+                        FIRST_OF_PHYSICAL_CLUSTER,
+                        traits.blockSide())
                 : traits;
     }
 
@@ -117,7 +133,8 @@ public final class Integrators {
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
         if (method instanceof BuiltInMethod own) {
             return switch (own) {
-                case RAYTRACE, CLUSTER -> scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+                case RAYTRACE, CLUSTER, METROPOLIS ->
+                    scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
                 case LIGHT -> LIGHT_PATHS;
                 case BIDIRECTIONAL -> BidirectionalMethod.PATHS_PER_SAMPLE;
             };
@@ -147,7 +164,7 @@ public final class Integrators {
             return factory.makeLightPaths(plan, scene, settings, counters);
         }
         return switch ((BuiltInMethod) plan.method()) {
-            case RAYTRACE, CLUSTER -> new CausticPaths(scene, settings, counters);
+            case RAYTRACE, CLUSTER, METROPOLIS -> new CausticPaths(scene, settings, counters);
             case LIGHT -> new LightPaths(scene, settings, counters);
             case BIDIRECTIONAL -> new BidirectionalPaths(scene, settings, counters);
         };
@@ -171,22 +188,18 @@ public final class Integrators {
 
     /** What does the work of the planned method, for one thread. */
     public static Integrator of(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        return of(plan, scene, settings, counters, null);
+        return of(plan, scene, settings, counters, Learned.UNSEEN);
     }
 
     /**
      * What does the work of the planned method, for one thread.
      *
      * @param counters are added to by it
-     * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
+     * @param learned is shown what the method learns
      * @throws InvalidValueException for a method that nothing here can do the work of
      */
     public static Integrator of(
-            RenderPlan plan,
-            CompiledScene scene,
-            RenderSettings settings,
-            RayCounters counters,
-            Consumer<List<ClusterStatistics>> clusters) {
+            RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters, Learned learned) {
         if (!(plan.method() instanceof BuiltInMethod method)) {
             return ofExtension(plan, scene, settings, counters);
         }
@@ -203,8 +216,9 @@ public final class Integrators {
                                 Distribution.of(ClusterSettings.of(settings).proposal()),
                                 plan.level(),
                                 plan.samples(),
-                                clusters)
+                                learned.clusters())
                         : new PhysicalClusterMethod(scene, settings, counters, plan.level(), plan.samples());
+            case METROPOLIS -> new MetropolisMethod(scene, settings, counters, plan.level(), learned.chains());
         };
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.film.FilmTile;
 import enlightenment.scene.Method;
 
 /**
@@ -11,14 +12,29 @@ import enlightenment.scene.Method;
  * @param fewest the smallest number of samples per pixel that it can do with
  * @param mostBelow the largest number with three digits that is still too few
  * @param first the number of samples per pixel that a search for an error begins with where the method itself is used
+ * @param blockSide side, in pixels, of the blocks of the whole picture that are rendered as one, so that no tile is to be cut through
+ *     any: a multiple of {@link FilmTile#BLOCK_SIDE}, which is what it is where tiles may be cut anywhere
  */
 public record MethodTraits(
-        boolean areBatches, boolean dividesIntoPasses, Method below, double fewest, double mostBelow, double first) {
+        boolean areBatches,
+        boolean dividesIntoPasses,
+        Method below,
+        double fewest,
+        double mostBelow,
+        double first,
+        int blockSide) {
     /** What a search for an error begins with where every number of samples will do. */
     private static final double FIRST_SAMPLES = 2;
 
     /** A method that can do with one sample per pixel. */
     static MethodTraits ofAnySamples(Method method, boolean dividesIntoPasses) {
-        return new MethodTraits(method.kind() == Method.Kind.SPLATS, dividesIntoPasses, method, 1, 0, FIRST_SAMPLES);
+        return new MethodTraits(
+                method.kind() == Method.Kind.SPLATS,
+                dividesIntoPasses,
+                method,
+                1,
+                0,
+                FIRST_SAMPLES,
+                FilmTile.BLOCK_SIDE);
     }
 }

@@ -1,6 +1,7 @@
 package enlightenment.plan;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.film.FilmTile;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Stopwatch;
@@ -85,6 +86,11 @@ public final class Planner {
         } else if (plans.traits().areBatches()) {
             notes.add("a crop saves no time with " + settings.method()
                     + ": its paths may end anywhere, and what they bring elsewhere is dropped");
+        }
+        int side = plans.traits().blockSide();
+        if (side > FilmTile.BLOCK_SIDE) {
+            notes.add("a crop renders whole blocks of " + side + "x" + side + " pixels with " + settings.method()
+                    + ": what is beyond it is dropped");
         }
     }
 

@@ -59,7 +59,17 @@ final class Trial {
             return new Paths(Math.max(share, Math.min(fewestBlocks / blocks, 1)) * plans.tracedPixels());
         }
         TrialBlocks blocks = new TrialBlocks(settings, scene.display);
-        return new Blocks(blocks, Math.max(share, fewestBlocks / blocks.count()));
+        return new Blocks(blocks, Math.max(share, fewestOf(blocks, fewestBlocks) / blocks.count()));
+    }
+
+    /** As many of larger blocks as have the pixels of so many; but where there is work for one thread, there is some for all. */
+    private double fewestOf(TrialBlocks blocks, double fewestBlocks) {
+        int side = plans.traits().blockSide();
+        if (side == FilmTile.BLOCK_SIDE) {
+            return fewestBlocks;
+        }
+        double number = fewestBlocks * FilmTile.BLOCK_SIDE / side * FilmTile.BLOCK_SIDE / side;
+        return Math.max(number, settings.threads());
     }
 
     private final class Blocks implements Piece {

@@ -14,8 +14,6 @@ import java.util.List;
  * so in all of them; and each phase has other blocks than the phase before, so that two of them together are twice as dense.
  */
 final class TrialBlocks {
-    private static final int SIDE = FilmTile.BLOCK_SIDE;
-
     /** Keeps the choice of the blocks apart from all other random numbers. */
     private static final long PURPOSE = 0x626c6f636b73L;
 
@@ -25,17 +23,19 @@ final class TrialBlocks {
     private final int across;
     private final int down;
     private final double first;
+    private final int side;
 
     private final DisplayCurve display;
 
     /** @param display what pixels are, and how they become what a screen takes */
     TrialBlocks(RenderSettings settings, DisplayCurve display) {
+        side = Integrators.traits(settings.method()).blockSide();
         this.display = display;
         area = settings.region();
-        left = area.x() / SIDE;
-        top = area.y() / SIDE;
-        across = (area.x() + area.width() - 1) / SIDE - left + 1;
-        down = (area.y() + area.height() - 1) / SIDE - top + 1;
+        left = area.x() / side;
+        top = area.y() / side;
+        across = (area.x() + area.width() - 1) / side - left + 1;
+        down = (area.y() + area.height() - 1) / side - top + 1;
         first = Hash.unit(Hash.of(settings.seed(), PURPOSE));
     }
 
@@ -59,7 +59,7 @@ final class TrialBlocks {
     }
 
     private FilmTile block(int column, int row) {
-        RenderSettings.Crop c = area.intersection(new RenderSettings.Crop(column * SIDE, row * SIDE, SIDE, SIDE));
+        RenderSettings.Crop c = area.intersection(new RenderSettings.Crop(column * side, row * side, side, side));
         return new FilmTile(c.x(), c.y(), c.width(), c.height(), display);
     }
 }

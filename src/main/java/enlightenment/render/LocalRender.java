@@ -10,6 +10,8 @@ import enlightenment.engine.WorkUnits;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
 import enlightenment.method.cluster.ClusterStatistics;
+import enlightenment.method.metropolis.ChainStatistics;
+import enlightenment.plan.Learned;
 import enlightenment.plan.RenderPlan;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
@@ -40,6 +42,9 @@ final class LocalRender {
     /** Gathers ray clusters, or null. */
     private List<RayCluster> clusters;
 
+    /** Gathers chains, or null. */
+    private List<PathChain> chains;
+
     private long peakMemory;
 
     /** @param preview what is shown where nothing is finished yet, or null */
@@ -65,12 +70,40 @@ final class LocalRender {
         clusters = new ArrayList<>();
     }
 
+    /** Says before the start that chains are to be gathered. */
+    void gatherChains() {
+        chains = new ArrayList<>();
+    }
+
+    private Learned learned() {
+        return new Learned(clusters == null ? null : this::gather, chains == null ? null : this::gatherChains);
+    }
+
+    private void gatherChains(List<ChainStatistics> records) {
+        synchronized (chains) {
+            for (ChainStatistics record : records) {
+                chains.add(PathChain.of(record));
+            }
+        }
+    }
+
+    /** The chains that were asked for, in an order that does not depend on threads: those of a group as they were followed. */
+    List<PathChain> chains() {
+        if (chains == null) {
+            return List.of();
+        }
+        List<PathChain> sorted = new ArrayList<>(chains);
+        sorted.sort(Comparator.comparingInt(PathChain::blockY)
+                .thenComparingInt(PathChain::blockX)
+                .thenComparingInt(PathChain::group));
+        return sorted;
+    }
+
     void run() {
         Workers.run(outline.settings().threads(), units.count(), cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
-            UnitWork work =
-                    new UnitWork(units, scene, outline, mine, clusters == null ? null : this::gather, cancelled);
+            UnitWork work = new UnitWork(units, scene, outline, mine, learned(), cancelled);
             return unit -> render(unit, work);
         });
     }

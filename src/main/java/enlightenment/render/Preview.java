@@ -45,7 +45,7 @@ final class Preview {
     Preview(CompiledScene scene, RenderSettings settings, Planner planner) {
         this.scene = scene;
         this.settings = settings;
-        grid = new TileGrid(settings);
+        grid = new TileGrid(settings, Integrators.traits(settings.method()).blockSide());
         this.planner = planner;
         region = settings.region();
         rgb = new float[3 * region.width() * region.height()];

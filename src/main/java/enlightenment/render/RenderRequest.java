@@ -22,6 +22,7 @@ import java.util.function.BooleanSupplier;
  * @param progressive whether coarse passes over the whole picture come first, so that from then on there is always a whole
  *     picture to show; they take about a seventh more time. A method whose paths may end anywhere needs none
  * @param clusters whether to tell of the ray clusters
+ * @param chains whether to tell of the Markov chains
  */
 public record RenderRequest(
         Scene scene,
@@ -30,7 +31,8 @@ public record RenderRequest(
         BooleanSupplier cancelled,
         Set<Auxiliary> auxiliary,
         boolean progressive,
-        boolean clusters) {
+        boolean clusters,
+        boolean chains) {
 
     /** Copies the set; nothing may be null. */
     public RenderRequest {
@@ -50,27 +52,27 @@ public record RenderRequest(
 
     /** Just the picture. */
     public static RenderRequest of(Scene scene, RenderSettings settings) {
-        return new RenderRequest(scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false);
+        return new RenderRequest(scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false, false);
     }
 
     /** The same request with other settings. */
     public RenderRequest withSettings(RenderSettings value) {
-        return new RenderRequest(scene, value, progress, cancelled, auxiliary, progressive, clusters);
+        return new RenderRequest(scene, value, progress, cancelled, auxiliary, progressive, clusters, chains);
     }
 
     /** The same request with another listener. */
     public RenderRequest withProgress(RenderProgress value) {
-        return new RenderRequest(scene, settings, value, cancelled, auxiliary, progressive, clusters);
+        return new RenderRequest(scene, settings, value, cancelled, auxiliary, progressive, clusters, chains);
     }
 
     /** The same request, ended by something else; it must be quick to answer. */
     public RenderRequest withCancelled(BooleanSupplier value) {
-        return new RenderRequest(scene, settings, progress, value, auxiliary, progressive, clusters);
+        return new RenderRequest(scene, settings, progress, value, auxiliary, progressive, clusters, chains);
     }
 
     /** The same request for other things beside the colours. */
     public RenderRequest withAuxiliary(Set<Auxiliary> value) {
-        return new RenderRequest(scene, settings, progress, cancelled, value, progressive, clusters);
+        return new RenderRequest(scene, settings, progress, cancelled, value, progressive, clusters, chains);
     }
 
     /** The same request for other things beside the colours. */
@@ -82,11 +84,16 @@ public record RenderRequest(
 
     /** The same request with or without the ray clusters. */
     public RenderRequest withClusters(boolean value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, value);
+        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, value, chains);
+    }
+
+    /** The same request with or without the Markov chains. */
+    public RenderRequest withChains(boolean value) {
+        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, clusters, value);
     }
 
     /** The same request with or without coarse passes first. */
     public RenderRequest withProgressive(boolean value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, value, clusters);
+        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, value, clusters, chains);
     }
 }

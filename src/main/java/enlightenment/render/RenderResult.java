@@ -20,6 +20,7 @@ import java.util.OptionalDouble;
  *     reached
  * @param auxiliary what was asked for beside the colours, in raw numbers: {@link Auxiliary} tells what they mean
  * @param clusters the ray clusters in the order of their blocks, if they were asked for and the method has any
+ * @param chains the Markov chains in the order of their blocks and groups, if they were asked for and the method has any
  */
 public record RenderResult(
         Image image,
@@ -27,12 +28,25 @@ public record RenderResult(
         boolean complete,
         long shownPixels,
         Map<Auxiliary, Image> auxiliary,
-        List<RayCluster> clusters) {
+        List<RayCluster> clusters,
+        List<PathChain> chains) {
+
+    /** A result without chains. */
+    public RenderResult(
+            Image image,
+            RenderReport report,
+            boolean complete,
+            long shownPixels,
+            Map<Auxiliary, Image> auxiliary,
+            List<RayCluster> clusters) {
+        this(image, report, complete, shownPixels, auxiliary, clusters, List.of());
+    }
 
     public RenderResult {
         EnumMap<Auxiliary, Image> copy = new EnumMap<>(Auxiliary.class);
         copy.putAll(auxiliary);
         clusters = List.copyOf(clusters);
+        chains = List.copyOf(chains);
         auxiliary = Collections.unmodifiableMap(copy);
     }
 
@@ -46,6 +60,7 @@ public record RenderResult(
 
     /** The same result, to be kept in a file, with the root mean square of what its rounding changes. */
     public RenderResult withRounding(double rounding) {
-        return new RenderResult(image, report.withRounding(rounding), complete, shownPixels, auxiliary, clusters);
+        return new RenderResult(
+                image, report.withRounding(rounding), complete, shownPixels, auxiliary, clusters, chains);
     }
 }

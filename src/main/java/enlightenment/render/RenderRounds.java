@@ -82,6 +82,9 @@ final class RenderRounds {
         if (request.clusters()) {
             render.gatherClusters();
         }
+        if (request.chains()) {
+            render.gatherChains();
+        }
         if (parts.isNeeded()) {
             // Before the picture: what is left of that if the render is stopped has its parts.
             phases.run("auxiliary", () -> parts.run(plan, request.cancelled()));
@@ -98,6 +101,12 @@ final class RenderRounds {
         double rounding = Rounding.of(image, settings.budget().depth());
         RenderReport report = render.report(phases, rounding, round);
         return new RenderResult(
-                image, report, render.film().isComplete(), render.shownPixels(), auxiliary, render.clusters());
+                image,
+                report,
+                render.film().isComplete(),
+                render.shownPixels(),
+                auxiliary,
+                render.clusters(),
+                render.chains());
     }
 }

@@ -49,9 +49,9 @@ public record RenderReport(
      * @param estimatedError root mean square error of the picture as its own samples tell, in display units 0..1
      * @param errorLow lower end of an interval that is to hold the true error in 95 of 100 pictures
      * @param errorHigh upper end of that interval
-     * @param clusters ray clusters that proposed light points
-     * @param proposals light points that were proposed
-     * @param accepted those of them that were of the kind sought
+     * @param clusters ray clusters that proposed light points; of {@link Method#METROPOLIS} Markov chains
+     * @param proposals light points that were proposed; of chains steps
+     * @param accepted those of them that were of the kind sought; of chains steps that were made
      * @param rounding root mean square of what rounding to the depth of the budget changes; 0 where there is none
      * @param rounds how often the picture was rendered: more than once where it was not as exact as asked
      * @param light what is told of linear light beside that; empty for display-referred pictures

@@ -6,7 +6,8 @@ import java.util.Arrays;
  * The states of a Markov chain in primary sample space: all the numbers that a path may ask for, changed from step to step
  * (C. Kelemen, L. Szirmay-Kalos, G. Antal and F. Csonka, "A simple and robust mutation strategy for the Metropolis light transport
  * algorithm", Eurographics 2002). A large step draws all of them anew; a small step moves each by s₂·exp(−ξ ln(s₂/s₁)) to one side
- * or the other, where 0 and 1 are the same place. Both are symmetric: the chance to go is the chance to come back.
+ * or the other, where 0 and 1 are the same place. The place on the film goes four times as far, and in half of the small steps is all
+ * that moves. All are symmetric: the chance to go is the chance to come back.
  *
  * <p>Numbers are multiples of 2⁻⁵³ and are kept as whole ones, so that moves are exact and uniform numbers stay uniform. A
  * number is a pure function of (seed, chain, address) and of which steps were accepted. Whether it was asked for before makes no
@@ -19,28 +20,46 @@ public final class ChainSampler implements Sampler {
     private static final double LONGEST = Math.scalb(1.0, -6);
     private static final double LOG_OF_RATIO = StrictMath.log(LONGEST / SHORTEST);
 
+    /** Binary logarithm of how many times as far the place on the film is moved. */
+    private static final int FURTHER_ON_FILM = 2;
+
+    /** The bit of a step's hash that says whether it moves the place on the film alone, if it is a small one. */
+    private static final long ONLY_ON_FILM = 1;
+
     private static final int BITS = 53;
     private static final long MASK = (1L << BITS) - 1;
 
-    private static final long FILM = 0;
-    private static final long FIRST_PURPOSE = 1;
-    private static final long FIRST_LIGHT = FIRST_PURPOSE + Purpose.values().length;
+    /** Addresses: of the film, of what is asked for at bounces; those of light points are hashes. */
+    private static final long FILM_X = 0;
 
-    /** Instead of an address, for whether a step is large. */
+    private static final long FILM_Y = 1;
+    private static final long FIRST_PURPOSE = 2;
+    private static final int PER_PURPOSE = 3;
+    private static final int PER_BOUNCE = PER_PURPOSE * Purpose.values().length;
+
+    /** Instead of an address: for whether a step is large, and for whether it is made. */
     private static final long SIZE_OF_STEP = -1;
 
+    private static final long DECISION = -2;
+
+    private static final long GOLDEN_GAMMA = 0x9E3779B97F4A7C15L;
     private static final int FEWEST_SLOTS = 256;
 
     private final double largeShare;
-    private long chainHash;
+
+    /** What the numbers of step 0 are drawn by, and what all later steps depend on. */
+    private long start;
+
+    private long chain;
     private int step;
+    private long stepHash;
     private boolean proposing;
     private boolean large;
 
-    /** The last large step that was accepted, and the small ones since, in order. */
-    private int lastLarge;
+    /** Of the last large step that was accepted, and of the small ones since, in order. */
+    private long lastLarge;
 
-    private int[] small = new int[64];
+    private long[] small = new long[64];
     private int smallCount;
 
     /** Grows with each accepted large step: numbers remembered from before it are worth nothing. */
@@ -52,6 +71,11 @@ public final class ChainSampler implements Sampler {
     private int[] epochs = new int[FEWEST_SLOTS];
     private long[] numbers = new long[FEWEST_SLOTS];
     private int[] made = new int[FEWEST_SLOTS];
+
+    /** What the number would be after the small step with this hash: worked out once, if the step is accepted. */
+    private long[] proposed = new long[FEWEST_SLOTS];
+
+    private long[] proposedBy = new long[FEWEST_SLOTS];
     private int used;
 
     private long lightPlace;
@@ -69,16 +93,37 @@ public final class ChainSampler implements Sampler {
     }
 
     /** Begins a chain at its step 0, whose numbers are drawn as by a large step. */
-    public void begin(long seed, long chain) {
-        chainHash = Hash.of(seed, chain);
+    public void begin(long seed, long number) {
+        begin(seed, number, 0);
+    }
+
+    /**
+     * The same for one of several chains with the same step 0, which go different ways from there.
+     *
+     * @param copy which of them
+     */
+    public void begin(long seed, long number, int copy) {
+        start = Hash.of(seed, number);
+        chain = Hash.of(start, copy);
         Arrays.fill(epochs, 0);
         epoch = 0;
         step = 0;
-        goOnFrom(0);
+        goOnFrom(start);
         proposing = false;
     }
 
-    private void goOnFrom(int largeStep) {
+    /** Sets the place on the film that step 0 has: for who draws these two numbers better than at random. Before any other step. */
+    public void at(double x, double y) {
+        put(FILM_X, (long) Math.scalb(x, BITS));
+        put(FILM_Y, (long) Math.scalb(y, BITS));
+    }
+
+    private void put(long address, long number) {
+        current(address);
+        numbers[slot(address)] = number & MASK;
+    }
+
+    private void goOnFrom(long largeStep) {
         lastLarge = largeStep;
         smallCount = 0;
         used = 0;
@@ -88,8 +133,9 @@ public final class ChainSampler implements Sampler {
     /** Proposes the next step: numbers are those of the proposed state until {@link #accept} or {@link #reject}. */
     public void propose() {
         step++;
+        stepHash = Hash.of(chain, step);
         proposing = true;
-        large = Hash.unit(Hash.of(chainHash, SIZE_OF_STEP, step)) < largeShare;
+        large = Hash.unit(hash(stepHash, SIZE_OF_STEP)) < largeShare;
     }
 
     /** Whether the last step proposed is a large one. */
@@ -97,17 +143,22 @@ public final class ChainSampler implements Sampler {
         return large;
     }
 
+    /** A number in [0, 1) by which to decide whether the step that is proposed is made: no number of any path. */
+    public double decision() {
+        return Hash.unit(hash(stepHash, DECISION));
+    }
+
     /** Makes the proposed state that of the chain. */
     public void accept() {
         proposing = false;
         if (large) {
-            goOnFrom(step);
+            goOnFrom(stepHash);
             return;
         }
         if (smallCount == small.length) {
             small = Arrays.copyOf(small, 2 * smallCount);
         }
-        small[smallCount++] = step;
+        small[smallCount++] = stepHash;
     }
 
     /** Returns to the state before the step. */
@@ -117,58 +168,63 @@ public final class ChainSampler implements Sampler {
 
     @Override
     public double filmX() {
-        return number(Hash.of(FILM, 0));
+        return number(FILM_X);
     }
 
     @Override
     public double filmY() {
-        return number(Hash.of(FILM, 1));
+        return number(FILM_Y);
     }
 
     @Override
     public double unit(int bounce, Purpose purpose) {
-        return number(Hash.of(place(bounce, purpose), 0));
+        return number(place(bounce, purpose));
     }
 
     @Override
     public void pair(int bounce, Purpose purpose, double[] out) {
         long place = place(bounce, purpose);
-        out[0] = number(Hash.of(place, 1));
-        out[1] = number(Hash.of(place, 2));
+        out[0] = number(place + 1);
+        out[1] = number(place + 2);
     }
 
     private static long place(int bounce, Purpose purpose) {
-        return Hash.of(FIRST_PURPOSE + purpose.ordinal(), bounce);
+        return FIRST_PURPOSE + (long) PER_BOUNCE * bounce + PER_PURPOSE * purpose.ordinal();
     }
 
     @Override
     public void lightPoints(int light, int bounce, int count) {
-        lightPlace = Hash.of(FIRST_LIGHT + light, bounce);
+        lightPlace = Hash.of(light, bounce);
     }
 
     @Override
     public double lightX(int k) {
-        return number(Hash.of(lightPlace, 2L * k));
+        return number(lightPlace + 2L * k);
     }
 
     @Override
     public double lightY(int k) {
-        return number(Hash.of(lightPlace, 2L * k + 1));
+        return number(lightPlace + 2L * k + 1);
     }
 
     private double number(long address) {
-        long n;
         if (proposing && large) {
-            n = drawn(address, step);
-        } else {
-            n = current(address);
-            n = proposing ? moved(n, address, step) : n;
+            return Math.scalb((double) drawn(address, stepHash), -BITS);
+        }
+        int slot = current(address);
+        long n = numbers[slot];
+        if (proposing) {
+            if (proposedBy[slot] != stepHash) {
+                proposed[slot] = moved(n, address, stepHash);
+                proposedBy[slot] = stepHash;
+            }
+            n = proposed[slot];
         }
         return Math.scalb((double) n, -BITS);
     }
 
-    /** The chain's own number, before what is proposed. */
-    private long current(long address) {
+    /** Brings the chain's own number up to date, before what is proposed; returns where it is. */
+    private int current(long address) {
         if (2 * used >= addresses.length) {
             grow();
         }
@@ -179,24 +235,43 @@ public final class ChainSampler implements Sampler {
             addresses[slot] = address;
             numbers[slot] = drawn(address, lastLarge);
             made[slot] = 0;
+            // A hash of a step is as good as never 0.
+            proposedBy[slot] = 0;
         }
+        if (made[slot] < smallCount) {
+            catchUp(slot, address);
+        }
+        return slot;
+    }
+
+    private void catchUp(int slot, long address) {
         long n = numbers[slot];
         for (int k = made[slot]; k < smallCount; k++) {
-            n = moved(n, address, small[k]);
+            n = small[k] == proposedBy[slot] ? proposed[slot] : moved(n, address, small[k]);
         }
         made[slot] = smallCount;
         numbers[slot] = n;
-        return n;
     }
 
-    private long drawn(long address, int largeStep) {
-        return Hash.of(chainHash, address, largeStep) >>> Long.SIZE - BITS;
+    private static long hash(long stepHash, long address) {
+        return Hash.mix(stepHash + address * GOLDEN_GAMMA);
     }
 
-    private long moved(long n, long address, int smallStep) {
-        long h = Hash.of(chainHash, address, smallStep);
+    private static long drawn(long address, long largeStep) {
+        return hash(largeStep, address) >>> Long.SIZE - BITS;
+    }
+
+    private static long moved(long n, long address, long smallStep) {
+        boolean isOnFilm = address == FILM_X || address == FILM_Y;
+        if (!isOnFilm && (smallStep & ONLY_ON_FILM) != 0) {
+            return n;
+        }
+        long h = hash(smallStep, address);
         double distance = LONGEST * Exponential.exp(-LOG_OF_RATIO * Hash.unit(h));
         long d = (long) Math.scalb(distance, BITS);
+        if (isOnFilm) {
+            d <<= FURTHER_ON_FILM;
+        }
         // The bit of the sign is not among those of the distance.
         return (n + ((h & 1) == 0 ? d : -d)) & MASK;
     }
@@ -221,6 +296,8 @@ public final class ChainSampler implements Sampler {
         epochs = new int[slots];
         numbers = new long[slots];
         made = new int[slots];
+        proposed = new long[slots];
+        proposedBy = new long[slots];
         for (int k = 0; k < oldAddresses.length; k++) {
             if (oldEpochs[k] == epoch) {
                 int slot = slot(oldAddresses[k]);

@@ -37,7 +37,15 @@ public enum BuiltInMethod implements Method {
             "paths from the eye and from lights, each vertex of one connected to each of the other",
             List.of(),
             null,
-            Shading.Model.PHYSICAL);
+            Shading.Model.PHYSICAL),
+
+    /** {@link Method#METROPOLIS}. */
+    METROPOLIS(
+            "metropolis",
+            "Markov chains in blocks of the picture: paths that found light propose others near them",
+            List.of(MetropolisSettings.LARGE_STEPS, MetropolisSettings.MUTATIONS),
+            RAYTRACE,
+            Shading.Model.values());
 
     /** All of them, in order. */
     public static final List<Method> ALL = List.of(values());

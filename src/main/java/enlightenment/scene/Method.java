@@ -27,6 +27,9 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
     /** The paper's ray clusters: a survey allots samples to pixels and learns which light points to propose. */
     Method CLUSTER = BuiltInMethod.CLUSTER;
 
+    /** Markov chains in blocks of the picture, by the algorithm of Metropolis and Hastings. */
+    Method METROPOLIS = BuiltInMethod.METROPOLIS;
+
     /** What a unit of a method's work is. */
     enum Kind {
         /** The pixels of one tile: units write disjoint parts of the picture. */

@@ -215,7 +215,7 @@ final class PathLight {
 
     /**
      * The same of a ball: if a part of it may be hidden, by the visibility of a point of it that is chosen by the cosine, or where it is cut
-     * by the horizon, evenly. All of it stands here, so that it is too long to be compiled again into each of its callers (docs/benchmarks.md).
+     * by the horizon, evenly. It is too long to be compiled again into its callers, which costs nothing (docs/benchmarks.md).
      */
     private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
         SphereLight ball = (SphereLight) l.form;

@@ -15,6 +15,9 @@ public enum PathPart {
      */
     DIRECT,
 
+    /** What the whole has beside {@link #DIRECT}, with the same numbers. */
+    INDIRECT,
+
     /**
      * The reflectance of the first vertex: the surface's colour, of a metal times its reflectance at normal incidence; filtered by the
      * mirrors and the glass on the way. 0 where there is none, and where nothing but a delta lobe reflects.

@@ -46,18 +46,12 @@ public final class PathTracer implements Shader {
     /** How many scattering events have used random numbers: the address of the next ones. */
     private int address;
 
-    /** A path tracer for one thread that follows whole paths. */
+    /** For one thread that follows whole paths. */
     public PathTracer(CompiledScene scene, RayCounters counters) {
         this(scene, counters, PathPart.WHOLE);
     }
 
-    /**
-     * A path tracer for one thread.
-     *
-     * @param scene a scene of physical shading
-     * @param counters what this thread counts
-     * @param part what is wanted of each path
-     */
+    /** For one thread, which counts there, and a scene of physical shading; of each path this part is wanted. */
     public PathTracer(CompiledScene scene, RayCounters counters, PathPart part) {
         this(scene, counters, part, scene.physical.hasCausticPass());
     }
@@ -69,7 +63,8 @@ public final class PathTracer implements Shader {
 
     private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
         isAlbedo = part == PathPart.ALBEDO;
-        endsSoon = part != PathPart.WHOLE;
+        endsSoon = part == PathPart.DIRECT || part == PathPart.ALBEDO;
+        value.isIndirect = part == PathPart.INDIRECT;
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
@@ -126,11 +121,7 @@ public final class PathTracer implements Shader {
         return value.certain(out, path.key);
     }
 
-    /**
-     * As {@link #shade}, for a path that may be shared.
-     *
-     * @param out receives the path: its value is what {@link #connections} make of it
-     */
+    /** As {@link #shade}, for a path that may be shared: {@code out} receives it, worth what {@link #connections} make of it. */
     public void shade(Ray ray, Sampler sampler, PathCut out) {
         cut = out;
         cut.clear();
@@ -205,7 +196,15 @@ public final class PathTracer implements Shader {
 
     /** Whether the path may have one more scattering event. */
     private boolean mayScatter() {
-        return path.mayScatter() && !(endsSoon && history.scattered);
+        return path.mayScatter() && goesFurther();
+    }
+
+    /** At an event: whether the path goes on if it has been scattered; what it finds from here on is indirect then. */
+    private boolean goesFurther() {
+        if (history.scattered) {
+            value.beginIndirect();
+        }
+        return !(endsSoon && history.scattered);
     }
 
     /** Adds what the surface emits. */
@@ -238,7 +237,7 @@ public final class PathTracer implements Shader {
     /** Adds light that balls reflect to the surface. */
     private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
         mirrors.gather(bsdf, s, sampler, address);
-        value.add(mirrors.red, mirrors.green, mirrors.blue);
+        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue);
     }
 
     /** Lambert's law: direct light has closed forms. */
@@ -339,7 +338,7 @@ public final class PathTracer implements Shader {
             value.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
-        if (endsSoon && history.scattered) {
+        if (!goesFurther()) {
             return false;
         }
         history.leave(true);
@@ -370,7 +369,7 @@ public final class PathTracer implements Shader {
     /** Adds direct light if the path is at a rough border; returns whether it is. */
     private boolean gatherAtBorder(Ray ray, Sampler sampler) {
         Bsdf bsdf = path.mayScatter() ? path.roughBorder(ray, border) : null;
-        if (bsdf == null) {
+        if (bsdf == null || !goesFurther()) {
             return false;
         }
         Arrays.fill(surface, 1);

@@ -24,6 +24,16 @@ final class PathValue {
     double green;
     double blue;
 
+    /** Whether only the indirect part of that is wanted ({@link PathPart#INDIRECT}). */
+    boolean isIndirect;
+
+    /** Whether all that is added now is part of it; and what was before. */
+    private boolean onlyIndirect;
+
+    private double indirectR;
+    private double indirectG;
+    private double indirectB;
+
     /** Radiance at the eye per radiance here, where the index of refraction is another one. */
     private double compression;
 
@@ -49,6 +59,10 @@ final class PathValue {
     /** @param index of refraction of the medium that the eye is in */
     void begin(double index) {
         beginPart();
+        onlyIndirect = false;
+        indirectR = 0;
+        indirectG = 0;
+        indirectB = 0;
         compression = 1;
         firstIndex = index;
         certain = true;
@@ -72,6 +86,30 @@ final class PathValue {
         red = Math.fma(throughputR * compression, r, red);
         green = Math.fma(throughputG * compression, g, green);
         blue = Math.fma(throughputB * compression, b, blue);
+    }
+
+    /** Adds radiance that is indirect although the path is not yet. */
+    void addIndirect(double r, double g, double b) {
+        add(r, g, b);
+        if (isIndirect && !onlyIndirect) {
+            indirectR = Math.fma(throughputR * compression, r, indirectR);
+            indirectG = Math.fma(throughputG * compression, g, indirectG);
+            indirectB = Math.fma(throughputB * compression, b, indirectB);
+        }
+    }
+
+    /** From here on the path is indirect. */
+    void beginIndirect() {
+        if (isIndirect && !onlyIndirect) {
+            dropDirect();
+            onlyIndirect = true;
+        }
+    }
+
+    private void dropDirect() {
+        red = indirectR;
+        green = indirectG;
+        blue = indirectB;
     }
 
     /** Notes the part of what is added that no random number has a part in. */
@@ -110,6 +148,9 @@ final class PathValue {
 
     /** Writes what was gathered. */
     void get(double[] out) {
+        if (isIndirect && !onlyIndirect) {
+            dropDirect();
+        }
         out[0] = red;
         out[1] = green;
         out[2] = blue;

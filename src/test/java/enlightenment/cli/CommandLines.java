@@ -12,7 +12,7 @@ import java.util.Map;
 
 /** Command lines of all commands that write files, for tests that put their files into each other's places. */
 enum CommandLines {
-    RENDER(List.of("SCENE", "texture"), "-o", "--report", "--aov", "--dump-clusters"),
+    RENDER(List.of("SCENE", "texture"), "-o", "--report", "--aov", "--dump-clusters", "--dump-chains"),
     RENDER_PART(List.of("SCENE", "texture"), "-o"),
     CONVERT(List.of("IN.nff"), "OUT.json"),
     COMPARE(List.of("A", "B"), "--heatmap"),
@@ -61,7 +61,7 @@ enum CommandLines {
             case "-o" -> this == RENDER_PART ? ".film" : ".png";
             case "--aov" -> ".depth.png";
             case "--heatmap" -> ".png";
-            case "--dump-clusters", "OUT.json" -> ".json";
+            case "--dump-clusters", "--dump-chains", "OUT.json" -> ".json";
             default -> "";
         };
     }
@@ -156,8 +156,9 @@ enum CommandLines {
             args.add(file);
         } else {
             args.addAll(List.of(output, file));
-            if (output.equals("--dump-clusters")) {
-                args.addAll(List.of("--method", "cluster"));
+            // Of both only one is of any method: names are looked at first.
+            if (output.startsWith("--dump") && !args.contains("--method")) {
+                args.addAll(List.of("--method", output.equals("--dump-clusters") ? "cluster" : "metropolis"));
             }
         }
     }

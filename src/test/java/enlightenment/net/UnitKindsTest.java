@@ -68,6 +68,25 @@ class UnitKindsTest {
         PHYSICAL(
                 PHYSICAL_ROOM, RenderSettings.of(PHYSICAL_ROOM).withAntialias(2).withTileSize(9), 16),
 
+        /** Two blocks of chains, of which a part is rendered, in four passes each, and four batches of light paths. */
+        CHAINS(
+                PHYSICAL_ROOM,
+                RenderSettings.of(PHYSICAL_ROOM)
+                        .withMethod(Method.METROPOLIS)
+                        .withSize(80, 20)
+                        .withCrop(new RenderSettings.Crop(50, 3, 30, 9))
+                        .withAntialias(3),
+                12),
+
+        /** The same in classic shading, without light paths. */
+        CLASSIC_CHAINS(
+                ROOM,
+                RenderSettings.of(ROOM)
+                        .withMethod(Method.METROPOLIS)
+                        .withSize(80, 20)
+                        .withAntialias(3),
+                8),
+
         /** Twelve tiles that show lights alone, and four batches of the paths that make the rest. */
         LIGHT(
                 PHYSICAL_ROOM,

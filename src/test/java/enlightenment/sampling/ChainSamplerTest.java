@@ -62,7 +62,8 @@ class ChainSamplerTest {
                 assertSame(before, numbers(chain));
             }
         }
-        assertEquals(500, changed);
+        // Half of the small steps move the place on the film alone.
+        assertEquals(0.65 * 500, changed, 4 * Math.sqrt(0.65 * 0.35 * 500));
     }
 
     @Test
@@ -125,12 +126,19 @@ class ChainSamplerTest {
         int wrapped = 0;
         double[] lengthsRight = new double[2];
         ChainSampler chain = new ChainSampler(0x1p-40);
-        for (int k = 0; k < 40_000; k++) {
+        int moved = 0;
+        for (int k = 0; k < 80_000; k++) {
             chain.begin(3, k);
             double before = chain.unit(1, Purpose.CHOICE);
+            double onFilm = chain.filmY();
             chain.propose();
             double after = chain.unit(1, Purpose.CHOICE);
             assertTrue(after >= 0 && after < 1);
+            checkOnFilm(onFilm, chain.filmY());
+            if (after == before) {
+                continue;
+            }
+            moved++;
             double d = after - before;
             wrapped += Math.abs(d) > 0.5 ? 1 : 0;
             d -= Math.rint(d);
@@ -144,10 +152,52 @@ class ChainSamplerTest {
         }
         ChiSquare.checkEven(lengths, "lengths");
         ChiSquare.checkEven(sides, "sides");
+        assertEquals(40_000, moved, 4 * 0.5 * Math.sqrt(80_000));
         assertEquals(1, lengthsRight[0] / lengthsRight[1], 0.03);
         // The mean length is (s₂ − s₁)/ln(s₂/s₁), and as large is the chance to pass the end.
         double mean = (LONGEST - SHORTEST) / Math.log(LONGEST / SHORTEST);
-        assertEquals(40_000 * mean, wrapped, 4 * Math.sqrt(40_000 * mean));
+        assertEquals(moved * mean, wrapped, 4 * Math.sqrt(moved * mean));
+    }
+
+    /** The place on the film always moves, and four times as far. */
+    private static void checkOnFilm(double before, double after) {
+        double length = Math.abs(after - before - Math.rint(after - before));
+        assertTrue(
+                length >= 4 * SHORTEST * (1 - 1e-12) && length <= 4 * LONGEST * (1 + 1e-12), "on the film " + length);
+    }
+
+    @Test
+    void severalChainsBeginWithTheSameNumbersAndGoDifferentWays() {
+        ChainSampler one = new ChainSampler(0.3);
+        ChainSampler other = new ChainSampler(0.3);
+        one.begin(7, 3, 1);
+        one.at(0.25, 0.625);
+        other.begin(7, 3, 2);
+        other.at(0.25, 0.625);
+        assertEquals(0.25, one.filmX());
+        assertEquals(0.625, one.filmY());
+        assertSame(numbers(one), numbers(other));
+        one.propose();
+        other.propose();
+        assertNotEquals(one.decision(), other.decision());
+        assertNotEquals(one.filmX(), other.filmX());
+        one.reject();
+        assertEquals(0.25, one.filmX());
+    }
+
+    @Test
+    void whetherAStepIsMadeIsDecidedEvenly() {
+        int[] counts = new int[50];
+        ChainSampler chain = new ChainSampler(0.3);
+        for (int k = 0; k < 200; k++) {
+            chain.begin(11, k);
+            for (int step = 0; step < 100; step++) {
+                chain.propose();
+                counts[(int) (50 * chain.decision())]++;
+                chain.reject();
+            }
+        }
+        ChiSquare.checkEven(counts, "decisions");
     }
 
     @ParameterizedTest

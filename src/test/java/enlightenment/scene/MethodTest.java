@@ -31,6 +31,7 @@ class MethodTest {
     void theConstantsAreTheMethodsWhicheverIsLookedAtFirst() {
         assertSame(BuiltInMethod.RAYTRACE, Method.RAYTRACE);
         assertSame(BuiltInMethod.CLUSTER, Method.CLUSTER);
+        assertSame(BuiltInMethod.METROPOLIS, Method.METROPOLIS);
         // An interface with default methods would be initialised before its constants exist.
         assertEquals(
                 List.of(),

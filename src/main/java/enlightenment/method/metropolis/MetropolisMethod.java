@@ -1,0 +1,136 @@
+package enlightenment.method.metropolis;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
+import enlightenment.film.TilePasses;
+import enlightenment.method.RayTraceMethod;
+import enlightenment.method.TileIntegrator;
+import enlightenment.scene.MetropolisSettings;
+import enlightenment.scene.RenderSettings;
+import enlightenment.shading.ClassicShader;
+import enlightenment.shading.PathPart;
+import enlightenment.shading.PathTracer;
+import enlightenment.shading.Shader;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/**
+ * Markov chains that live in blocks of the picture: the paper's ray clusters, whose rays propose new ones near them, made sound
+ * (docs/metropolis.md). Of physical shading they bring what has been scattered twice or more; direct light comes from evenly spaced rays.
+ *
+ * <p>A tile must not be cut from a block that others are cut from as well, if work is not to be done twice.
+ */
+public final class MetropolisMethod implements TileIntegrator {
+    /** A tile's quarters are alike; each may be a pass. */
+    private static final int QUARTERS = 4;
+
+    private static final int PERCENT = 100;
+
+    private final RenderSettings settings;
+    private final Shader shader;
+    private final BlockChains chains;
+    private final Spending spending;
+
+    /** What makes direct light; null where there is none apart. */
+    private final RayTraceMethod direct;
+
+    /** How many samples each pixel is said to have of its own in a quarter; all other paths are told of as those of a survey. */
+    private final int counted;
+
+    private final double[] sums = new double[6];
+
+    /** Is shown what became of chains; null for nobody. */
+    private final Consumer<List<ChainStatistics>> sink;
+
+    /**
+     * For one thread.
+     *
+     * @param samples per pixel in the mean, all paths together
+     * @param sink is shown the chains of each quarter of a block; null for nobody
+     */
+    public MetropolisMethod(
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            double samples,
+            Consumer<List<ChainStatistics>> sink) {
+        this.settings = settings;
+        this.sink = sink;
+        boolean isPhysical = scene.physical != null;
+        spending = Spending.of(samples, isPhysical);
+        MetropolisSettings own = MetropolisSettings.of(settings);
+        shader = isPhysical
+                ? new PathTracer(scene, counters, PathPart.INDIRECT)
+                : ClassicShader.ofColors(scene, 1, counters);
+        direct = isPhysical ? RayTraceMethod.ofDirectLight(scene, settings, counters, spending.direct()) : null;
+        chains = new BlockChains(
+                new Paths(scene, settings, shader),
+                (double) own.largeSteps() / PERCENT,
+                own.mutations(),
+                counters,
+                sink != null);
+        // No more than are taken where all is dark; a power of two, whose errors are judged best.
+        counted = Math.max(Integer.highestOneBit((int) samples) / (2 * QUARTERS), 1);
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier cancelled) {
+        shader.stopWhen(cancelled);
+        if (direct != null) {
+            direct.stopWhen(cancelled);
+        }
+    }
+
+    @Override
+    public boolean dividesIntoPasses() {
+        return true;
+    }
+
+    @Override
+    public void render(FilmTile tile, int pass, int passes) {
+        TilePasses.check(pass, passes, QUARTERS);
+        if (passes == 1) {
+            renderAll(tile, QUARTERS);
+        } else {
+            renderQuarter(tile, pass);
+        }
+    }
+
+    private void renderQuarter(FilmTile tile, int quarter) {
+        FilmTile seen = tile.like(tile.x, tile.y, tile.width, tile.height);
+        if (direct != null) {
+            direct.render(seen, quarter, QUARTERS);
+            tile.addLostSamples(seen.lostSamples());
+        }
+        Block.forEach(tile, settings.width(), settings.height(), block -> {
+            chains.render(block, quarter, spending, settings.seed());
+            tile.addSurveyRays(Math.max(chains.taken() + put(block, seen, tile), 0));
+            tile.addLostSamples(chains.lost());
+            if (sink != null) {
+                sink.accept(chains.statistics());
+            }
+        });
+    }
+
+    /** Puts the pixels of a block; returns how many direct samples they have beyond those that they are said to have. */
+    private long put(Block block, FilmTile seen, FilmTile tile) {
+        long rays = 0;
+        for (int row = Math.max(block.y(), tile.y);
+                row < Math.min(block.y() + block.height(), tile.y + tile.height);
+                row++) {
+            for (int column = Math.max(block.x(), tile.x);
+                    column < Math.min(block.x() + block.width(), tile.x + tile.width);
+                    column++) {
+                int pixel = (row - block.y()) * block.width() + column - block.x();
+                for (int c = 0; c < 3; c++) {
+                    sums[2 * c] = counted * (seen.mean(column, row, c) + chains.light(pixel, c));
+                }
+                tile.put(column, row, sums, 0, counted);
+                rays += seen.count(column, row) - counted;
+            }
+        }
+        return rays;
+    }
+}

@@ -1,0 +1,24 @@
+package enlightenment.method.metropolis;
+
+/**
+ * What becomes of the samples of a picture, per pixel in the mean.
+ *
+ * @param direct camera rays for direct light alone; 0 where chains make all light
+ * @param independent paths that do not depend on each other: they tell how bright a block is, and chains begin with some of them
+ * @param mutations steps of chains
+ */
+record Spending(double direct, double independent, double mutations) {
+    /** Measured on light that is hard to find: docs/metropolis.md. */
+    private static final double DIRECT = 0.25;
+
+    private static final double INDEPENDENT = 0.5;
+
+    /** One for each quarter of a pixel. */
+    private static final int LEAST_DIRECT = 4;
+
+    static Spending of(double samples, boolean isPhysical) {
+        double direct = isPhysical ? Math.max(DIRECT * samples, LEAST_DIRECT) : 0;
+        double paths = Math.max(samples - direct, 1);
+        return new Spending(direct, INDEPENDENT * paths, (1 - INDEPENDENT) * paths);
+    }
+}

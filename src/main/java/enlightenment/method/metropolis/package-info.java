@@ -1,0 +1,4 @@
+/**
+ * Method {@code metropolis}: Markov chains in primary sample space that live in blocks of the picture (docs/metropolis.md). Internal.
+ */
+package enlightenment.method.metropolis;

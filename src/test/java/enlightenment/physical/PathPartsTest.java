@@ -1,0 +1,63 @@
+package enlightenment.physical;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.shading.PathPart;
+import enlightenment.shading.PathTracer;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Direct and indirect light are two parts of one path, with the same numbers. */
+class PathPartsTest {
+    private static final Map<String, Scene> SCENES = PartnerScenes.all();
+    private static final int SIDE = 16;
+
+    static Stream<String> scenes() {
+        return SCENES.keySet().stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void directAndIndirectLightOfAPathAreAllOfIt(String name) {
+        CompiledScene scene = SceneCompiler.compile(SCENES.get(name), RenderSettings.of(SCENES.get(name)));
+        RayCounters unread = new RayCounters(scene.kindNames.size());
+        PathTracer whole = new PathTracer(scene, unread);
+        PathTracer direct = new PathTracer(scene, unread, PathPart.DIRECT);
+        PathTracer indirect = new PathTracer(scene, unread, PathPart.INDIRECT);
+        SobolSampler sampler = new SobolSampler();
+        for (int y = 0; y < SIDE; y++) {
+            for (int x = 0; x < SIDE; x++) {
+                sampler.pixel(7, x, y);
+                for (int s = 0; s < 4; s++) {
+                    sampler.sample(s);
+                    double[] all = shade(whole, scene, sampler, x, y);
+                    double[] near = shade(direct, scene, sampler, x, y);
+                    double[] far = shade(indirect, scene, sampler, x, y);
+                    for (int c = 0; c < 3; c++) {
+                        assertTrue(near[c] >= 0 && far[c] >= 0, name);
+                        assertEquals(all[c], near[c] + far[c], 1e-12 * all[c], name + " at " + x + "," + y);
+                    }
+                }
+            }
+        }
+    }
+
+    private static double[] shade(PathTracer tracer, CompiledScene scene, SobolSampler sampler, int x, int y) {
+        Ray ray = new Ray();
+        double[] color = new double[3];
+        tracer.beginTile(0, 0, 1, 1);
+        scene.camera.ray((x + sampler.filmX()) / SIDE, (y + sampler.filmY()) / SIDE, ray);
+        tracer.shade(ray, sampler, color);
+        return color;
+    }
+}

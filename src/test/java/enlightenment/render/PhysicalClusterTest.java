@@ -196,8 +196,7 @@ class PhysicalClusterTest {
             {
               "image": { "width": 48, "height": 24 },
               "camera": { "type": "perspective", "eye": [0, 0, -6], "lookAt": [0, 0, 0], "fieldOfView": 40 },
-              "shading": { "model": "physical" },
-              "background": { "linear": [0.25, 0.5, 1] },
+              "shading": { "model": "physical", "background": { "linear": [0.25, 0.5, 1] } },
               "lights": [ { "type": "sphere", "center": [-2, 3, -1], "radius": 0.2, "color": "#ffffff", "radiance": 200 } ],
               "objects": [ { "type": "sphere", "center": [-2, 0, 0], "radius": 1,
                 "material": { "type": "matte", "color": { "linear": [0.7, 0.7, 0.7] } } } ]

@@ -30,8 +30,10 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private static final int GROUPS = 8;
 
     private static final int MOST_MEMBERS = PIXELS / GROUPS;
-
     private static final int STEP = 4;
+
+    /** Samples of each pixel in which sharing is tried. */
+    private static final int TRIED = 2;
 
     /** Binary logarithm of the largest number of first paths; more would tell little more. */
     private static final int MOST_FIRST = 4;
@@ -46,9 +48,9 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final PathConnections connections;
     private final PhysicalSurvey survey;
     private final PathNoise noise;
+    private final SharingGain sharing = new SharingGain();
     private final Interpolation interpolation = new Interpolation();
     private final Ray ray = new Ray();
-
     private int members;
 
     /** Set to the pixels of the group: what they know of a pixel serves all of its samples. */
@@ -260,20 +262,30 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             noise.finishQuiet();
             return;
         }
+        int tried = Math.min(TRIED, count);
+        sharing.begin();
         for (int group = 0; group < GROUPS; group++) {
-            gather(block, group);
-            toPixels(block, seed);
-            Arrays.fill(this.count, 0, members, count);
-            for (int s = 0; s < count; s++) {
-                sample(block, s);
-                for (int m = 0; m < members; m++) {
-                    System.arraycopy(
-                            colors[m], 0, first, 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s), 3);
-                    tell(m, s);
-                }
-            }
+            takeFirst(block, seed, group, 0, tried);
+        }
+        sharing.finish();
+        for (int group = 0; group < GROUPS; group++) {
+            takeFirst(block, seed, group, tried, count);
         }
         noise.finish();
+    }
+
+    /** Takes some of the first samples of a group's pixels. */
+    private void takeFirst(Block block, long seed, int group, int from, int to) {
+        gather(block, group);
+        toPixels(block, seed);
+        Arrays.fill(count, 0, members, to);
+        for (int s = from; s < to; s++) {
+            sample(block, s);
+            for (int m = 0; m < members; m++) {
+                System.arraycopy(colors[m], 0, first, 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s), 3);
+                tell(m, s);
+            }
+        }
     }
 
     /** Tells of a member's last sample. */
@@ -323,6 +335,8 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             }
             return;
         }
+        int field = column[0] + row[0] & 1;
+        boolean shares = sharing.isWorthIt(field);
         for (int m = 0; m < members; m++) {
             if (index >= count[m]) {
                 continue;
@@ -334,12 +348,20 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             placeX[m] = sampler.filmX();
             placeY[m] = sampler.filmY();
             scene.camera.ray((x + placeX[m]) / settings.width(), (y + placeY[m]) / settings.height(), ray);
-            tracer.shade(ray, sampler, paths[m]);
-            paths[m].own(colors[m]);
+            if (shares) {
+                tracer.shade(ray, sampler, paths[m]);
+                paths[m].own(colors[m]);
+            } else {
+                tracer.shade(ray, sampler, colors[m]);
+            }
             keys[m] = tracer.certain(certain[m]);
             events[m] = tracer.events();
         }
-        share(index);
+        if (shares) {
+            sharing.before(field, paths, colors, members, index, count);
+            share(index);
+            sharing.after(field, colors, members, index, count);
+        }
         for (int m = 0; m < members; m++) {
             if (index < count[m] && noise.isQuiet(column[m], row[m])) {
                 interpolation.between(survey, column[m], row[m]);

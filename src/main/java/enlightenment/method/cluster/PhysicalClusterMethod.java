@@ -73,7 +73,6 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final int firstSamples;
 
     private final double[] first;
-
     /** How many samples a pixel's mean is of, about. */
     private final double spreadOver;
 

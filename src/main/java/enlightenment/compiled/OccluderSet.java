@@ -222,4 +222,49 @@ final class OccluderSet {
             return light.sides == null ? sidesOf(light, plane) : light.sides[id];
         }
     }
+
+    /** The same for segments from one point to some others. One per thread. */
+    final class SegmentJudge implements ConeJudge {
+        private final SegmentEnds ends;
+
+        SegmentJudge(SegmentEnds ends) {
+            this.ends = ends;
+        }
+
+        SegmentEnds ends() {
+            return ends;
+        }
+
+        @Override
+        public int judge(int id) {
+            int plane = planeAt[id];
+            if (plane != NO_PLANE && staysBeside(plane)) {
+                return CLEAR;
+            }
+            int at = 4 * id;
+            boolean misses = ends.cone.misses(balls[at], balls[at + 1], balls[at + 2], balls[at + 3]);
+            return misses ? CLEAR : MAY_BLOCK;
+        }
+
+        /** As {@link Judge#staysBeside}, with the box around the ends. */
+        private boolean staysBeside(int plane) {
+            double offset = planes[plane + 3];
+            double height = -offset;
+            double least = -offset;
+            double most = -offset;
+            double size = Math.abs(offset) + Math.abs(ends.cone.x) + Math.abs(ends.cone.y) + Math.abs(ends.cone.z);
+            for (int c = 0; c < 3; c++) {
+                double n = planes[plane + c];
+                height += n * (c == 0 ? ends.cone.x : c == 1 ? ends.cone.y : ends.cone.z);
+                least += n * ends.box[n > 0 ? c : c + 3];
+                most += n * ends.box[n > 0 ? c + 3 : c];
+            }
+            double error = PLANE_ERROR * size;
+            double endError = PLANE_ERROR * (ends.size + Math.abs(offset));
+            if (height > error) {
+                return least >= -endError;
+            }
+            return height >= -error || most <= endError;
+        }
+    }
 }

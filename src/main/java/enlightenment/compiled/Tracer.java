@@ -39,6 +39,12 @@ public final class Tracer {
     /** Decides visibilities in a hierarchy; null until that is needed. */
     private ConeSearch decides;
 
+    /** Knows what is in the way of segments; null until that is needed. */
+    private OccluderSet.SegmentJudge segments;
+
+    /** Whether nothing is in their way. */
+    private boolean isFree;
+
     /** What camera rays of the current tile may meet. */
     private final RaySearch tile;
 
@@ -215,6 +221,34 @@ public final class Tracer {
     public boolean occluded(Ray ray, double tMax) {
         counters.shadowRays++;
         return scene.accelerator.occluded(ray, tMax, query);
+    }
+
+    /**
+     * Prepares {@link #occludedSegment} for rays from a point.
+     *
+     * @param ends where they lead
+     * @param rays how many there will be
+     */
+    public void prepareSegments(double x, double y, double z, SegmentEnds ends, int rays) {
+        if (segments == null || segments.ends() != ends) {
+            segments = scene.occluders.new SegmentJudge(ends);
+        }
+        ends.seenFrom(x, y, z);
+        isFree = scene.accelerator.narrow(ends.cone, segments, rays, query) == 0;
+    }
+
+    /**
+     * Traces a shadow ray from the point to one of the ends of {@link #prepareSegments}, if anything may be in its way. Nothing else may be
+     * asked in between.
+     *
+     * @param ray it knows the surfaces that it starts and ends on
+     */
+    public boolean occludedSegment(Ray ray) {
+        if (isFree) {
+            return false;
+        }
+        counters.shadowRays++;
+        return scene.accelerator.occludedWithin(ray, 1, query);
     }
 
     /**

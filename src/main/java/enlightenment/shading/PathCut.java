@@ -8,8 +8,8 @@ import enlightenment.primitive.Ray;
  * A path that is cut at its second vertex, so that what comes from there can be shared: by all paths whose first vertices see it
  * (P. Bekaert, M. Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002).
  *
- * <p>It can be if the first vertex is a matte surface that the camera sees directly, and the second a flat matte one: then the light that
- * leaves the latter is the same in all directions, and where directions come from is known.
+ * <p>It can be if both vertices are matte surfaces that a ray which leaves them cannot meet again: flat, or convex from outside. Then the
+ * light that leaves the second is the same in all directions, and whatever sees its front is lit by it.
  */
 public final class PathCut {
     /** Whether the first vertex can take light from the second ones of other paths. */
@@ -59,7 +59,7 @@ public final class PathCut {
 
     /** Notes the second vertex; returns whether it can give light to others. */
     boolean end(Hit at, boolean isPlain) {
-        gives = takes && isPlain && at.primitive.isFlat();
+        gives = takes && isPlain && isOpen(at);
         if (gives) {
             second.set(at);
         }

@@ -74,9 +74,6 @@ final class PathLight {
     double certainGreen;
     double certainBlue;
 
-    /** How many lights there are left to chance. */
-    private int chances;
-
     /** What is known of the lights there: a digit to base three for each, hidden, in full view, or a matter of chance. */
     long views;
 
@@ -110,7 +107,6 @@ final class PathLight {
         certainGreen = 0;
         certainBlue = 0;
         views = 0;
-        chances = 0;
         shadow.begin();
     }
 
@@ -135,11 +131,6 @@ final class PathLight {
         }
     }
 
-    /** Whether no light that was gathered at a matte vertex was left to chance. */
-    boolean isCertain() {
-        return chances == 0;
-    }
-
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
         if (isIn(l)) {
@@ -160,7 +151,6 @@ final class PathLight {
                 certainBlue = Math.fma(f, l.b, certainBlue);
             }
         }
-        chances += isByChance ? 1 : 0;
         views = 3 * views + (isByChance ? 2 : e > 0 ? 1 : 0);
     }
 
@@ -225,7 +215,7 @@ final class PathLight {
 
     /**
      * The same of a ball: if a part of it may be hidden, by the visibility of a point of it that is chosen by the cosine, or where it is cut
-     * by the horizon, evenly. All of it stands here, so that it is too long to be compiled again into each of its callers (docs/benchmarks.md).
+     * by the horizon, evenly. It is too long to be compiled again into its callers, which costs nothing (docs/benchmarks.md).
      */
     private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
         SphereLight ball = (SphereLight) l.form;

@@ -135,11 +135,6 @@ public final class PathTracer implements Shader {
         return connections;
     }
 
-    /** Whether the last path began at a matte surface at which no lamp's light is left to chance. */
-    public boolean isLightCertain() {
-        return value.lightIsCertain;
-    }
-
     /** How many scattering events the last path had. */
     public int events() {
         return history.events;
@@ -256,7 +251,6 @@ public final class PathTracer implements Shader {
             value.addCertain(
                     surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             value.leaveToChance(path.key + light.views);
-            value.lightIsCertain = light.isCertain();
         }
         boolean seen = isSeenByMirrors();
         if (seen) {

@@ -43,9 +43,6 @@ final class PathValue {
     /** Whether no random number has had a part in the path so far. */
     boolean certain;
 
-    /** Whether that ended at a matte surface of which the lights are certain. */
-    boolean lightIsCertain;
-
     /** What was gathered until then. */
     private double certainRed;
 
@@ -69,7 +66,6 @@ final class PathValue {
         compression = 1;
         firstIndex = index;
         certain = true;
-        lightIsCertain = false;
         certainRed = 0;
         certainGreen = 0;
         certainBlue = 0;

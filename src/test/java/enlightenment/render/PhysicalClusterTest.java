@@ -77,7 +77,16 @@ class PhysicalClusterTest {
 
     @Tag("full")
     @ParameterizedTest
-    @ValueSource(strings = {"fire-and-ice-physical", "cornell-box", "metals", "lamp-room", "glass-physical", "furnace"})
+    @ValueSource(
+            strings = {
+                "fire-and-ice-physical",
+                "cornell-box",
+                "metals",
+                "lamp-room",
+                "door-ajar",
+                "glass-physical",
+                "furnace"
+            })
     void itMeansThePictureOfRaytraceWithManySeeds(String name) {
         compare(name, 16, 128);
     }
@@ -179,6 +188,32 @@ class PhysicalClusterTest {
         }
         assertTrue(Arrays.stream(counts).max().orElseThrow() > 8);
         assertTrue(Arrays.stream(counts).allMatch(n -> Integer.bitCount(n) == 1 && n >= 8));
+    }
+
+    /** A ball at the left, and the sky. */
+    private static final String SKY =
+            """
+            {
+              "image": { "width": 48, "height": 24 },
+              "camera": { "type": "perspective", "eye": [0, 0, -6], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+              "shading": { "model": "physical", "background": { "linear": [0.25, 0.5, 1] } },
+              "lights": [ { "type": "sphere", "center": [-2, 3, -1], "radius": 0.2, "color": "#ffffff", "radiance": 200 } ],
+              "objects": [ { "type": "sphere", "center": [-2, 0, 0], "radius": 1,
+                "material": { "type": "matte", "color": { "linear": [0.7, 0.7, 0.7] } } } ]
+            }
+            """;
+
+    /** Whatever was seen in the block before. */
+    @Test
+    void whereNothingIsSeenTheLeastSamplesShowTheBackground() {
+        FilmTile tile = tile(SceneReader.readString(SKY, Path.of("."), "sky"), 1e7, 16);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = WIDTH / 2; x < WIDTH; x++) {
+                assertEquals(8, tile.count(x, y), "pixel " + x + ", " + y);
+                assertEquals(0.25, tile.mean(x, y, 0), 1e-6);
+                assertEquals(1, tile.mean(x, y, 2), 1e-6);
+            }
+        }
     }
 
     @Test

@@ -47,7 +47,9 @@ class PathCutTest {
             assertEquals(key, tracer.certain(again));
             if (cut.gives()) {
                 given++;
-                assertTrue(tracer.connections().share(cut, cut) > 0);
+                tracer.connections().begin(new PathCut[] {cut}, 1);
+                tracer.connections().from(cut);
+                assertTrue(tracer.connections().share(cut) > 0);
             }
             for (int c = 0; c < 3; c++) {
                 double value = own[c] + (cut.gives() ? cut.brings(cut, 1, c) : 0);

@@ -149,12 +149,24 @@ final class PathNoise {
         rest[3 * n + 2] = b;
     }
 
-    /** Works out what was told. */
-    void finish() {
+    private void clear() {
         Arrays.fill(counts, 0);
         Arrays.fill(sums, 0);
         Arrays.fill(costs, 0);
         Arrays.fill(squares, 0);
+    }
+
+    /** In place of {@link #finish}, if nothing was told, since all that there is to see is certain. */
+    void finishQuiet() {
+        clear();
+        Arrays.fill(ofPixel, 0);
+        Arrays.fill(meanSquare, 0);
+        Arrays.fill(meanCost, 1);
+    }
+
+    /** Works out what was told. */
+    void finish() {
+        clear();
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 addSums(i, j);

@@ -1,7 +1,6 @@
 package enlightenment.method.cluster;
 
 import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.method.Dither;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
@@ -58,8 +57,7 @@ public final class PhysicalClusterCost implements EffortCost {
         private long rays;
 
         Needed(double samples) {
-            PhysicalClusterMethod method = new PhysicalClusterMethod(
-                    scene, settings, new RayCounters(scene.kindNames.size()), EffortSearch.LEAST_EFFORT, samples);
+            PhysicalClusterMethod method = PhysicalClusterMethod.looking(scene, settings, samples);
             method.stopWhen(cancelled);
             // Not the picture's own samples: nothing that is decided may depend on those that it is decided about.
             long seed = Hash.of(settings.seed(), PURPOSE);

@@ -30,8 +30,10 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private static final int GROUPS = 8;
 
     private static final int MOST_MEMBERS = PIXELS / GROUPS;
-
     private static final int STEP = 4;
+
+    /** Samples of each pixel in which sharing is tried. */
+    private static final int TRIED = 2;
 
     /** Binary logarithm of the largest number of first paths; more would tell little more. */
     private static final int MOST_FIRST = 4;
@@ -46,11 +48,14 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final PathConnections connections;
     private final PhysicalSurvey survey;
     private final PathNoise noise;
+    private final SharingGain sharing = new SharingGain();
     private final Interpolation interpolation = new Interpolation();
     private final Ray ray = new Ray();
-    private final SobolSampler sampler = new SobolSampler();
-
     private int members;
+
+    /** Set to the pixels of the group: what they know of a pixel serves all of its samples. */
+    private final SobolSampler[] samplers = new SobolSampler[MOST_MEMBERS];
+
     private final int[] column = new int[MOST_MEMBERS];
     private final int[] row = new int[MOST_MEMBERS];
     private final int[] count = new int[MOST_MEMBERS];
@@ -68,7 +73,6 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final int firstSamples;
 
     private final double[] first;
-
     /** How many samples a pixel's mean is of, about. */
     private final double spreadOver;
 
@@ -79,10 +83,20 @@ public final class PhysicalClusterMethod implements TileIntegrator {
      */
     public PhysicalClusterMethod(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double effort, double samples) {
+        this(scene, settings, counters, effort, samples, firstOf(samples));
+    }
+
+    private PhysicalClusterMethod(
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            double effort,
+            double samples,
+            int firstSamples) {
         this.scene = scene;
         this.settings = settings;
         allocation = new PhysicalAllocation(effort, samples);
-        firstSamples = Math.min(PhysicalAllocation.leastSamples(samples), MOST_FIRST);
+        this.firstSamples = firstSamples;
         first = new double[3 * PIXELS << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
         tracer = new PathTracer(scene, counters);
@@ -91,8 +105,20 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         noise = new PathNoise(scene.display, survey);
         for (int m = 0; m < MOST_MEMBERS; m++) {
             paths[m] = new PathCut();
+            samplers[m] = new SobolSampler();
             spreads[m] = new SampleSpread();
         }
+    }
+
+    private static int firstOf(double samples) {
+        return Math.min(PhysicalAllocation.leastSamples(samples), MOST_FIRST);
+    }
+
+    /** One that only looks at blocks, with half as many first paths: of many blocks together they tell enough. */
+    static PhysicalClusterMethod looking(CompiledScene scene, RenderSettings settings, double samples) {
+        RayCounters counters = new RayCounters(scene.kindNames.size());
+        int first = Math.max(firstOf(samples) - 1, 0);
+        return new PhysicalClusterMethod(scene, settings, counters, EffortSearch.LEAST_EFFORT, samples, first);
     }
 
     @Override
@@ -118,6 +144,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         for (int group = 0; group < GROUPS; group++) {
             gather(block, group);
             if (isWanted(block, tile)) {
+                toPixels(block, settings.seed());
                 renderGroup(block, tile);
             }
         }
@@ -132,6 +159,12 @@ public final class PhysicalClusterMethod implements TileIntegrator {
                 column[members] = i;
                 row[members++] = j;
             }
+        }
+    }
+
+    private void toPixels(Block block, long seed) {
+        for (int m = 0; m < members; m++) {
+            samplers[m].pixel(seed, block.x() + column[m], block.y() + row[m]);
         }
     }
 
@@ -161,7 +194,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         int done = 1 << firstSamples;
         for (int s = 0; s < most; s++) {
             if (s >= done) {
-                sample(block, s, settings.seed());
+                sample(block, s);
             }
             for (int m = 0; m < members; m++) {
                 if (s < count[m]) {
@@ -186,9 +219,8 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             from = first;
             at = 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s);
             if (s < 2) {
-                sampler.pixel(settings.seed(), x, y);
-                sampler.sample(s);
-                spreads[m].at(sampler.filmX(), sampler.filmY());
+                samplers[m].sample(s);
+                spreads[m].at(samplers[m].filmX(), samplers[m].filmY());
             }
         } else {
             spreads[m].at(0, 0);
@@ -224,19 +256,35 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         survey.take(block);
         int count = 1 << firstSamples;
         noise.begin(block, count, spreadOver);
+        if (survey.isEmpty()) {
+            Arrays.fill(first, 0);
+            noise.finishQuiet();
+            return;
+        }
+        int tried = Math.min(TRIED, count);
+        sharing.begin();
         for (int group = 0; group < GROUPS; group++) {
-            gather(block, group);
-            Arrays.fill(this.count, 0, members, count);
-            for (int s = 0; s < count; s++) {
-                sample(block, s, seed);
-                for (int m = 0; m < members; m++) {
-                    System.arraycopy(
-                            colors[m], 0, first, 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s), 3);
-                    tell(m, s);
-                }
-            }
+            takeFirst(block, seed, group, 0, tried);
+        }
+        sharing.finish();
+        for (int group = 0; group < GROUPS; group++) {
+            takeFirst(block, seed, group, tried, count);
         }
         noise.finish();
+    }
+
+    /** Takes some of the first samples of a group's pixels. */
+    private void takeFirst(Block block, long seed, int group, int from, int to) {
+        gather(block, group);
+        toPixels(block, seed);
+        Arrays.fill(count, 0, members, to);
+        for (int s = from; s < to; s++) {
+            sample(block, s);
+            for (int m = 0; m < members; m++) {
+                System.arraycopy(colors[m], 0, first, 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s), 3);
+                tell(m, s);
+            }
+        }
     }
 
     /** Tells of a member's last sample. */
@@ -278,29 +326,41 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     }
 
     /** Takes a sample of each member of the group that has so many. */
-    private void sample(Block block, int index, long seed) {
+    private void sample(Block block, int index) {
+        if (survey.isEmpty()) {
+            // All that is seen is certain, and known already.
+            for (int m = 0; m < members; m++) {
+                Arrays.fill(colors[m], 0);
+            }
+            return;
+        }
+        int field = column[0] + row[0] & 1;
+        boolean shares = sharing.isWorthIt(field);
         for (int m = 0; m < members; m++) {
             if (index >= count[m]) {
                 continue;
             }
             int x = block.x() + column[m];
             int y = block.y() + row[m];
-            sampler.pixel(seed, x, y);
+            SobolSampler sampler = samplers[m];
             sampler.sample(index);
             placeX[m] = sampler.filmX();
             placeY[m] = sampler.filmY();
             scene.camera.ray((x + placeX[m]) / settings.width(), (y + placeY[m]) / settings.height(), ray);
-            if (survey.isIndirect(column[m], row[m])) {
+            if (shares) {
                 tracer.shade(ray, sampler, paths[m]);
                 paths[m].own(colors[m]);
             } else {
                 tracer.shade(ray, sampler, colors[m]);
-                paths[m].clear();
             }
             keys[m] = tracer.certain(certain[m]);
             events[m] = tracer.events();
         }
-        share(index);
+        if (shares) {
+            sharing.before(field, paths, colors, members, index, count);
+            share(index);
+            sharing.after(field, colors, members, index, count);
+        }
         for (int m = 0; m < members; m++) {
             if (index < count[m] && noise.isQuiet(column[m], row[m])) {
                 interpolation.between(survey, column[m], row[m]);
@@ -311,13 +371,20 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     /** Shares what the second vertices of the group's paths give among all first vertices that see them. */
     private void share(int index) {
+        for (int m = 0; m < members; m++) {
+            if (index >= count[m]) {
+                paths[m].clear();
+            }
+        }
+        connections.begin(paths, members);
         for (int q = 0; q < members; q++) {
-            if (index >= count[q] || !paths[q].gives()) {
+            if (!paths[q].gives()) {
                 continue;
             }
+            connections.from(paths[q]);
             double sum = 0;
             for (int p = 0; p < members; p++) {
-                shares[p] = index < count[p] ? connections.share(paths[p], paths[q]) : 0;
+                shares[p] = connections.share(paths[p]);
                 sum += shares[p];
             }
             for (int p = 0; p < members; p++) {

@@ -20,9 +20,6 @@ final class PhysicalSurvey extends Corners {
     private final Ray ray = new Ray();
     private final SobolSampler sampler = new SobolSampler();
     private final double[] color = new double[3];
-    /** Whether all light at a corner's first surface is certain but what comes from other surfaces. */
-    private final boolean[] lit = new boolean[NODES];
-
     private int rays;
     private boolean empty;
 
@@ -41,7 +38,6 @@ final class PhysicalSurvey extends Corners {
             for (int k = 1; k < NODES; k++) {
                 System.arraycopy(rgb, 0, rgb, 3 * k, 3);
                 keys[k] = keys[0];
-                lit[k] = false;
             }
             rays = 1;
             return;
@@ -65,13 +61,6 @@ final class PhysicalSurvey extends Corners {
         int k = node(i, j);
         keys[k] = tracer.certain(color);
         System.arraycopy(color, 0, rgb, 3 * k, 3);
-        lit[k] = tracer.isLightCertain();
-    }
-
-    /** Whether what is not certain of a pixel's light is what comes from other surfaces, and not whether lamps are hidden. */
-    boolean isIndirect(int i, int j) {
-        int k = node(i, j);
-        return lit[k] && lit[k + 1] && lit[k + SIDE] && lit[k + SIDE + 1];
     }
 
     /** Whether the block is known to show nothing but the background. */

@@ -70,7 +70,6 @@ public record Scene(
         Objects.requireNonNull(render, "render");
         Objects.requireNonNull(animation, "animation");
         ShadingFit fit = new ShadingFit(shading, materials);
-        fit.require(camera);
         Set<String> names = new HashSet<>();
         for (int i = 0; i < objects.size(); i++) {
             SceneObject object = objects.get(i);
@@ -81,6 +80,7 @@ public record Scene(
             }
         }
         fit.throwIfAny();
+        fit.require(camera);
     }
 
     /** Starts a scene in code; see {@link SceneBuilder}. */

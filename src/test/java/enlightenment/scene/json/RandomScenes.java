@@ -179,7 +179,12 @@ final class RandomScenes {
         switch (random.nextInt(4)) {
             case 0:
                 return new Camera.Window(
-                        point(), o, o.plus(up), o.plus(up).plus(right), o.plus(right), Math.abs(number()));
+                        point(),
+                        o,
+                        o.plus(up),
+                        o.plus(up).plus(right),
+                        o.plus(right),
+                        isPhysical ? 0 : Math.abs(number()));
             case 1:
                 return new Camera.Perspective(o, point(), up, 180 * unit());
             case 2:

@@ -74,7 +74,9 @@ class ApplicationTextsIT {
 
     @Test
     void valuesOfClosedVocabulariesAreCompleted() throws Exception {
-        assertEquals(List.of("cluster", "raytrace"), List.copyOf(complete("enlightenment", "render", "--method", "")));
+        assertEquals(
+                List.of("bidirectional", "cluster", "light", "metropolis", "raytrace"),
+                List.copyOf(complete("enlightenment", "render", "--method", "")));
         assertEquals(List.of("cluster"), List.copyOf(complete("enlightenment", "render", "--method", "c")));
         assertEquals(
                 List.of("linear", "normal", "zeta"),

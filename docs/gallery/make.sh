@@ -16,3 +16,7 @@ run caustics caustics --size 400x267 --samples 256
 for scene in metals glass-physical lamp-room fire-and-ice-physical; do
     run "$scene" "$scene" --size 400x200 --samples 128
 done
+# The same time for each, with two threads.
+for method in raytrace bidirectional metropolis; do
+    run door-ajar "door-ajar-$method" --size 240x160 --method "$method" --time 18 --threads 2
+done

@@ -5,7 +5,7 @@ package enlightenment.bsdf;
  * refraction, (ηc)² − c'² = η² − 1 exactly, so r_s = (η² − 1)/(ηc + c')²; and r_p = −r_s·cos(θ + θ')/cos(θ − θ'). They are 0 where η is 1 and
  * keep their digits next to it.
  */
-final class DielectricFresnel {
+public final class DielectricFresnel {
     private DielectricFresnel() {}
 
     /**
@@ -14,7 +14,7 @@ final class DielectricFresnel {
      * @param c the cosine of arrival, 0..1
      * @param eta the index on the side of arrival over that of the other side
      */
-    static double reflectance(double c, double eta) {
+    public static double reflectance(double c, double eta) {
         double s = perpendicular(c, eta);
         return s < 1 ? 0.5 * (s + s * parallelRatio(c, eta)) : 1;
     }

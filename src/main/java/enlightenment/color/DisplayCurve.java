@@ -82,8 +82,9 @@ public final class DisplayCurve {
         return light >= 1 ? 1 : light <= 0 ? 0 : TransferCurve.encode(light);
     }
 
+    /** Light that is negative stays so: of colours that a screen has not. */
     private double toned(double x) {
-        if (tone == Tone.CLIP || !(x < WHITE)) {
+        if (tone == Tone.CLIP || !(x < WHITE) || x < 0) {
             return x;
         }
         return x * (FILMIC[0] * x + FILMIC[1]) / (x * (FILMIC[2] * x + FILMIC[3]) + FILMIC[4]);

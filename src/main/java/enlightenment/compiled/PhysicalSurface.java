@@ -24,15 +24,18 @@ import enlightenment.numeric.Scale;
  * @param glow the radiance that it emits
  * @param glowsInside whether it emits from the inside as well
  * @param absorption how much a solid of it absorbs, per unit of length of the frame
+ * @param dispersion how much its index of refraction grows with the place of the wavelength
  * @param look all this as a text that is equal for materials that look the same
  */
-record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsInside, Rgb absorption, String look) {
+record PhysicalSurface(
+        Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsInside, Rgb absorption, double dispersion, String look) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, "");
+    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, "");
 
     static PhysicalSurface of(Material material, SceneFrame frame) {
         Rgb absorption = Rgb.BLACK;
         ThinDielectric pane = null;
+        double dispersion = 0;
         String look = text(material.radiance());
         if (material instanceof Material.Glass glass) {
             pane = new ThinDielectric(glass.indexOfRefraction());
@@ -43,13 +46,13 @@ record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsIn
         } else if (material instanceof Material.Glossy glossy) {
             look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
         }
-        return new PhysicalSurface(bsdf(material), pane, material.radiance(), true, absorption, look);
+        return new PhysicalSurface(bsdf(material), pane, material.radiance(), true, absorption, dispersion, look);
     }
 
     /** The surface of a light: black, and opaque. */
     static PhysicalSurface light(Rgb radiance, boolean isTwoSided) {
         return new PhysicalSurface(
-                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, text(radiance) + " " + isTwoSided);
+                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, 0, text(radiance) + " " + isTwoSided);
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */

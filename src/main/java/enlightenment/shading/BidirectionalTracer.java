@@ -85,6 +85,8 @@ public final class BidirectionalTracer implements Shader {
         green = 0;
         blue = 0;
         followLight(sampler);
+        // The same for both parts of the path: the sampler gives the same number again.
+        eye.path.drawWavelength(sampler);
         eye.begin(ray);
         while (step(sampler)) {}
         out[0] = red;
@@ -129,7 +131,15 @@ public final class BidirectionalTracer implements Shader {
 
     /** Adds light that comes to the last vertex of the path from the eye. */
     private void add(double factor, double r, double g, double b) {
+        add(wavelength == null || !wavelength.isAlone ? 1 : 0, factor, r, g, b);
+    }
+
+    /** @param common the share that all wavelengths have in common */
+    private void add(double common, double factor, double r, double g, double b) {
         double scale = factor * eye.compression;
+        if (wavelength != null) {
+            wavelength.color(common, colored.value(r, g, b));
+        }
         red = Math.fma(scale * eye.red, r, red);
         green = Math.fma(scale * eye.green, g, green);
         blue = Math.fma(scale * eye.blue, b, blue);

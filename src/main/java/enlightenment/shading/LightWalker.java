@@ -26,6 +26,7 @@ abstract class LightWalker {
     final PathSource source;
     final Ray ray = new Ray();
 
+    private final PathWavelength wavelength;
     private final long seed;
     private final int width;
     private final int height;
@@ -94,6 +95,7 @@ abstract class LightWalker {
         this.onlyCaustics = onlyCaustics;
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
+        wavelength = path.glass.wavelength;
         eye = new EyeConnection(scene, counters, path, !onlyCaustics);
     }
 
@@ -160,6 +162,10 @@ abstract class LightWalker {
             numbers[k] = Sobol.x(index, seeds[k]);
             numbers[k + 1] = Sobol.y(index, seeds[k]);
         }
+        if (wavelength != null) {
+            long sequence = Hash.of(Hash.of(seed, -1 - era), -1);
+            wavelength.begin(Sobol.x(Sobol.shuffled((int) number, Hash.mix(sequence)), sequence));
+        }
     }
 
     private double unit(long purpose) {
@@ -171,6 +177,9 @@ abstract class LightWalker {
      * long to be compiled again into its caller.
      */
     private boolean step() {
+        if (wavelength != null && wavelength.takesEffect()) {
+            filter(wavelength.red, wavelength.green, wavelength.blue);
+        }
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING || !path.mayScatter()) {
@@ -220,11 +229,14 @@ abstract class LightWalker {
         if (!eye.sees(bsdf, s, tint)) {
             return;
         }
+        if (tint != null) {
+            path.glass.color(s);
+        }
         double r = red * s.valueR * eye.importance() * eye.through[0];
         double g = green * s.valueG * eye.importance() * eye.through[1];
         double b = blue * s.valueB * eye.importance() * eye.through[2];
         if (out == null) {
-            brought += (r + g + b) / 3;
+            brought += (Math.abs(r) + Math.abs(g) + Math.abs(b)) / 3;
         } else {
             out.add(eye.x() * width, eye.y() * height, r, g, b);
         }
@@ -279,7 +291,8 @@ abstract class LightWalker {
     /** Multiplies by the weight of an event, and plays roulette by it as {@link PathValue} does. */
     private boolean filterAndSurvive(double r, double g, double b) {
         filter(r, g, b);
-        double most = Math.max(red, Math.max(green, blue));
+        // Bands of a single wavelength may be negative.
+        double most = Math.max(Math.abs(red), Math.max(Math.abs(green), Math.abs(blue)));
         if (events + 1 < PathValue.ROULETTE_FROM && most >= faint) {
             return true;
         }

@@ -12,6 +12,7 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
 import enlightenment.sampling.Hash;
+import enlightenment.sampling.Sampler;
 
 /**
  * Follows a path from event to event, through surfaces and media: says what comes next, and lets whoever shades decide what that is
@@ -78,6 +79,13 @@ final class PathFollower {
         tracer = new Tracer(scene, counters);
         glass = new GlassTracer(scene, counters);
         poll = new Poll();
+    }
+
+    /** Draws the wavelength of a path that begins next, where it matters. */
+    void drawWavelength(Sampler sampler) {
+        if (glass.wavelength != null) {
+            glass.wavelength.begin(sampler);
+        }
     }
 
     /** Starts a path with a camera ray. */

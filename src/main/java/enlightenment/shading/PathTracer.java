@@ -23,6 +23,7 @@ public final class PathTracer implements Shader {
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
+    private final PathWavelength wavelength;
     private final boolean absorbs;
     private final boolean hasCausticPass;
 
@@ -70,6 +71,7 @@ public final class PathTracer implements Shader {
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
         connections = new PathConnections(path.tracer);
+        wavelength = isAlbedo ? null : path.glass.wavelength;
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
@@ -102,7 +104,7 @@ public final class PathTracer implements Shader {
      * @param ray the camera ray, within the tile; the path overwrites it
      */
     public void glimpse(Ray ray, Sampler sampler) {
-        begin(ray);
+        begin(ray, sampler);
         while (step(ray, sampler) && value.certain) {
             history.events++;
         }
@@ -141,24 +143,26 @@ public final class PathTracer implements Shader {
     }
 
     private void follow(Ray ray, Sampler sampler) {
-        begin(ray);
+        begin(ray, sampler);
         while (step(ray, sampler)) {
             history.events++;
         }
     }
 
-    private void begin(Ray ray) {
+    private void begin(Ray ray, Sampler sampler) {
         history.begin();
         address = 0;
         if (mirrors != null) {
             mirrors.begin();
         }
+        path.drawWavelength(sampler);
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
+        value.disperse(wavelength);
         SurfaceMaterial medium = absorbs ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {

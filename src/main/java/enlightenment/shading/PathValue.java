@@ -179,6 +179,13 @@ final class PathValue {
         throughputB *= b;
     }
 
+    /** Takes note of the path's wavelength, which may be null, where that has become the only one. */
+    void disperse(PathWavelength wavelength) {
+        if (wavelength != null && wavelength.takesEffect()) {
+            filter(wavelength.red, wavelength.green, wavelength.blue);
+        }
+    }
+
     /** The same by Beer and Lambert's law, on the way to what the path has come to. */
     void absorb(SurfaceMaterial medium, double length) {
         Arrays.fill(transmittance, 1);
@@ -186,9 +193,14 @@ final class PathValue {
         filter(transmittance[0], transmittance[1], transmittance[2]);
     }
 
+    /** How much is left of the throughput, in the band that has the most; bands of a single wavelength may be negative. */
+    private double left() {
+        return Math.max(Math.abs(throughputR), Math.max(Math.abs(throughputG), Math.abs(throughputB)));
+    }
+
     /** Whether a path that has had so many events goes on without roulette. */
     boolean isSafe(int events) {
-        return events < ROULETTE_FROM && Math.max(throughputR, Math.max(throughputG, throughputB)) >= FAINT;
+        return events < ROULETTE_FROM && left() >= FAINT;
     }
 
     /**
@@ -198,7 +210,7 @@ final class PathValue {
      * @param event the number of that event, counted from 0
      */
     boolean survives(double r, double g, double b, Sampler sampler, int event) {
-        if (!(Math.max(throughputR, Math.max(throughputG, throughputB)) > 0)) {
+        if (!(left() > 0)) {
             return false;
         }
         double survival = survival(r, g, b);

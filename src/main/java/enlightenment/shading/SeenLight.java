@@ -57,6 +57,7 @@ public final class SeenLight implements Shader {
     public void shade(Ray ray, Sampler sampler, double[] out) {
         address = 0;
         events = 0;
+        path.drawWavelength(sampler);
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
         while (step(ray, sampler)) {
@@ -67,6 +68,7 @@ public final class SeenLight implements Shader {
 
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
+        value.disperse(path.glass.wavelength);
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {

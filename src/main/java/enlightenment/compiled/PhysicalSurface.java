@@ -11,6 +11,7 @@ import enlightenment.bsdf.SmoothConductor;
 import enlightenment.bsdf.SmoothDielectric;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.bsdf.ThinDielectric;
+import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
@@ -41,6 +42,11 @@ record PhysicalSurface(
             pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
+            if (glass.dispersion().isPresent()) {
+                dispersion = CauchyFormula.slope(
+                        glass.indexOfRefraction(), glass.dispersion().getAsDouble());
+                look += " " + dispersion;
+            }
         } else if (material instanceof Material.Matte matte) {
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {

@@ -103,8 +103,7 @@ public enum BuiltInMethod implements Method {
             case SCATTERING -> false;
             // No method takes light from one band to another yet.
             case FLUORESCENCE -> false;
-            // No method follows single wavelengths yet.
-            case DISPERSION -> false;
+            case DISPERSION -> true;
             // No method knows other surroundings than constant ones yet.
             case SURROUNDINGS -> false;
         };

@@ -116,6 +116,13 @@ public final class BidirectionalLightTracer {
         double weight = weight(Math.abs(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz));
         int vertices = light.vertices.size() + 1;
         double f = eye.importance() * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
+        PathWavelength wavelength = light.path.glass.wavelength;
+        if (wavelength != null) {
+            double common = wavelength.common(s, light.isBorder);
+            s.valueR *= wavelength.red(common);
+            s.valueG *= wavelength.green(common);
+            s.valueB *= wavelength.blue(common);
+        }
         add(
                 f * eye.through[0] * s.valueR * light.red,
                 f * eye.through[1] * s.valueG * light.green,
@@ -130,7 +137,7 @@ public final class BidirectionalLightTracer {
 
     private void add(double r, double g, double b) {
         if (out == null) {
-            brought += (r + g + b) / 3;
+            brought += (Math.abs(r) + Math.abs(g) + Math.abs(b)) / 3;
         } else {
             out.add(eye.x() * width, eye.y() * height, r, g, b);
         }

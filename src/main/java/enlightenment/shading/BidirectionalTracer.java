@@ -20,6 +20,10 @@ import java.util.function.BooleanSupplier;
 public final class BidirectionalTracer implements Shader {
     private final PhysicalScene physical;
     private final EyeSubpath eye;
+
+    /** Of both parts of a path; null if no glass of the scene disperses. */
+    private final PathWavelength wavelength;
+
     private final LightSubpath light;
     private final BidirectionalLights lights;
     private final SegmentRays segments;
@@ -38,6 +42,7 @@ public final class BidirectionalTracer implements Shader {
         physical = scene.physical;
         LightStarts starts = new LightStarts(scene, false);
         eye = new EyeSubpath(scene, counters, BidirectionalLightTracer.PATHS_PER_SAMPLE);
+        wavelength = eye.path.glass.wavelength;
         light = new LightSubpath(scene, starts, counters);
         lights = new BidirectionalLights(scene, starts, counters, eye);
         segments = new SegmentRays(scene, counters, eye.path);
@@ -108,7 +113,7 @@ public final class BidirectionalTracer implements Shader {
     private boolean step(Sampler sampler) {
         switch (eye.next(sampler)) {
             case NOTHING:
-                add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                add(common(false), 1, physical.backgroundR, physical.backgroundG, physical.backgroundB);
                 return false;
             case PASSED:
                 return true;
@@ -129,17 +134,23 @@ public final class BidirectionalTracer implements Shader {
         return eye.leave(sampler);
     }
 
-    /** Adds light that comes to the last vertex of the path from the eye. */
-    private void add(double factor, double r, double g, double b) {
-        add(wavelength == null || !wavelength.isAlone ? 1 : 0, factor, r, g, b);
+    /** Adds light of which all wavelengths have a share in common. */
+    private void add(double common, double factor, double r, double g, double b) {
+        if (wavelength == null) {
+            add(factor, r, g, b);
+        } else {
+            add(factor, r * wavelength.red(common), g * wavelength.green(common), b * wavelength.blue(common));
+        }
     }
 
-    /** @param common the share that all wavelengths have in common */
-    private void add(double common, double factor, double r, double g, double b) {
+    /** What that share is of light that comes to the path's last vertex in the direction that was evaluated there. */
+    private double common(boolean isScattered) {
+        return wavelength == null ? 1 : wavelength.common(eye.s, isScattered && eye.isBorder);
+    }
+
+    /** Adds light that comes to the last vertex of the path from the eye. */
+    private void add(double factor, double r, double g, double b) {
         double scale = factor * eye.compression;
-        if (wavelength != null) {
-            wavelength.color(common, colored.value(r, g, b));
-        }
         red = Math.fma(scale * eye.red, r, red);
         green = Math.fma(scale * eye.green, g, green);
         blue = Math.fma(scale * eye.blue, b, blue);
@@ -154,7 +165,7 @@ public final class BidirectionalTracer implements Shader {
         if (eye.glowing != null && eye.glowing.glowsTo(eye.path.hit.side)) {
             // Light that is seen straight is found in this way alone.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
-            add(weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB);
+            add(common(false), weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB);
         }
     }
 
@@ -162,7 +173,7 @@ public final class BidirectionalTracer implements Shader {
         int t = eye.vertices.size() + 1;
         if (lights.aim(sampler)) {
             double weight = watched(1, t, lights.weight);
-            add(weight, lights.red, lights.green, lights.blue);
+            add(common(true), weight, lights.red, lights.green, lights.blue);
         }
         for (int k = 0; k < light.vertices.size(); k++) {
             if (light.vertices.bsdf(k) != null
@@ -216,7 +227,8 @@ public final class BidirectionalTracer implements Shader {
         segments.begin(eye.isBorder, here < 0);
         if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
             double weight = watched(k + 2, t, weight(k, here, beyond, d2));
-            add(weight, r * segments.rgb[0], g * segments.rgb[1], b * segments.rgb[2]);
+            double common = wavelength == null ? 1 : common(true) * v.common(k, there);
+            add(common, weight, r * segments.rgb[0], g * segments.rgb[1], b * segments.rgb[2]);
         }
     }
 

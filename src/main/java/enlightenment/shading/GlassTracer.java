@@ -69,7 +69,7 @@ final class GlassTracer {
         panesReflect = scene.physical != null;
         this.scene = scene;
         this.counters = counters;
-        wavelength = PathWavelength.of(scene);
+        wavelength = panesReflect && scene.physical.hasDispersion ? new PathWavelength() : null;
         inside = new MediumStack(scene, wavelength);
         saved = new MediumStack(scene, wavelength);
         beyond = new MediumStack(scene, wavelength);

@@ -3,9 +3,8 @@ package enlightenment.shading;
 import enlightenment.bsdf.DielectricFresnel;
 import enlightenment.bsdf.Scattering;
 import enlightenment.color.BandSensitivities;
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.color.CauchyFormula;
+import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.sampling.Sampler;
 
 /**
@@ -45,13 +44,6 @@ final class PathWavelength {
     double etaLast;
 
     private final double[] pair = new double[2];
-
-    private PathWavelength() {}
-
-    /** For the paths of a thread; null if no glass of the scene disperses. */
-    static PathWavelength of(CompiledScene scene) {
-        return scene.physical != null && scene.physical.hasDispersion ? new PathWavelength() : null;
-    }
 
     /** Draws the wavelength of a path that begins. */
     void begin(Sampler sampler) {
@@ -147,14 +139,29 @@ final class PathWavelength {
         return isAlone ? 0 : isAtBorder ? common(s) : 1;
     }
 
+    /** What red counts of light of which a share is common to all wavelengths. */
+    double red(double common) {
+        return Math.fma(1 - common, red, common);
+    }
+
+    /** The same of green. */
+    double green(double common) {
+        return Math.fma(1 - common, green, common);
+    }
+
+    /** The same of blue. */
+    double blue(double common) {
+        return Math.fma(1 - common, blue, common);
+    }
+
     /**
      * Multiplies the value of light at the border, which a path that is not alone is at, by what its wavelengths make of the bands: white where
      * they have it in common.
      */
     void color(Scattering s) {
         double common = common(s);
-        s.valueR *= Math.fma(1 - common, red, common);
-        s.valueG *= Math.fma(1 - common, green, common);
-        s.valueB *= Math.fma(1 - common, blue, common);
+        s.valueR *= red(common);
+        s.valueG *= green(common);
+        s.valueB *= blue(common);
     }
 }

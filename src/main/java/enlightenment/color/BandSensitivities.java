@@ -16,9 +16,6 @@ public final class BandSensitivities {
     /** The longest. */
     public static final double LONGEST = 780;
 
-    /** For white light of the spectrum of daylight. */
-    public static final BandSensitivities DAYLIGHT = new BandSensitivities();
-
     private static final int STEPS = (int) (LONGEST - SHORTEST);
     private static final int BANDS = 3;
 
@@ -46,6 +43,9 @@ public final class BandSensitivities {
         {-0.9689307, 1.8757561, 0.0415175},
         {0.0557101, -0.2040211, 1.0569959}
     };
+
+    /** For white light of the spectrum of daylight. After what it is made of. */
+    public static final BandSensitivities DAYLIGHT = new BandSensitivities();
 
     /** By nanometre, then band: the sensitivity over the density of drawing it. */
     private final double[] weights = new double[BANDS * STEPS];

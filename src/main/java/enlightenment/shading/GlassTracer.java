@@ -77,12 +77,7 @@ final class GlassTracer {
         missed = new MissedBorders(scene, this);
     }
 
-    /** Starts a camera ray: finds the solids that it starts in. */
-    void begin(Ray ray) {
-        begin(ray, scene.cameraSolids);
-    }
-
-    /** Starts a ray that may start in some solids. */
+    /** Starts a ray that may start in some solids, and finds in which. */
     void begin(Ray ray, int[] solids) {
         next = NONE;
         inside.clear();
@@ -330,13 +325,6 @@ final class GlassTracer {
     /** Whether the last {@link #cross} did not turn the ray: it passed a pane, or between media of equal index. */
     boolean passedStraight() {
         return straight;
-    }
-
-    /** Multiplies the value of light at the rough border by what the path's wavelength makes of it. */
-    void color(Scattering s) {
-        if (wavelength != null && !wavelength.isAlone) {
-            wavelength.color(s);
-        }
     }
 
     /** Starts a ray that leaves a rough border on all surfaces there. */

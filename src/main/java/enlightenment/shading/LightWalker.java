@@ -229,8 +229,8 @@ abstract class LightWalker {
         if (!eye.sees(bsdf, s, tint)) {
             return;
         }
-        if (tint != null) {
-            path.glass.color(s);
+        if (tint != null && wavelength != null) {
+            wavelength.color(s);
         }
         double r = red * s.valueR * eye.importance() * eye.through[0];
         double g = green * s.valueG * eye.importance() * eye.through[1];

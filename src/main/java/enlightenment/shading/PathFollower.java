@@ -91,7 +91,7 @@ final class PathFollower {
     /** Starts a path with a camera ray. */
     void begin(Ray ray) {
         counters.cameraRays++;
-        glass.begin(ray);
+        glass.begin(ray, scene.cameraSolids);
         begin(0);
     }
 

@@ -155,10 +155,13 @@ final class PathWavelength {
     }
 
     /**
-     * Multiplies the value of light at the border, which a path that is not alone is at, by what its wavelengths make of the bands: white where
-     * they have it in common.
+     * Multiplies the value of light at the border that the path is at by what the wavelength makes of the bands, if it is not alone: else that is
+     * in the path already.
      */
     void color(Scattering s) {
+        if (isAlone) {
+            return;
+        }
         double common = common(s);
         s.valueR *= red(common);
         s.valueG *= green(common);

@@ -170,15 +170,20 @@ class DispersionTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"ball, RAYTRACE", "frosted ball, CLUSTER", "frosted ball, LIGHT", "nested, BIDIRECTIONAL", "in water, METROPOLIS"})
+    @CsvSource({
+        "ball, RAYTRACE",
+        "frosted ball, CLUSTER",
+        "frosted ball, LIGHT",
+        "nested, BIDIRECTIONAL",
+        "in water, METROPOLIS"
+    })
     void theyAreSumsOverWavelengths(String name, BuiltInMethod method) {
         compare(name, method, 1, 40, 16);
     }
 
     static Stream<Arguments> all() {
-        return SCENES.keySet().stream()
-                .flatMap(name -> BuiltInMethod.rendering(Shading.Model.PHYSICAL).stream()
-                        .map(method -> Arguments.of(name, method)));
+        return SCENES.keySet().stream().flatMap(name -> BuiltInMethod.rendering(Shading.Model.PHYSICAL).stream()
+                .map(method -> Arguments.of(name, method)));
     }
 
     @Tag("full")

@@ -78,13 +78,16 @@ public final class DisplayCurve {
         if (encoding == Encoding.DISPLAY) {
             return value;
         }
+        if (value < 0) {
+            // Of a colour that no screen has.
+            return 0;
+        }
         double light = toned(value * factor);
         return light >= 1 ? 1 : light <= 0 ? 0 : TransferCurve.encode(light);
     }
 
-    /** Light that is negative stays so: of colours that a screen has not. */
     private double toned(double x) {
-        if (tone == Tone.CLIP || !(x < WHITE) || x < 0) {
+        if (tone == Tone.CLIP || !(x < WHITE)) {
             return x;
         }
         return x * (FILMIC[0] * x + FILMIC[1]) / (x * (FILMIC[2] * x + FILMIC[3]) + FILMIC[4]);

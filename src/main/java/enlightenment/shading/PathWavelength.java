@@ -109,8 +109,8 @@ final class PathWavelength {
     }
 
     /**
-     * Of the light that goes from o to i at the border, the share that does so at all wavelengths: of reflected light the smallest
-     * reflectance that there is, which is at one of the ends, over that of this wavelength.
+     * Of the light that goes from o to i at the border, the share that does so at all wavelengths: of reflected light a
+     * reflectance that no wavelength falls below, over that of this wavelength.
      */
     double common(Scattering s) {
         return common(s, etaFirst, etaLast);
@@ -121,15 +121,14 @@ final class PathWavelength {
         if (etaFirst == etaLast) {
             return 1;
         }
-        boolean matches = (etaFirst - 1) * (etaLast - 1) <= 0;
-        if (matches || s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0) {
+        if (s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0) {
             return 0;
         }
         double x = s.ox + s.ix;
         double y = s.oy + s.iy;
         double z = s.oz + s.iz;
         double c = Math.min(0.5 * Math.sqrt(x * x + y * y + z * z), 1);
-        double least = Math.min(DielectricFresnel.reflectance(c, etaFirst), DielectricFresnel.reflectance(c, etaLast));
+        double least = DielectricFresnel.leastReflectance(c, etaFirst, etaLast);
         double own = DielectricFresnel.reflectance(c, s.eta);
         return least < own ? least / own : 1;
     }

@@ -43,13 +43,25 @@ public final class PathCut {
         gives = false;
     }
 
+    /** Notes the first vertex of a path, or cuts it at the second: from here on it is worth what leaves this. */
+    void meet(PathFollower path, double[] color, PathValue value) {
+        // Counted with panes, which are no events: what is shared has come straight, through empty space.
+        boolean isPlain = path.glass.isPlain() && path.medium() == null;
+        if (path.surfaces == 0) {
+            begin(path.hit, color, isPlain);
+        } else if (end(path.hit, isPlain)) {
+            value.get(own);
+            value.beginPart();
+        }
+    }
+
     /**
      * Notes the first vertex: others may give to it if it is sure that its path goes on.
      *
      * @param color of the surface there
      * @param isPlain whether it is in empty space and coincides with no other
      */
-    void begin(Hit at, double[] color, boolean isPlain) {
+    private void begin(Hit at, double[] color, boolean isPlain) {
         takes = isPlain && isOpen(at) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
         if (takes) {
             first.set(at);
@@ -58,7 +70,7 @@ public final class PathCut {
     }
 
     /** Notes the second vertex; returns whether it can give light to others. */
-    boolean end(Hit at, boolean isPlain) {
+    private boolean end(Hit at, boolean isPlain) {
         gives = takes && isPlain && isOpen(at);
         if (gives) {
             second.set(at);

@@ -37,6 +37,9 @@ public final class PathTracer implements Shader {
     private final Scattering border = new Scattering();
     private final boolean isAlbedo;
 
+    /** Follows paths through media that scatter light; null if there are none. */
+    private final RandomWalk walk;
+
     /** Whether a path ends where light has come to its first vertex straight. */
     private final boolean endsSoon;
 
@@ -72,6 +75,7 @@ public final class PathTracer implements Shader {
         connections = new PathConnections(path.tracer);
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
+        walk = RandomWalk.of(physical, path, value);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
@@ -82,7 +86,7 @@ public final class PathTracer implements Shader {
 
     @Override
     public boolean seesNothing() {
-        return path.tracer.seesNothing();
+        return path.tracer.seesNothing() && physical.around == null;
     }
 
     @Override
@@ -153,6 +157,9 @@ public final class PathTracer implements Shader {
         if (mirrors != null) {
             mirrors.begin();
         }
+        if (walk != null) {
+            walk.begin();
+        }
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
     }
@@ -160,7 +167,10 @@ public final class PathTracer implements Shader {
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
         SurfaceMaterial medium = absorbs ? path.medium() : null;
-        PathFollower.Event event = path.next(ray);
+        PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, sampler);
+        if (event == null) {
+            return inMedium(ray, sampler);
+        }
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
@@ -168,10 +178,25 @@ public final class PathTracer implements Shader {
             }
             return false;
         }
-        if (medium != null && medium.absorbs) {
+        if (medium != null && medium.absorbs && medium.medium == null) {
             value.absorb(medium, path.distance(ray));
         }
         return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
+    }
+
+    /** Where a medium scatters the path. */
+    private boolean inMedium(Ray ray, Sampler sampler) {
+        if (!mayScatter()) {
+            return false;
+        }
+        if (isAlbedo) {
+            Arrays.fill(surface, 1);
+            return value.endsWith(surface);
+        }
+        if (mirrors != null) {
+            mirrors.begin();
+        }
+        return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
     }
 
     /** At an opaque surface. */
@@ -229,21 +254,20 @@ public final class PathTracer implements Shader {
         return mirrors == null ? 1 : mirrors.weight();
     }
 
-    /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
-    private boolean isSeenByMirrors() {
-        return mirrors != null && history.isSeenByMirrors();
-    }
-
-    /** Adds light that balls reflect to the surface. */
-    private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
-        mirrors.gather(bsdf, s, sampler, address);
+    /** Adds light that balls reflect to the surface if the eye sees this, or the first, in a mirror or through glass; returns whether it does. */
+    private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
+        if (mirrors == null || !history.isSeenByMirrors()) {
+            return false;
+        }
+        mirrors.gather(bsdf, path.arrive(ray, surface), sampler, address);
         value.addIndirect(mirrors.red, mirrors.green, mirrors.blue);
+        return true;
     }
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
         if (cut != null && path.surfaces < 2) {
-            cutHere();
+            cut.meet(path, surface, value);
         }
         light.gatherMatte(sampler, address, !history.scattered);
         value.add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
@@ -252,10 +276,7 @@ public final class PathTracer implements Shader {
                     surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             value.leaveToChance(path.key + light.views);
         }
-        boolean seen = isSeenByMirrors();
-        if (seen) {
-            gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
-        }
+        boolean seen = gatherMirrored(Lambert.INSTANCE, ray, sampler);
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
@@ -264,18 +285,6 @@ public final class PathTracer implements Shader {
         }
         history.leave(false);
         return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
-    }
-
-    /** Notes the first vertex of a path that may be shared, or cuts it at the second: from here on it is worth what leaves this. */
-    private void cutHere() {
-        // Counted with panes, which are no events: what is shared has come straight.
-        boolean isPlain = path.glass.isPlain();
-        if (path.surfaces == 0) {
-            cut.begin(path.hit, surface, isPlain);
-        } else if (cut.end(path.hit, isPlain)) {
-            value.get(cut.own);
-            value.beginPart();
-        }
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
@@ -293,10 +302,7 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
         value.add(light.red, light.green, light.blue);
-        boolean seen = isSeenByMirrors();
-        if (seen) {
-            gatherMirrored(material.bsdf, s, sampler);
-        }
+        boolean seen = gatherMirrored(material.bsdf, ray, sampler);
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
@@ -346,7 +352,10 @@ public final class PathTracer implements Shader {
             history.gathered = true;
             light.left(path.glass.border.pdf);
         }
-        return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        return (walk == null
+                        ? survives(surface[0], surface[1], surface[2], sampler)
+                        : walk.survives(surface, sampler, history.events))
+                && path.goesOn();
     }
 
     /** Crosses the border or is reflected; the surface's colour becomes the weight of that. */

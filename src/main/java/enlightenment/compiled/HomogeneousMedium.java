@@ -8,6 +8,12 @@ import enlightenment.numeric.Scale;
 
 /** What fills a solid that scatters light inside, or the whole scene: the same everywhere, per unit of length of the frame. Immutable. */
 public final class HomogeneousMedium {
+    /**
+     * No mean free path in the frame, in which the scene has a size of about 1, is taken as shorter than the inverse of this: rounded places
+     * could not tell the steps of a path apart, and what light does there is over on a way that nobody sees.
+     */
+    private static final double DENSEST = 0x1p36;
+
     /** How much is scattered, by band. */
     public final double scatteringR;
 
@@ -26,6 +32,8 @@ public final class HomogeneousMedium {
     /** How it scatters. */
     public final HenyeyGreenstein phase;
 
+    private final String look;
+
     private HomogeneousMedium(Rgb scattering, Rgb extinction, double anisotropy) {
         scatteringR = scattering.r();
         scatteringG = scattering.g();
@@ -35,6 +43,8 @@ public final class HomogeneousMedium {
         extinctionB = extinction.b();
         isGrey = extinctionR == extinctionG && extinctionG == extinctionB;
         phase = new HenyeyGreenstein(anisotropy);
+        look = scatteringR + "," + scatteringG + "," + scatteringB + " " + extinctionR + "," + extinctionG + ","
+                + extinctionB + " " + anisotropy;
     }
 
     static HomogeneousMedium of(Medium medium, SceneFrame frame) {
@@ -56,8 +66,24 @@ public final class HomogeneousMedium {
     }
 
     private static HomogeneousMedium of(Rgb scattering, Rgb extinction, double anisotropy, SceneFrame frame) {
+        double r = clamped(extinction.r(), frame);
+        double g = clamped(extinction.g(), frame);
+        double b = clamped(extinction.b(), frame);
         return new HomogeneousMedium(
-                scaled(scattering, frame.exponent()), scaled(extinction, frame.exponent()), anisotropy);
+                new Rgb(
+                        share(scattering.r(), extinction.r(), r),
+                        share(scattering.g(), extinction.g(), g),
+                        share(scattering.b(), extinction.b(), b)),
+                new Rgb(r, g, b),
+                anisotropy);
+    }
+
+    private static double clamped(double extinction, SceneFrame frame) {
+        return Math.min(Scale.scalb(extinction, frame.exponent()), DENSEST);
+    }
+
+    private static double share(double scattering, double extinction, double inFrame) {
+        return scattering == extinction ? inFrame : scattering / extinction * inFrame;
     }
 
     /** The albedo of single scattering, by similarity from that of an isotropic medium which gives back the same share (H. van de Hulst). */
@@ -66,18 +92,13 @@ public final class HomogeneousMedium {
         return isotropic / (isotropic + (1 - g) * (1 - isotropic));
     }
 
-    private static Rgb scaled(Rgb c, int exponent) {
-        return new Rgb(Scale.scalb(c.r(), exponent), Scale.scalb(c.g(), exponent), Scale.scalb(c.b(), exponent));
-    }
-
     /** How much is lost on a straight way, by band: scattered or absorbed. */
     Rgb extinction() {
         return new Rgb(extinctionR, extinctionG, extinctionB);
     }
 
-    /** All numbers as a text. */
-    String look(double anisotropy) {
-        return scatteringR + "," + scatteringG + "," + scatteringB + " " + extinctionR + "," + extinctionG + ","
-                + extinctionB + " " + anisotropy;
+    /** A text that is equal for media that look the same. */
+    String look() {
+        return look;
     }
 }

@@ -51,10 +51,10 @@ public final class SurfaceMaterial {
     public final double glowG;
     public final double glowB;
 
-    /** Whether a solid of it absorbs light. */
+    /** Whether a solid of it takes light away on a straight way. */
     public final boolean absorbs;
 
-    /** How much it absorbs per unit of length of the frame, by band. */
+    /** How much of it per unit of length of the frame, by band: what it absorbs, and what it scatters. */
     private final double absorptionR;
 
     private final double absorptionG;
@@ -62,6 +62,9 @@ public final class SurfaceMaterial {
 
     /** What a pane of it, which encloses no volume, does with light; null unless it is glass of physical shading. */
     public final ThinDielectric pane;
+
+    /** What fills a solid of it, if that scatters light; else null. */
+    public final HomogeneousMedium medium;
 
     private final Material description;
 
@@ -91,6 +94,11 @@ public final class SurfaceMaterial {
             indexOfRefraction = glass.indexOfRefraction();
             transparency = glass.transparency();
             priority = glass.priority();
+        } else if (material instanceof Material.Scattering scattering && physical != null) {
+            bsdf = physical.bsdf();
+            indexOfRefraction = scattering.indexOfRefraction();
+            transparency = 1;
+            priority = scattering.priority();
         } else {
             bsdf = physical == null ? opaque(material) : physical.bsdf();
             indexOfRefraction = 1;
@@ -125,6 +133,7 @@ public final class SurfaceMaterial {
         PhysicalSurface p = physical == null ? PhysicalSurface.NONE : physical;
         look = physical == null ? "" : p.look() + " ";
         pane = p.pane();
+        medium = p.medium();
         glowR = p.glow().r();
         glowG = p.glow().g();
         glowB = p.glow().b();
@@ -183,7 +192,7 @@ public final class SurfaceMaterial {
     }
 
     /**
-     * Multiplies light by what is left of it after a way through a solid of this material: Beer's law.
+     * Multiplies light by what is left of it after a straight way through a solid of this material: Beer's law.
      *
      * @param length of the way, in units of the frame
      * @param rgb light by band

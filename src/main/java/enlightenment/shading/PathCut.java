@@ -44,7 +44,7 @@ public final class PathCut {
     }
 
     /** Notes the first vertex of a path, or cuts it at the second: from here on it is worth what leaves this. */
-    void meet(PathFollower path, double[] color, PathValue value) {
+    void note(PathFollower path, double[] color, PathValue value) {
         // Counted with panes, which are no events: what is shared has come straight, through empty space.
         boolean isPlain = path.glass.isPlain() && path.medium() == null;
         if (path.surfaces == 0) {

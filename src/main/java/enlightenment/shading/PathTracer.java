@@ -267,7 +267,7 @@ public final class PathTracer implements Shader {
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
         if (cut != null && path.surfaces < 2) {
-            cut.meet(path, surface, value);
+            cut.note(path, surface, value);
         }
         light.gatherMatte(sampler, address, !history.scattered);
         value.add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);

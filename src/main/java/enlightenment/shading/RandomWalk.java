@@ -156,17 +156,9 @@ final class RandomWalk {
     private void scatter() {
         HomogeneousMedium m = medium;
         if (m.isGrey) {
-            value.filter(
-                    m.scatteringR / m.extinctionR, m.scatteringG / m.extinctionG, m.scatteringB / m.extinctionB);
+            value.filter(m.scatteringR / m.extinctionR, m.scatteringG / m.extinctionG, m.scatteringB / m.extinctionB);
         } else {
-            weigh(
-                    length,
-                    m.scatteringR,
-                    m.scatteringG,
-                    m.scatteringB,
-                    m.extinctionR,
-                    m.extinctionG,
-                    m.extinctionB);
+            weigh(length, m.scatteringR, m.scatteringG, m.scatteringB, m.extinctionR, m.extinctionG, m.extinctionB);
         }
     }
 

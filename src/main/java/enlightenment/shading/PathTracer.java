@@ -154,14 +154,18 @@ public final class PathTracer implements Shader {
     private void begin(Ray ray) {
         history.begin();
         address = 0;
-        if (mirrors != null) {
-            mirrors.begin();
-        }
+        forgetMirrors();
         if (walk != null) {
             walk.begin();
         }
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
+    }
+
+    private void forgetMirrors() {
+        if (mirrors != null) {
+            mirrors.begin();
+        }
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
@@ -193,9 +197,7 @@ public final class PathTracer implements Shader {
             Arrays.fill(surface, 1);
             return value.endsWith(surface);
         }
-        if (mirrors != null) {
-            mirrors.begin();
-        }
+        forgetMirrors();
         return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
     }
 
@@ -333,9 +335,7 @@ public final class PathTracer implements Shader {
         address++;
         path.glass.choose(choice, pair);
         cross(ray);
-        if (mirrors != null) {
-            mirrors.begin();
-        }
+        forgetMirrors();
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
             // stays what it was.
@@ -352,10 +352,10 @@ public final class PathTracer implements Shader {
             history.gathered = true;
             light.left(path.glass.border.pdf);
         }
-        return (walk == null
-                        ? survives(surface[0], surface[1], surface[2], sampler)
-                        : walk.survives(surface, sampler, history.events))
-                && path.goesOn();
+        boolean survives = walk == null
+                ? survives(surface[0], surface[1], surface[2], sampler)
+                : walk.survives(surface, sampler, history.events);
+        return survives && path.goesOn();
     }
 
     /** Crosses the border or is reflected; the surface's colour becomes the weight of that. */

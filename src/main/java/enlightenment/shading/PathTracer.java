@@ -236,12 +236,7 @@ public final class PathTracer implements Shader {
 
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
-        double weight = 1;
-        if (history.gathered) {
-            weight = light.weight(ray);
-        } else if (history.scattered) {
-            weight = weightOfCaustic();
-        }
+        double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : 1;
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
             value.addCertain(material.glowR, material.glowG, material.glowB);

@@ -105,6 +105,19 @@ public final class Reradiation {
         return (to == from ? c : 0) + (1 - c) * dye[BANDS * to + from];
     }
 
+    /** The largest share of light of one band that leaves at all. */
+    public double most(double[] color, boolean hasUltraviolet) {
+        double most = 0;
+        for (int from = 0; from < (hasUltraviolet ? BANDS : ULTRAVIOLET); from++) {
+            double sum = 0;
+            for (int to = 0; to <= from; to++) {
+                sum += element(to, from, color);
+            }
+            most = Math.max(most, sum);
+        }
+        return most;
+    }
+
     /**
      * The matrix times a vector: light that comes becomes light that leaves.
      *

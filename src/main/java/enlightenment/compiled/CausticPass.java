@@ -85,8 +85,7 @@ public final class CausticPass {
      *
      * @param ofUltraviolet how much of ultraviolet light is seen
      */
-    static CausticPass of(
-            PhysicalLight[] lights, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
+    static CausticPass of(PhysicalLight[] lights, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
         if (lights.length == 0 || maxBounces < LEAST_BOUNCES) {
             return null;
         }

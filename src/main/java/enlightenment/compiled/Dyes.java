@@ -38,8 +38,7 @@ final class Dyes {
             }
         }
         for (SceneObject object : scene.objects()) {
-            if (object.material().ultraviolet() > 0
-                    || object.faces().stream().anyMatch(m -> m.ultraviolet() > 0)) {
+            if (object.material().ultraviolet() > 0 || object.faces().stream().anyMatch(m -> m.ultraviolet() > 0)) {
                 return true;
             }
         }

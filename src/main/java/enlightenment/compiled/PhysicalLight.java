@@ -47,7 +47,8 @@ public final class PhysicalLight extends LightBody {
     /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
     public final boolean hidesNothingOfItself;
 
-    private PhysicalLight(Place place, AreaLight form, Primitive surface, int id, int face, Rgb glow, double ultraviolet) {
+    private PhysicalLight(
+            Place place, AreaLight form, Primitive surface, int id, int face, Rgb glow, double ultraviolet) {
         super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
         this.form = form;
         this.id = id;

@@ -59,21 +59,13 @@ record PhysicalSurface(
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
         return new PhysicalSurface(
-                bsdf(material),
-                pane,
-                material.radiance(),
-                true,
-                absorption,
-                material.ultraviolet(),
-                reradiation,
-                look);
+                bsdf(material), pane, material.radiance(), true, absorption, material.ultraviolet(), reradiation, look);
     }
 
     /** The surface of a light: black, and opaque. */
     static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
         String look = text(radiance, ultraviolet) + " " + isTwoSided;
-        return new PhysicalSurface(
-                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, ultraviolet, null, look);
+        return new PhysicalSurface(Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, ultraviolet, null, look);
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** The matrix of fluorescent surfaces against closed forms, sums over single nanometres, and what energy and Stokes allow. */
@@ -115,9 +116,19 @@ class ReradiationTest {
 
     @Test
     void noMoreLightLeavesThanCameAndNeverWithShorterWaves() {
+        assertPhysical(3_000);
+    }
+
+    @Tag("full")
+    @Test
+    void nowhereDoesMoreLightLeaveThanCame() {
+        assertPhysical(100_000);
+    }
+
+    private static void assertPhysical(int materials) {
         SplittableRandom random = new SplittableRandom(2);
         double[] color = new double[3];
-        for (int n = 0; n < 100_000; n++) {
+        for (int n = 0; n < materials; n++) {
             double[] d = dye(random);
             double yield = n % 3 == 0 ? 1 : d[4];
             Reradiation dye = new Reradiation(d[0], d[1], d[2], d[3], yield);

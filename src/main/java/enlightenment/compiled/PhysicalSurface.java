@@ -5,6 +5,7 @@ import enlightenment.bsdf.Fresnel;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Microfacets;
+import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.RoughDielectric;
 import enlightenment.bsdf.RoughDiffuse;
 import enlightenment.bsdf.SmoothConductor;
@@ -24,6 +25,8 @@ import enlightenment.numeric.Scale;
  * @param glow the radiance that it emits
  * @param glowsInside whether it emits from the inside as well
  * @param absorption how much of light a solid of it takes away on a straight way, per unit of length of the frame
+ * @param ultraviolet the radiance of ultraviolet that it emits
+ * @param reradiation what a dye in it does; null if there is none
  * @param medium what fills a solid of it if that scatters light; else null
  * @param look all this as a text that is equal for materials that look the same
  */
@@ -33,16 +36,19 @@ record PhysicalSurface(
         Rgb glow,
         boolean glowsInside,
         Rgb absorption,
+        double ultraviolet,
+        Reradiation reradiation,
         HomogeneousMedium medium,
         String look) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, null, "");
+    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, null, null, "");
 
-    static PhysicalSurface of(Material material, SceneFrame frame) {
+    static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes) {
         Rgb absorption = Rgb.BLACK;
         ThinDielectric pane = null;
+        Reradiation reradiation = null;
         HomogeneousMedium medium = null;
-        String look = text(material.radiance());
+        String look = text(material.radiance(), material.ultraviolet());
         if (material instanceof Material.Glass glass) {
             pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
@@ -56,14 +62,27 @@ record PhysicalSurface(
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {
             look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
+        } else if (material instanceof Material.Fluorescent dye) {
+            reradiation = dyes.of(dye);
+            look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
-        return new PhysicalSurface(bsdf(material), pane, material.radiance(), true, absorption, medium, look);
+        return new PhysicalSurface(
+                bsdf(material),
+                pane,
+                material.radiance(),
+                true,
+                absorption,
+                material.ultraviolet(),
+                reradiation,
+                medium,
+                look);
     }
 
     /** The surface of a light: black, and opaque. */
-    static PhysicalSurface light(Rgb radiance, boolean isTwoSided) {
+    static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
+        String look = text(radiance, ultraviolet) + " " + isTwoSided;
         return new PhysicalSurface(
-                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, null, text(radiance) + " " + isTwoSided);
+                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, ultraviolet, null, null, look);
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */
@@ -71,9 +90,16 @@ record PhysicalSurface(
         return c.r() + "," + c.g() + "," + c.b();
     }
 
+    private static String text(Rgb c, double ultraviolet) {
+        return ultraviolet == 0 ? text(c) : text(c) + "," + ultraviolet;
+    }
+
     private static Bsdf bsdf(Material material) {
         if (material instanceof Material.Matte matte) {
             return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
+        }
+        if (material instanceof Material.Fluorescent) {
+            return Lambert.INSTANCE;
         }
         if (material instanceof Material.Mirror) {
             return SpecularReflection.INSTANCE;

@@ -100,8 +100,7 @@ public enum BuiltInMethod implements Method {
     public boolean canRender(LightFeature feature) {
         return switch (feature) {
             case SCATTERING -> this == RAYTRACE || this == CLUSTER || this == METROPOLIS;
-            // No method takes light from one band to another yet.
-            case FLUORESCENCE -> false;
+            case FLUORESCENCE -> true;
             // No method follows single wavelengths yet.
             case DISPERSION -> false;
             // No method knows other surroundings than constant ones yet.

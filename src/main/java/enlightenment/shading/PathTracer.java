@@ -29,7 +29,7 @@ public final class PathTracer implements Shader {
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
-    private final PathValue value = new PathValue();
+    private final PathValue value;
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;
     private final double[] surface = new double[3];
@@ -65,6 +65,7 @@ public final class PathTracer implements Shader {
     }
 
     private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
+        value = new PathValue(BandMixing.of(scene.physical));
         isAlbedo = part == PathPart.ALBEDO;
         endsSoon = part == PathPart.DIRECT || part == PathPart.ALBEDO;
         value.isIndirect = part == PathPart.INDIRECT;
@@ -75,7 +76,7 @@ public final class PathTracer implements Shader {
         connections = new PathConnections(path.tracer);
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
-        walk = RandomWalk.of(physical, path, value);
+        walk = RandomWalk.of(physical, path, value, isAlbedo);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
@@ -155,9 +156,6 @@ public final class PathTracer implements Shader {
         history.begin();
         address = 0;
         forgetMirrors();
-        if (walk != null) {
-            walk.begin();
-        }
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
     }
@@ -178,7 +176,7 @@ public final class PathTracer implements Shader {
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
             }
             return false;
         }
@@ -192,10 +190,6 @@ public final class PathTracer implements Shader {
     private boolean inMedium(Ray ray, Sampler sampler) {
         if (!mayScatter()) {
             return false;
-        }
-        if (isAlbedo) {
-            Arrays.fill(surface, 1);
-            return value.endsWith(surface);
         }
         forgetMirrors();
         return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
@@ -216,7 +210,7 @@ public final class PathTracer implements Shader {
             return value.endsWith(surface);
         }
         if (material.bsdf == Lambert.INSTANCE) {
-            return matte(ray, sampler);
+            return material.reradiation == null ? matte(ray, sampler) : fluorescent(ray, material, sampler);
         }
         return material.isDelta ? reflect(ray, material, sampler) : rough(ray, material, sampler);
     }
@@ -238,17 +232,13 @@ public final class PathTracer implements Shader {
     private void glow(Ray ray, SurfaceMaterial material) {
         double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : 1;
         if (weight > 0 && material.glowsTo(path.hit.side)) {
-            value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
-            value.addCertain(material.glowR, material.glowG, material.glowB);
+            value.addEmission(material, weight);
         }
     }
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        if (hasCausticPass && history.scatteredFirst) {
-            return 0;
-        }
-        return mirrors == null ? 1 : mirrors.weight();
+        return hasCausticPass && history.scatteredFirst ? 0 : mirrors == null ? 1 : mirrors.weight();
     }
 
     /** Adds light that balls reflect to the surface if the eye sees this, or the first, in a mirror or through glass; returns whether it does. */
@@ -257,7 +247,7 @@ public final class PathTracer implements Shader {
             return false;
         }
         mirrors.gather(bsdf, path.arrive(ray, surface), sampler, address);
-        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue);
+        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue, mirrors.ultraviolet);
         return true;
     }
 
@@ -266,11 +256,21 @@ public final class PathTracer implements Shader {
         if (cut != null && path.surfaces < 2) {
             cut.note(path, surface, value);
         }
+        return lambertian(ray, sampler);
+    }
+
+    /** The same with a dye: a grey surface, and what light is worth from there on changes. */
+    private boolean fluorescent(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        if (cut != null && path.surfaces < 2) {
+            cut.noteLater(path, value);
+        }
+        return value.scatter(material.reradiation, surface) && lambertian(ray, sampler);
+    }
+
+    private boolean lambertian(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !history.scattered);
-        value.add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        value.addReflected(light, surface);
         if (value.certain) {
-            value.addCertain(
-                    surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             value.leaveToChance(path.key + light.views);
         }
         boolean seen = gatherMirrored(Lambert.INSTANCE, ray, sampler);
@@ -298,7 +298,7 @@ public final class PathTracer implements Shader {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue);
+        value.add(light.red, light.green, light.blue, light.ultraviolet);
         boolean seen = gatherMirrored(material.bsdf, ray, sampler);
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
@@ -380,7 +380,7 @@ public final class PathTracer implements Shader {
         path.filter(surface);
         path.turnTo(0);
         light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue);
+        value.add(light.red, light.green, light.blue, light.ultraviolet);
         return true;
     }
 

@@ -75,19 +75,24 @@ final class RandomWalk {
     /** The point at which the path is scattered. */
     final Scattering event = new Scattering();
 
-    private RandomWalk(PhysicalScene physical, PathFollower path, PathValue value) {
+    private final double[] white = {1, 1, 1};
+
+    /** Whether a path is worth the share of light that is scattered where it is scattered first. */
+    private final boolean isAlbedo;
+
+    private RandomWalk(PhysicalScene physical, PathFollower path, PathValue value, boolean isAlbedo) {
+        this.isAlbedo = isAlbedo;
         this.physical = physical;
         this.path = path;
         this.value = value;
     }
 
     /** What follows a thread's paths through the media of a scene; null if it has none that scatter light. */
-    static RandomWalk of(PhysicalScene physical, PathFollower path, PathValue value) {
-        return physical.hasScattering ? new RandomWalk(physical, path, value) : null;
+    static RandomWalk of(PhysicalScene physical, PathFollower path, PathValue value, boolean isAlbedo) {
+        return physical.hasScattering ? new RandomWalk(physical, path, value, isAlbedo) : null;
     }
 
-    /** Begins a path. */
-    void begin() {
+    private void begin() {
         flights = 0;
         events = 0;
         isLevel = false;
@@ -101,6 +106,9 @@ final class RandomWalk {
      * @return what {@link PathFollower#next} says; null if the medium scatters it first: then the path is there
      */
     PathFollower.Event next(Ray ray, SurfaceMaterial in, Sampler sampler) {
+        if (path.surfaces == 0) {
+            begin();
+        }
         medium = in == null ? null : in.medium;
         if (medium == null) {
             return path.next(ray);
@@ -183,10 +191,14 @@ final class RandomWalk {
      * @return whether the path goes on
      */
     boolean scatter(Ray ray, PathLight light, PathHistory history, Sampler sampler, int address) {
+        if (isAlbedo) {
+            // The flight has multiplied the throughput by it.
+            return value.endsWith(white);
+        }
         boolean gathers = index == 1 || physical.lightsLieInGlass;
         if (gathers) {
             light.gather(medium.phase, event, sampler, address, !history.scattered);
-            value.add(light.red, light.green, light.blue);
+            value.add(light.red, light.green, light.blue, light.ultraviolet);
         }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         medium.phase.sample(event, pair[0], pair[1], 0);

@@ -29,7 +29,7 @@ public final class PathTracer implements Shader {
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
-    private final PathValue value = new PathValue();
+    private final PathValue value;
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;
     private final double[] surface = new double[3];
@@ -62,6 +62,7 @@ public final class PathTracer implements Shader {
     }
 
     private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
+        value = new PathValue(BandMixing.of(scene.physical));
         isAlbedo = part == PathPart.ALBEDO;
         endsSoon = part == PathPart.DIRECT || part == PathPart.ALBEDO;
         value.isIndirect = part == PathPart.INDIRECT;
@@ -164,7 +165,7 @@ public final class PathTracer implements Shader {
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
             }
             return false;
         }
@@ -189,7 +190,7 @@ public final class PathTracer implements Shader {
             return value.endsWith(surface);
         }
         if (material.bsdf == Lambert.INSTANCE) {
-            return matte(ray, sampler);
+            return material.reradiation == null ? matte(ray, sampler) : fluorescent(ray, material, sampler);
         }
         return material.isDelta ? reflect(ray, material, sampler) : rough(ray, material, sampler);
     }
@@ -216,8 +217,7 @@ public final class PathTracer implements Shader {
             weight = weightOfCaustic();
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
-            value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
-            value.addCertain(material.glowR, material.glowG, material.glowB);
+            value.addEmission(material, weight);
         }
     }
 
@@ -237,19 +237,29 @@ public final class PathTracer implements Shader {
     /** Adds light that balls reflect to the surface. */
     private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
         mirrors.gather(bsdf, s, sampler, address);
-        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue);
+        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue, mirrors.ultraviolet);
     }
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
         if (cut != null && path.surfaces < 2) {
-            cutHere();
+            cut.note(path, surface, value);
         }
+        return lambertian(ray, sampler);
+    }
+
+    /** The same with a dye: a grey surface, and what light is worth from there on changes. */
+    private boolean fluorescent(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        if (cut != null && path.surfaces < 2) {
+            cut.noteLater(path, value);
+        }
+        return value.scatter(material.reradiation, surface) && lambertian(ray, sampler);
+    }
+
+    private boolean lambertian(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !history.scattered);
-        value.add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        value.addReflected(light, surface);
         if (value.certain) {
-            value.addCertain(
-                    surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             value.leaveToChance(path.key + light.views);
         }
         boolean seen = isSeenByMirrors();
@@ -266,18 +276,6 @@ public final class PathTracer implements Shader {
         return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
-    /** Notes the first vertex of a path that may be shared, or cuts it at the second: from here on it is worth what leaves this. */
-    private void cutHere() {
-        // Counted with panes, which are no events: what is shared has come straight.
-        boolean isPlain = path.glass.isPlain();
-        if (path.surfaces == 0) {
-            cut.begin(path.hit, surface, isPlain);
-        } else if (cut.end(path.hit, isPlain)) {
-            value.get(cut.own);
-            value.beginPart();
-        }
-    }
-
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
         if (mirrors != null) {
             mirrors.reflected(path.id);
@@ -292,7 +290,7 @@ public final class PathTracer implements Shader {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue);
+        value.add(light.red, light.green, light.blue, light.ultraviolet);
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(material.bsdf, s, sampler);
@@ -376,7 +374,7 @@ public final class PathTracer implements Shader {
         path.filter(surface);
         path.turnTo(0);
         light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue);
+        value.add(light.red, light.green, light.blue, light.ultraviolet);
         return true;
     }
 

@@ -28,6 +28,8 @@ public interface Sampler {
         LIGHT_CHOICE,
         /** {@link #ROULETTE} of a path from a light. */
         LIGHT_ROULETTE,
+        /** How far a path goes in a medium that scatters light; counted by such ways, not by bounces. */
+        FLIGHT,
         /** The wavelength of a path, the first of a pair; at bounce 0. */
         WAVELENGTH
     }

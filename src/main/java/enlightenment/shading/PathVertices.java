@@ -19,9 +19,10 @@ final class PathVertices {
     private static final int EDGE = 16;
     private static final int BEYOND = 17;
     private static final int SURVIVAL = 18;
-    private static final int ETA_FIRST = 19;
-    private static final int ETA_LAST = 20;
-    private static final int NUMBERS = 21;
+    private static final int ULTRAVIOLET = 19;
+    private static final int ETA_FIRST = 20;
+    private static final int ETA_LAST = 21;
+    private static final int NUMBERS = 22;
 
     private static final int ID = 0;
     private static final int FACE = 1;
@@ -91,8 +92,10 @@ final class PathVertices {
     }
 
     /** Sets the power that the path brought to the vertex that was added last. */
-    void power(double r, double g, double b) {
-        set((size - 1) * NUMBERS + POWER, r, g, b);
+    void power(double r, double g, double b, double ultraviolet) {
+        int k = (size - 1) * NUMBERS;
+        set(k + POWER, r, g, b);
+        numbers[k + ULTRAVIOLET] = ultraviolet;
     }
 
     /** Tells what the path's wavelength was at the vertex that was added last. */
@@ -171,6 +174,10 @@ final class PathVertices {
 
     double blue(int k) {
         return numbers[k * NUMBERS + POWER + 2];
+    }
+
+    double ultraviolet(int k) {
+        return numbers[k * NUMBERS + ULTRAVIOLET];
     }
 
     double survival(int k) {

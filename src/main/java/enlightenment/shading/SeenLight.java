@@ -36,6 +36,7 @@ public final class SeenLight implements Shader {
     public SeenLight(CompiledScene scene, RayCounters counters) {
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
+        value.wavelength = path.glass.wavelength;
     }
 
     @Override
@@ -68,7 +69,7 @@ public final class SeenLight implements Shader {
 
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
-        value.disperse(path.glass.wavelength);
+        value.disperse();
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {

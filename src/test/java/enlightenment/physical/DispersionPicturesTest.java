@@ -140,7 +140,10 @@ class DispersionPicturesTest {
     /** A corner of a cube, turned so that light of a middle wavelength passes it symmetrically. */
     private static final double TURN = Math.toRadians(66.8);
 
-    private static final double CORNER_X = 0.157;
+    /** Degrees, of each of 16 pixels. */
+    private static final double VIEW = 0.4;
+
+    private static final double CORNER_X = 0.3;
     private static final double CORNER_Z = 0.1;
 
     /** The eye at (0, 0.5, -4) looks through two faces of a cube at a strip of light far behind. */
@@ -149,7 +152,7 @@ class DispersionPicturesTest {
         double along = 0.5 * (Math.sin(TURN) - Math.cos(TURN));
         return PhysicalScenes.view(16, 1)
                 .camera(new Camera.Perspective(
-                        PhysicalScenes.at(0, 0.5, -4), PhysicalScenes.at(0.1, 0.5, 0), Vec3.Y, 4))
+                        PhysicalScenes.at(0, 0.5, -4), PhysicalScenes.at(0.1, 0.5, 0), Vec3.Y, VIEW))
                 .object(
                         new Cube(
                                 PhysicalScenes.at(CORNER_X - toCenter, 0.5, CORNER_Z - along),
@@ -204,10 +207,11 @@ class DispersionPicturesTest {
         double left = middle - 0.15;
         double right = middle + 0.15;
         List<Image> pictures = render(strip(left, right), BuiltInMethod.RAYTRACE, 16, 24);
-        double width = 2 * Math.tan(Math.toRadians(2)) * 16;
+        double width = 2 * Math.tan(Math.toRadians(VIEW / 2)) * 16;
         double center = Math.atan(0.1 / 4);
         double negative = 0;
-        double sum = 0;
+        double[] sums = new double[3];
+        double[] places = new double[3];
         for (int x = 0; x < 16; x++) {
             double[] expected = new double[3];
             for (int k = 0; k < 64; k++) {
@@ -225,13 +229,16 @@ class DispersionPicturesTest {
             for (int c = 0; c < 3; c++) {
                 Statistics s = band(pictures, x, x + 1, c);
                 negative = Math.min(negative, s.mean());
-                sum += s.mean();
+                sums[c] += Math.max(s.mean(), 0);
+                places[c] += x * Math.max(s.mean(), 0);
                 double e = expected[c];
-                System.err.println(x + " " + c + " " + e + " " + s);
                 assertTrue(Math.abs(s.mean() - e) <= 5 * s.error() + 0.01, () -> s + " for " + e);
             }
         }
-        assertTrue(sum > 1, "light is seen");
-        assertTrue(negative < -0.05, "pure colours are beyond those of screens");
+        double red = places[0] / sums[0];
+        double green = places[1] / sums[1];
+        double blue = places[2] / sums[2];
+        assertTrue(red + 2 < green && green + 2 < blue, () -> red + " " + green + " " + blue);
+        assertTrue(negative < -0.03, "pure colours are beyond those of screens");
     }
 }

@@ -154,7 +154,6 @@ class DispersionTest {
                 .parallel()
                 .mapToObj(seed -> means(scene.apply(g -> g), method, 6 * antialias, seed))
                 .toArray(double[][]::new);
-        double squares = 0;
         for (int i = 0; i < NUMBERS; i++) {
             int number = i;
             Statistics a = Statistics.of(
@@ -163,10 +162,8 @@ class DispersionTest {
                     .mapToDouble(s -> dispersed[s][number])
                     .toArray());
             double z = (a.mean() - b.mean()) / Math.hypot(a.error(), b.error());
-            squares += z * z;
             assertTrue(Math.abs(z) < 5, () -> "number " + number + ": " + a + " and " + b);
         }
-        System.err.println("RMS " + name + " " + method + " " + Math.sqrt(squares / NUMBERS));
     }
 
     @ParameterizedTest

@@ -72,6 +72,7 @@ final class AnimateCommand extends Subcommand {
         List<Path> files = range.frames().mapToObj(output.pattern()::file).toList();
         new CommandFiles()
                 .reads(argument.file(), scene)
+                .reads("the program of --ffmpeg", video.program())
                 .writes("--video", video.file())
                 .writesNumbered("-o", files)
                 .check();

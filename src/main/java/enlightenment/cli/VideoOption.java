@@ -41,6 +41,11 @@ final class VideoOption {
         return video;
     }
 
+    /** The program that was named, or null. */
+    Path program() {
+        return program;
+    }
+
     /** Fails if the film could not be written: before there are frames to make it of. */
     void check(double framesPerSecond, FramePattern pattern, FrameRange frames, Terminal terminal) {
         if (video == null) {

@@ -164,7 +164,7 @@ public final class Ffmpeg {
             // The program has ended, or a frame cannot be read: what the program says comes first.
             broken = e;
         } catch (RuntimeException e) {
-            run.kill();
+            run.end();
             throw e;
         }
         int code = run.await();

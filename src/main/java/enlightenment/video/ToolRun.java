@@ -64,8 +64,18 @@ final class ToolRun {
         }
     }
 
-    void kill() {
+    private void kill() {
         process.destroyForcibly();
+    }
+
+    /** Kills the program and waits until it is gone. */
+    void end() {
+        kill();
+        try {
+            process.waitFor();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /**

@@ -8,6 +8,7 @@ import enlightenment.file.FilePlace;
 import enlightenment.file.TemporaryFile;
 import enlightenment.file.WholeFile;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -45,7 +46,11 @@ public record VideoFile(List<Path> frames, FrameRate rate, BooleanSupplier cance
             Path place = FilePlace.of(out);
             try (TemporaryFile temporary = TemporaryFile.in(place.getParent())) {
                 Path made = ffmpeg.get().write(this, format, temporary.folder());
-                WholeFile.write(out, stream -> Files.copy(made, stream));
+                WholeFile.write(out, stream -> {
+                    try (InputStream in = Files.newInputStream(made)) {
+                        in.transferTo(stream);
+                    }
+                });
             }
         } else if (format == VideoFormat.GIF) {
             WholeFile.write(out, stream -> {

@@ -177,12 +177,13 @@ public final class SceneCompiler {
     /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
     private static Map<Material, SurfaceMaterial> surfaces(Scene scene, SceneFrame physical, SceneImages images) {
         Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
+        Dyes dyes = new Dyes(scene);
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
-                addSurface(o.material(), physical, surfaces, images);
+                addSurface(o.material(), physical, dyes, surfaces, images);
             }
             for (Material m : o.faces()) {
-                addSurface(m, physical, surfaces, images);
+                addSurface(m, physical, dyes, surfaces, images);
             }
         }
         return surfaces;
@@ -190,12 +191,13 @@ public final class SceneCompiler {
 
     /** @param physical the frame if the shading is physical, else null */
     private static void addSurface(
-            Material m, SceneFrame physical, Map<Material, SurfaceMaterial> surfaces, SceneImages images) {
+            Material m, SceneFrame physical, Dyes dyes, Map<Material, SurfaceMaterial> surfaces, SceneImages images) {
         if (surfaces.containsKey(m)) {
             return;
         }
         ImageTexture image = m.color() instanceof Texture.File file ? images.of(file, physical != null) : null;
-        surfaces.put(m, new SurfaceMaterial(m, image, physical == null ? null : PhysicalSurface.of(m, physical)));
+        PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
+        surfaces.put(m, new SurfaceMaterial(m, image, surface));
     }
 
     /** Which features are modelled, and which are not because nothing requires them. */

@@ -29,6 +29,7 @@ public final class PathTracer implements Shader {
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
+    private final EyeImages images;
     private final PathValue value = new PathValue();
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;
@@ -73,11 +74,13 @@ public final class PathTracer implements Shader {
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
+        images = new EyeImages(scene, counters, path, part == PathPart.WHOLE || part == PathPart.DIRECT);
     }
 
     @Override
     public void beginTile(double x0, double y0, double x1, double y1) {
         path.tracer.beginTile(x0, y0, x1, y1);
+        images.beginTile(x0, y0, x1, y1);
     }
 
     @Override
@@ -142,6 +145,7 @@ public final class PathTracer implements Shader {
 
     private void follow(Ray ray, Sampler sampler) {
         begin(ray);
+        images.gather(sampler, value);
         while (step(ray, sampler)) {
             history.events++;
         }
@@ -155,6 +159,7 @@ public final class PathTracer implements Shader {
         }
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
+        images.begin(ray);
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
@@ -209,11 +214,11 @@ public final class PathTracer implements Shader {
 
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
-        double weight = 1;
+        double weight;
         if (history.gathered) {
             weight = light.weight(ray);
-        } else if (history.scattered) {
-            weight = weightOfCaustic();
+        } else {
+            weight = history.scattered ? weightOfCaustic() : images.weight();
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
@@ -282,6 +287,7 @@ public final class PathTracer implements Shader {
         if (mirrors != null) {
             mirrors.reflected(path.id);
         }
+        images.reflected();
         path.scatter(ray, material, surface, 0, 0, 0);
         history.leave(true);
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();

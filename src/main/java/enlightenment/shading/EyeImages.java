@@ -54,6 +54,12 @@ final class EyeImages {
 
     private int face;
 
+    /** What was gathered. */
+    double red;
+
+    double green;
+    double blue;
+
     /** @param isWanted whether the light is wanted that the eye sees so */
     EyeImages(CompiledScene scene, RayCounters counters, PathFollower path, boolean isWanted) {
         this.scene = scene;
@@ -109,8 +115,15 @@ final class EyeImages {
 
     /** Adds the light of one of the pixel's images to a path that has just begun. */
     void gather(Sampler sampler, PathValue value) {
+        if (gather(sampler)) {
+            value.add(red, green, blue);
+        }
+    }
+
+    /** Gathers the light of one of the pixel's images: radiance towards the eye. Returns whether there is any. */
+    boolean gather(Sampler sampler) {
         if (count == 0) {
-            return;
+            return false;
         }
         sampler.pair(0, Sampler.Purpose.MIRROR, pair);
         double place = pair[0] * count;
@@ -123,15 +136,18 @@ final class EyeImages {
                 Math.fma(place - k, width, boxes[at]) / scene.camera.columns,
                 Math.fma(pair[1], height, boxes[at + 1]) / scene.camera.rows,
                 ray);
-        PhysicalLight l = scene.physical.lights[image.light];
-        double share = count * width * height;
-        if (image.mirror == SmallImage.STRAIGHT) {
-            if (light.isMetBy(ray, image.light)) {
-                value.add(share * l.r, share * l.g, share * l.b);
-            }
-        } else if (light.isMetBy(ray, image.mirror, image.face, image.light)) {
-            value.add(share * light.red * l.r, share * light.green * l.g, share * light.blue * l.b);
+        boolean isStraight = image.mirror == SmallImage.STRAIGHT;
+        boolean isMet = isStraight
+                ? light.isMetBy(ray, image.light)
+                : light.isMetBy(ray, image.mirror, image.face, image.light);
+        if (isMet) {
+            PhysicalLight l = scene.physical.lights[image.light];
+            double share = count * width * height;
+            red = share * l.r * (isStraight ? 1 : light.red);
+            green = share * l.g * (isStraight ? 1 : light.green);
+            blue = share * l.b * (isStraight ? 1 : light.blue);
         }
+        return isMet;
     }
 
     /** Tells that the surface that the path is at reflects it as a mirror. */

@@ -11,7 +11,7 @@ import enlightenment.sampling.Sampler;
  * The light that the eye has straight from lights, or by way of one mirror, where their images are smaller than a pixel. Samples of a
  * pixel may all miss such an image, and then nothing tells of it; however bright the lamp is, it is missing. So every sample takes a second
  * place on the film, in a box around what of the image is in the pixel, and what the first place sees of the image does not count: all
- * light is found exactly once, whatever the box is. See docs/physical-light.md. A mutable work object, one per thread.
+ * light is found exactly once, whatever the box is. See docs/path-tracing.md. A mutable work object, one per thread.
  */
 final class EyeImages {
     private static final int NONE = -1;

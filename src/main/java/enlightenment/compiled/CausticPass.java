@@ -41,13 +41,16 @@ public final class CausticPass {
     /** The sums of these. */
     private final double[] cumulative;
 
+    private final double ofUltraviolet;
     private double brightest;
     private final boolean[] isBeam;
     private final boolean[] shinesBothWays;
     private final int[][] media;
 
-    private CausticPass(PhysicalLight[] lights, SpecularThings balls, CompiledPrimitives compiled) {
+    private CausticPass(
+            PhysicalLight[] lights, double ofUltraviolet, SpecularThings balls, CompiledPrimitives compiled) {
         this.lights = lights;
+        this.ofUltraviolet = ofUltraviolet;
         things = balls.count();
         ballX = balls.x;
         ballY = balls.y;
@@ -79,8 +82,10 @@ public final class CausticPass {
     /**
      * The pass of a scene; null if caustics need none: without mirrors and smooth glass, without lights that shine at them, and where
      * paths end before.
+     *
+     * @param ofUltraviolet how much of ultraviolet light is seen
      */
-    static CausticPass of(PhysicalLight[] lights, CompiledPrimitives compiled, int maxBounces) {
+    static CausticPass of(PhysicalLight[] lights, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
         if (lights.length == 0 || maxBounces < LEAST_BOUNCES) {
             return null;
         }
@@ -89,7 +94,7 @@ public final class CausticPass {
         if (balls.count() == 0) {
             return null;
         }
-        CausticPass pass = new CausticPass(lights, balls, compiled);
+        CausticPass pass = new CausticPass(lights, ofUltraviolet, balls, compiled);
         return pass.cumulative[pass.cumulative.length - 1] > 0 ? pass : null;
     }
 
@@ -110,8 +115,9 @@ public final class CausticPass {
         }
     }
 
-    private static double brightness(PhysicalLight light) {
-        return Math.max(light.r, Math.max(light.g, light.b));
+    private double brightness(PhysicalLight light) {
+        double visible = Math.max(light.r, Math.max(light.g, light.b));
+        return ofUltraviolet > 0 ? Math.max(visible, ofUltraviolet * light.ultraviolet) : visible;
     }
 
     private double distance(PhysicalLight light, int s) {

@@ -3,6 +3,9 @@ package enlightenment.compiled;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.LightPicker;
+import enlightenment.frame.SceneFrame;
+import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
@@ -33,7 +36,16 @@ public final class PhysicalScene {
     /** What paths from lights look for caustics with; null if there is no pass of them. */
     public final CausticPass caustics;
 
-    /** Whether a medium absorbs. */
+    /** The material of what fills the whole scene outside of its solids, which has no end; null if nothing does. */
+    public final SurfaceMaterial around;
+
+    /** Whether a medium scatters light. */
+    public final boolean hasScattering;
+
+    /** Whether there may be a point of a light inside of a solid that is a medium. */
+    public final boolean lightsLieInGlass;
+
+    /** Whether a medium takes light away on a straight way. */
     public final boolean hasAbsorption;
 
     /** Whether borders of media may be rough. */
@@ -45,6 +57,15 @@ public final class PhysicalScene {
     /** Whether shadow rays may pass glass that does not turn them: panes, and borders of media of equal index. */
     public final boolean hasStraightGlass;
 
+    /** Whether there is ultraviolet light, and something that shows it. */
+    public final boolean hasUltraviolet;
+
+    /** The most that surfaces make of ultraviolet in a visible band; 0 if there is none. */
+    public final double visibleOfUltraviolet;
+
+    /** About how much light there is of each band; null unless there are fluorescent surfaces. */
+    public final double[] lightOfBands;
+
     /** Whether things may be seen in mirrors, in panes, or through glass that turns rays. */
     public final boolean showsMirrored;
 
@@ -53,12 +74,15 @@ public final class PhysicalScene {
 
     private final int[] lightOfFace;
 
-    PhysicalScene(PhysicalShading shading, CompiledPrimitives compiled, List<PhysicalLight> points) {
+    PhysicalScene(PhysicalShading shading, SceneFrame frame, CompiledPrimitives compiled, List<PhysicalLight> points) {
         Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
         backgroundR = background.r();
         backgroundG = background.g();
         backgroundB = background.b();
         maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
+        boolean fluoresces = compiled.materials().any(m -> m.reradiation != null);
+        hasUltraviolet = fluoresces && LightBands.haveUltraviolet(compiled.materials(), points);
+        visibleOfUltraviolet = hasUltraviolet ? LightBands.visibleOfUltraviolet(compiled.materials()) : 0;
         int n = compiled.primitives().length;
         firstFace = new int[n];
         List<Integer> ofFaces = new ArrayList<>();
@@ -79,38 +103,62 @@ public final class PhysicalScene {
                 ofFaces.subList(first, ofFaces.size()).clear();
             }
         }
-        all.addAll(points);
+        for (PhysicalLight point : points) {
+            PhysicalLight shown = hasUltraviolet ? point : point.withoutUltraviolet();
+            if (brightness(shown) > 0) {
+                all.add(shown);
+            }
+        }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        hasAbsorption = Arrays.stream(compiled.glassSolids())
-                .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
+        around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
+        hasAbsorption = around != null
+                || Arrays.stream(compiled.glassSolids())
+                        .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
         hasStraightGlass = hasPanes(compiled) || hasEqualIndices(compiled);
         showsMirrored = compiled.materials().any(m -> !m.isGlass && m.isDelta && !m.isBlack)
                 || hasClearGlass(compiled)
                 || hasPanes(compiled);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
-        caustics = CausticPass.of(lights, compiled, maxBounces);
+        lightsLieInGlass = hasScattering
+                && Arrays.stream(lights)
+                        .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
+        caustics = CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
+        lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }
 
-    private static LightPicker picker(PhysicalLight[] lights) {
+    private static SurfaceMaterial around(Medium medium, SceneFrame frame) {
+        Material material = Material.Scattering.of(medium);
+        return new SurfaceMaterial(material, null, PhysicalSurface.of(material, frame, null));
+    }
+
+    /** By how much of a light is seen, straight or from fluorescent surfaces, it is chosen among others. */
+    private double brightness(PhysicalLight light) {
+        return hasUltraviolet ? light.luminance() + visibleOfUltraviolet * light.ultraviolet : light.luminance();
+    }
+
+    private LightPicker picker(PhysicalLight[] lights) {
         LightPicker.Builder builder = new LightPicker.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
-                builder.addPoint(new Vec3(light.x, light.y, light.z), light.luminance());
+                builder.addPoint(new Vec3(light.x, light.y, light.z), brightness(light));
             } else {
-                builder.add(light.form, light.luminance());
+                builder.add(light.form, brightness(light));
             }
         }
         return builder.build();
     }
 
-    private static PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face) {
-        SurfaceMaterial material = compiled.materials().of(id, face);
-        return material.glows
-                ? PhysicalLight.glowing(compiled.primitives()[id], id, face, material.glow(), material.glowsInside)
-                : null;
+    private PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face) {
+        SurfaceMaterial m = compiled.materials().of(id, face);
+        if (!m.glows || !hasUltraviolet && !m.glowsVisibly()) {
+            return null;
+        }
+        double ultraviolet = hasUltraviolet ? m.glowUltraviolet : 0;
+        return PhysicalLight.glowing(compiled.primitives()[id], id, face, m.glow(), ultraviolet, m.glowsInside);
     }
 
     private static boolean hasPanes(CompiledPrimitives compiled) {

@@ -5,6 +5,7 @@ import enlightenment.bsdf.Fresnel;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Microfacets;
+import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.RoughDielectric;
 import enlightenment.bsdf.RoughDiffuse;
 import enlightenment.bsdf.SmoothConductor;
@@ -23,33 +24,65 @@ import enlightenment.numeric.Scale;
  * @param pane how a pane of it does; null unless it is glass
  * @param glow the radiance that it emits
  * @param glowsInside whether it emits from the inside as well
- * @param absorption how much a solid of it absorbs, per unit of length of the frame
+ * @param absorption how much of light a solid of it takes away on a straight way, per unit of length of the frame
+ * @param ultraviolet the radiance of ultraviolet that it emits
+ * @param reradiation what a dye in it does; null if there is none
+ * @param medium what fills a solid of it if that scatters light; else null
  * @param look all this as a text that is equal for materials that look the same
  */
-record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsInside, Rgb absorption, String look) {
+record PhysicalSurface(
+        Bsdf bsdf,
+        ThinDielectric pane,
+        Rgb glow,
+        boolean glowsInside,
+        Rgb absorption,
+        double ultraviolet,
+        Reradiation reradiation,
+        HomogeneousMedium medium,
+        String look) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, "");
+    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, null, null, "");
 
-    static PhysicalSurface of(Material material, SceneFrame frame) {
+    static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes) {
         Rgb absorption = Rgb.BLACK;
         ThinDielectric pane = null;
-        String look = text(material.radiance());
+        Reradiation reradiation = null;
+        HomogeneousMedium medium = null;
+        String look = text(material.radiance(), material.ultraviolet());
         if (material instanceof Material.Glass glass) {
             pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
+        } else if (material instanceof Material.Scattering scattering) {
+            pane = new ThinDielectric(scattering.indexOfRefraction());
+            medium = HomogeneousMedium.of(scattering.medium(), frame);
+            absorption = medium.extinction();
+            look += " " + scattering.roughness() + " " + medium.look();
         } else if (material instanceof Material.Matte matte) {
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {
             look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
+        } else if (material instanceof Material.Fluorescent dye) {
+            reradiation = dyes.of(dye);
+            look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
-        return new PhysicalSurface(bsdf(material), pane, material.radiance(), true, absorption, look);
+        return new PhysicalSurface(
+                bsdf(material),
+                pane,
+                material.radiance(),
+                true,
+                absorption,
+                material.ultraviolet(),
+                reradiation,
+                medium,
+                look);
     }
 
     /** The surface of a light: black, and opaque. */
-    static PhysicalSurface light(Rgb radiance, boolean isTwoSided) {
+    static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
+        String look = text(radiance, ultraviolet) + " " + isTwoSided;
         return new PhysicalSurface(
-                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, text(radiance) + " " + isTwoSided);
+                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, ultraviolet, null, null, look);
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */
@@ -57,9 +90,16 @@ record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsIn
         return c.r() + "," + c.g() + "," + c.b();
     }
 
+    private static String text(Rgb c, double ultraviolet) {
+        return ultraviolet == 0 ? text(c) : text(c) + "," + ultraviolet;
+    }
+
     private static Bsdf bsdf(Material material) {
         if (material instanceof Material.Matte matte) {
             return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
+        }
+        if (material instanceof Material.Fluorescent) {
+            return Lambert.INSTANCE;
         }
         if (material instanceof Material.Mirror) {
             return SpecularReflection.INSTANCE;
@@ -74,10 +114,17 @@ record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsIn
                     : new GlossyReflection(alpha, fresnel, glossy.multipleScattering());
         }
         if (material instanceof Material.Glass glass) {
-            double alpha = glass.roughness() * glass.roughness();
-            return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha);
+            return border(glass.roughness());
+        }
+        if (material instanceof Material.Scattering scattering) {
+            return border(scattering.roughness());
         }
         throw new AssertionError("no physical form of the material " + material.type());
+    }
+
+    private static Bsdf border(double roughness) {
+        double alpha = roughness * roughness;
+        return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha);
     }
 
     private static Rgb scaled(Rgb c, int exponent) {

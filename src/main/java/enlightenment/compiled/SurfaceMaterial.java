@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.ClassicDielectric;
 import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.bsdf.ThinDielectric;
 import enlightenment.color.Color;
@@ -51,10 +52,16 @@ public final class SurfaceMaterial {
     public final double glowG;
     public final double glowB;
 
-    /** Whether a solid of it absorbs light. */
+    /** The same of ultraviolet. */
+    public final double glowUltraviolet;
+
+    /** What a dye makes of light that is not reflected; null unless there is one that light in the scene makes shine. */
+    public final Reradiation reradiation;
+
+    /** Whether a solid of it takes light away on a straight way. */
     public final boolean absorbs;
 
-    /** How much it absorbs per unit of length of the frame, by band. */
+    /** How much of it per unit of length of the frame, by band: what it absorbs, and what it scatters. */
     private final double absorptionR;
 
     private final double absorptionG;
@@ -62,6 +69,9 @@ public final class SurfaceMaterial {
 
     /** What a pane of it, which encloses no volume, does with light; null unless it is glass of physical shading. */
     public final ThinDielectric pane;
+
+    /** What fills a solid of it, if that scatters light; else null. */
+    public final HomogeneousMedium medium;
 
     private final Material description;
 
@@ -91,6 +101,11 @@ public final class SurfaceMaterial {
             indexOfRefraction = glass.indexOfRefraction();
             transparency = glass.transparency();
             priority = glass.priority();
+        } else if (material instanceof Material.Scattering scattering && physical != null) {
+            bsdf = physical.bsdf();
+            indexOfRefraction = scattering.indexOfRefraction();
+            transparency = 1;
+            priority = scattering.priority();
         } else {
             bsdf = physical == null ? opaque(material) : physical.bsdf();
             indexOfRefraction = 1;
@@ -121,14 +136,17 @@ public final class SurfaceMaterial {
         other = second;
         checks = scale;
         bilinear = smooth;
-        isBlack = texture instanceof Texture.Solid && r == 0 && g == 0 && b == 0;
         PhysicalSurface p = physical == null ? PhysicalSurface.NONE : physical;
+        reradiation = p.reradiation();
+        isBlack = texture instanceof Texture.Solid && r == 0 && g == 0 && b == 0 && reradiation == null;
         look = physical == null ? "" : p.look() + " ";
         pane = p.pane();
+        medium = p.medium();
         glowR = p.glow().r();
         glowG = p.glow().g();
         glowB = p.glow().b();
-        glows = glowR > 0 || glowG > 0 || glowB > 0;
+        glowUltraviolet = p.ultraviolet();
+        glows = glowsVisibly() || glowUltraviolet > 0;
         glowsInside = p.glowsInside();
         absorptionR = p.absorption().r();
         absorptionG = p.absorption().g();
@@ -143,6 +161,11 @@ public final class SurfaceMaterial {
         }
         Rgb c = color.linear();
         return new double[] {c.r(), c.g(), c.b()};
+    }
+
+    /** Whether it emits visible light. */
+    boolean glowsVisibly() {
+        return glowR > 0 || glowG > 0 || glowB > 0;
     }
 
     /** The radiance that it emits. */
@@ -183,7 +206,7 @@ public final class SurfaceMaterial {
     }
 
     /**
-     * Multiplies light by what is left of it after a way through a solid of this material: Beer's law.
+     * Multiplies light by what is left of it after a straight way through a solid of this material: Beer's law.
      *
      * @param length of the way, in units of the frame
      * @param rgb light by band

@@ -99,10 +99,8 @@ public enum BuiltInMethod implements Method {
     @Override
     public boolean canRender(LightFeature feature) {
         return switch (feature) {
-            // No method follows light inside of media yet.
-            case SCATTERING -> false;
-            // No method takes light from one band to another yet.
-            case FLUORESCENCE -> false;
+            case SCATTERING -> this == RAYTRACE || this == CLUSTER || this == METROPOLIS;
+            case FLUORESCENCE -> true;
             // No method follows single wavelengths yet.
             case DISPERSION -> false;
             // No method knows other surroundings than constant ones yet.

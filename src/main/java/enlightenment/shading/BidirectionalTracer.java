@@ -94,7 +94,7 @@ public final class BidirectionalTracer implements Shader {
         eye.begin(ray);
         images.begin(ray);
         if (images.gather(sampler)) {
-            add(1, images.red, images.green, images.blue);
+            add(1, images.red, images.green, images.blue, 0);
         }
         while (step(sampler)) {}
         out[0] = red;
@@ -116,12 +116,13 @@ public final class BidirectionalTracer implements Shader {
     private boolean step(Sampler sampler) {
         switch (eye.next(sampler)) {
             case NOTHING:
-                add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
                 return false;
             case PASSED:
                 return true;
             case SURFACE:
                 glow();
+                eye.passDye();
                 break;
             case BORDER:
                 break;
@@ -140,8 +141,18 @@ public final class BidirectionalTracer implements Shader {
     }
 
     /** Adds light that comes to the last vertex of the path from the eye. */
-    private void add(double factor, double r, double g, double b) {
+    private void add(double factor, double r, double g, double b, double ultraviolet) {
         double scale = factor * eye.compression;
+        if (eye.mixes) {
+            double x = scale * eye.red * r;
+            double y = scale * eye.green * g;
+            double z = scale * eye.blue * b;
+            double u = scale * eye.ultraviolet * ultraviolet;
+            red += eye.mixing.of(0, x, y, z, u);
+            green += eye.mixing.of(1, x, y, z, u);
+            blue += eye.mixing.of(2, x, y, z, u);
+            return;
+        }
         red = Math.fma(scale * eye.red, r, red);
         green = Math.fma(scale * eye.green, g, green);
         blue = Math.fma(scale * eye.blue, b, blue);
@@ -157,7 +168,7 @@ public final class BidirectionalTracer implements Shader {
             // Light that is seen straight is found in this way alone.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
             weight *= images.weight();
-            add(weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB);
+            add(weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB, eye.glowing.glowUltraviolet);
         }
     }
 
@@ -165,7 +176,7 @@ public final class BidirectionalTracer implements Shader {
         int t = eye.vertices.size() + 1;
         if (lights.aim(sampler)) {
             double weight = watched(1, t, lights.weight);
-            add(weight, lights.red, lights.green, lights.blue);
+            add(weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
         }
         for (int k = 0; k < light.vertices.size(); k++) {
             if (light.vertices.bsdf(k) != null
@@ -213,13 +224,15 @@ public final class BidirectionalTracer implements Shader {
         double r = s.valueR * there.valueR * v.red(k) / d2;
         double g = s.valueG * there.valueG * v.green(k) / d2;
         double b = s.valueB * there.valueB * v.blue(k) / d2;
-        if (!(r > 0 || g > 0 || b > 0)) {
+        double u = s.valueB * there.valueB * v.ultraviolet(k) / d2;
+        if (!(r > 0 || g > 0 || b > 0 || u > 0)) {
             return;
         }
         segments.begin(eye.isBorder, here < 0);
         if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
             double weight = watched(k + 2, t, weight(k, here, beyond, d2));
-            add(weight, r * segments.rgb[0], g * segments.rgb[1], b * segments.rgb[2]);
+            double[] left = segments.rgb;
+            add(weight, r * left[0], g * left[1], b * left[2], u * left[2]);
         }
     }
 

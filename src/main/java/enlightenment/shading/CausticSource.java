@@ -49,6 +49,7 @@ final class CausticSource extends PathSource {
         red = weight * l.r;
         green = weight * l.g;
         blue = weight * l.b;
+        ultraviolet = weight * l.ultraviolet;
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }
 

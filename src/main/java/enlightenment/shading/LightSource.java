@@ -66,7 +66,7 @@ final class LightSource extends PathSource {
         cosine = 1;
         if (isBackground()) {
             fromBackground(numbers, ray);
-            weigh(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            weigh(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
         } else {
             PhysicalLight l = starts.lights[light];
             if (l.isPoint) {
@@ -74,17 +74,18 @@ final class LightSource extends PathSource {
             } else {
                 fromSurface(l, numbers, ray);
             }
-            weigh(l.r, l.g, l.b);
+            weigh(l.r, l.g, l.b, l.ultraviolet);
         }
-        return directionDensity > 0 && (red > 0 || green > 0 || blue > 0);
+        return directionDensity > 0 && (red > 0 || green > 0 || blue > 0 || ultraviolet > 0);
     }
 
-    private void weigh(double r, double g, double b) {
+    private void weigh(double r, double g, double b, double u) {
         directionDensity = starts.directionDensity(light, cosine);
         double weight = cosine / (probability * pointDensity * directionDensity);
         red = weight * r;
         green = weight * g;
         blue = weight * b;
+        ultraviolet = weight * u;
     }
 
     private void fromPoint(PhysicalLight l, double[] numbers, Ray ray) {

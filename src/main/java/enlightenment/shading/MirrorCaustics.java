@@ -55,6 +55,7 @@ final class MirrorCaustics {
 
     double green;
     double blue;
+    double ultraviolet;
 
     private MirrorCaustics(CompiledScene scene, RayCounters counters, PathFollower path) {
         mirrored = new MirroredLight(scene, counters, path.tracer);
@@ -88,6 +89,7 @@ final class MirrorCaustics {
         red = 0;
         green = 0;
         blue = 0;
+        ultraviolet = 0;
         // In a medium absorption counts as well: left to chance.
         if (!path.mayScatterTwice() || path.medium() != null) {
             return;
@@ -142,6 +144,7 @@ final class MirrorCaustics {
         red = Math.fma(f * s.valueR * mirrored.red, l.r, red);
         green = Math.fma(f * s.valueG * mirrored.green, l.g, green);
         blue = Math.fma(f * s.valueB * mirrored.blue, l.b, blue);
+        ultraviolet = Math.fma(f * s.valueB * mirrored.blue, l.ultraviolet, ultraviolet);
     }
 
     /** Tells the direction in which the path leaves the vertex that was gathered at, and its density per solid angle. */

@@ -30,13 +30,16 @@ public final class PathTracer implements Shader {
     private final MirrorCaustics mirrors;
 
     private final EyeImages images;
-    private final PathValue value = new PathValue();
+    private final PathValue value;
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
     private final boolean isAlbedo;
+
+    /** Follows paths through media that scatter light; null if there are none. */
+    private final RandomWalk walk;
 
     /** Whether a path ends where light has come to its first vertex straight. */
     private final boolean endsSoon;
@@ -63,6 +66,7 @@ public final class PathTracer implements Shader {
     }
 
     private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
+        value = new PathValue(BandMixing.of(scene.physical));
         isAlbedo = part == PathPart.ALBEDO;
         endsSoon = part == PathPart.DIRECT || part == PathPart.ALBEDO;
         value.isIndirect = part == PathPart.INDIRECT;
@@ -73,6 +77,7 @@ public final class PathTracer implements Shader {
         connections = new PathConnections(path.tracer);
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
+        walk = RandomWalk.of(physical, path, value, isAlbedo);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
         images = new EyeImages(scene, counters, path, part == PathPart.WHOLE || part == PathPart.DIRECT);
     }
@@ -85,7 +90,7 @@ public final class PathTracer implements Shader {
 
     @Override
     public boolean seesNothing() {
-        return path.tracer.seesNothing();
+        return path.tracer.seesNothing() && physical.around == null;
     }
 
     @Override
@@ -112,13 +117,11 @@ public final class PathTracer implements Shader {
     }
 
     /**
-     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first
-     * matte surface the light of lamps that nothing can hide there, or that are points. No random number has a part in it but the place
-     * on the film.
+     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first matte
+     * surface the light of lamps that nothing can hide there, or that are points. No random number but the place on the film has a part in it.
      *
      * @param out receives red, green and blue
-     * @return a hash of what was met on the way there, and of which lamps are hidden, in full view, or neither: two paths with the same
-     *     have met the same, but for one case in 2⁶⁴
+     * @return a hash of what was met on the way, and of which lamps are hidden, in full view, or neither: but for one case in 2⁶⁴ tells all
      */
     public long certain(double[] out) {
         return value.certain(out, path.key);
@@ -154,29 +157,45 @@ public final class PathTracer implements Shader {
     private void begin(Ray ray) {
         history.begin();
         address = 0;
-        if (mirrors != null) {
-            mirrors.begin();
-        }
+        forgetMirrors();
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
         images.begin(ray);
     }
 
+    private void forgetMirrors() {
+        if (mirrors != null) {
+            mirrors.begin();
+        }
+    }
+
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
         SurfaceMaterial medium = absorbs ? path.medium() : null;
-        PathFollower.Event event = path.next(ray);
+        PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, sampler);
+        if (event == null) {
+            return inMedium(ray, sampler);
+        }
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
             }
             return false;
         }
-        if (medium != null && medium.absorbs) {
+        if (medium != null && medium.absorbs && medium.medium == null) {
             value.absorb(medium, path.distance(ray));
         }
         return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
+    }
+
+    /** Where a medium scatters the path. */
+    private boolean inMedium(Ray ray, Sampler sampler) {
+        if (!mayScatter()) {
+            return false;
+        }
+        forgetMirrors();
+        return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
     }
 
     /** At an opaque surface. */
@@ -194,7 +213,7 @@ public final class PathTracer implements Shader {
             return value.endsWith(surface);
         }
         if (material.bsdf == Lambert.INSTANCE) {
-            return matte(ray, sampler);
+            return material.reradiation == null ? matte(ray, sampler) : fluorescent(ray, material, sampler);
         }
         return material.isDelta ? reflect(ray, material, sampler) : rough(ray, material, sampler);
     }
@@ -214,53 +233,50 @@ public final class PathTracer implements Shader {
 
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
-        double weight;
-        if (history.gathered) {
-            weight = light.weight(ray);
-        } else {
-            weight = history.scattered ? weightOfCaustic() : images.weight();
-        }
+        double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : images.weight();
         if (weight > 0 && material.glowsTo(path.hit.side)) {
-            value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
-            value.addCertain(material.glowR, material.glowG, material.glowB);
+            value.addEmission(material, weight);
         }
     }
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        if (hasCausticPass && history.scatteredFirst) {
-            return 0;
+        return hasCausticPass && history.scatteredFirst ? 0 : mirrors == null ? 1 : mirrors.weight();
+    }
+
+    /** Adds light that balls reflect to the surface if the eye sees this, or the first, in a mirror or through glass; returns whether it does. */
+    private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
+        if (mirrors == null || !history.isSeenByMirrors()) {
+            return false;
         }
-        return mirrors == null ? 1 : mirrors.weight();
-    }
-
-    /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
-    private boolean isSeenByMirrors() {
-        return mirrors != null && history.isSeenByMirrors();
-    }
-
-    /** Adds light that balls reflect to the surface. */
-    private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
-        mirrors.gather(bsdf, s, sampler, address);
-        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue);
+        mirrors.gather(bsdf, path.arrive(ray, surface), sampler, address);
+        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue, mirrors.ultraviolet);
+        return true;
     }
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
         if (cut != null && path.surfaces < 2) {
-            cutHere();
+            cut.note(path, surface, value);
         }
+        return lambertian(ray, sampler);
+    }
+
+    /** The same with a dye: a grey surface, and what light is worth from there on changes. */
+    private boolean fluorescent(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        if (cut != null && path.surfaces < 2) {
+            cut.noteLater(path, value);
+        }
+        return value.scatter(material.reradiation, surface) && lambertian(ray, sampler);
+    }
+
+    private boolean lambertian(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !history.scattered);
-        value.add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        value.addReflected(light, surface);
         if (value.certain) {
-            value.addCertain(
-                    surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             value.leaveToChance(path.key + light.views);
         }
-        boolean seen = isSeenByMirrors();
-        if (seen) {
-            gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
-        }
+        boolean seen = gatherMirrored(Lambert.INSTANCE, ray, sampler);
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
@@ -269,18 +285,6 @@ public final class PathTracer implements Shader {
         }
         history.leave(false);
         return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
-    }
-
-    /** Notes the first vertex of a path that may be shared, or cuts it at the second: from here on it is worth what leaves this. */
-    private void cutHere() {
-        // Counted with panes, which are no events: what is shared has come straight.
-        boolean isPlain = path.glass.isPlain();
-        if (path.surfaces == 0) {
-            cut.begin(path.hit, surface, isPlain);
-        } else if (cut.end(path.hit, isPlain)) {
-            value.get(cut.own);
-            value.beginPart();
-        }
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
@@ -298,11 +302,8 @@ public final class PathTracer implements Shader {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue);
-        boolean seen = isSeenByMirrors();
-        if (seen) {
-            gatherMirrored(material.bsdf, s, sampler);
-        }
+        value.add(light.red, light.green, light.blue, light.ultraviolet);
+        boolean seen = gatherMirrored(material.bsdf, ray, sampler);
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
@@ -333,9 +334,7 @@ public final class PathTracer implements Shader {
         address++;
         path.glass.choose(choice, pair);
         cross(ray);
-        if (mirrors != null) {
-            mirrors.begin();
-        }
+        forgetMirrors();
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
             // stays what it was.
@@ -352,7 +351,10 @@ public final class PathTracer implements Shader {
             history.gathered = true;
             light.left(path.glass.border.pdf);
         }
-        return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        boolean survives = walk == null
+                ? survives(surface[0], surface[1], surface[2], sampler)
+                : walk.survives(surface, sampler, history.events);
+        return survives && path.goesOn();
     }
 
     /** Crosses the border or is reflected; the surface's colour becomes the weight of that. */
@@ -382,7 +384,7 @@ public final class PathTracer implements Shader {
         path.filter(surface);
         path.turnTo(0);
         light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue);
+        value.add(light.red, light.green, light.blue, light.ultraviolet);
         return true;
     }
 

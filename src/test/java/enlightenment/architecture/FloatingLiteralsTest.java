@@ -59,6 +59,10 @@ class FloatingLiteralsTest {
             new Explained("compiled/PhysicalLight.java", "0.2126", "luminance of red (Rec. 709), a ratio"),
             new Explained("compiled/PhysicalLight.java", "0.7152", "luminance of green"),
             new Explained("compiled/PhysicalLight.java", "0.0722", "luminance of blue"),
+            new Explained("compiled/AlbedoInversion.java", "0.125", "an angle"),
+            new Explained("compiled/AlbedoInversion.java", "0x1p-10", "a ratio of albedos: where a series begins"),
+            new Explained("compiled/AlbedoInversion.java", "0.25", "a term of the series of the logarithm"),
+            new Explained("compiled/AlbedoInversion.java", "0.2", "a term of the series of the logarithm"),
             new Explained("sampling/SobolSampler.java", "0x1p-32", "32 bits to 0..1"),
             new Explained("compiled/CausticPass.java", "0.05", "the least cosine that powers are estimated with"),
             new Explained("shading/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),
@@ -66,6 +70,15 @@ class FloatingLiteralsTest {
             new Explained("shading/PathSampler.java", "0x1p-32", "32 bits to 0..1"),
             new Explained("shading/PathValue.java", "0.05", "roulette: a share of a path's throughput, a ratio"),
             new Explained("shading/PathValue.java", "0.99", "roulette: the largest probability to survive"),
+            new Explained("shading/RandomWalk.java", "0.1", "the least probability of a band of a flight"),
+            new Explained("shading/RandomWalk.java", "4", "units of the frame, in which every coordinate is below 2"),
+            new Explained("shading/RandomWalk.java", "0x1p100", "units of the frame: nothing comes back from there"),
+            new Explained(
+                    "compiled/HomogeneousMedium.java",
+                    "0x1p36",
+                    "mean free paths in the frame, in which every coordinate is below 2 and rounded to 2^-52"),
+            new Explained(
+                    "compiled/AlbedoInversion.java", "2.61188", "fit of Chiang et al. 2016 to an albedo, a ratio"),
             new Explained(
                     "shading/SubpathDensities.java", "0x1p-500", "a cosine that can be squared: no quotient of 0"),
             new Explained("numeric/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),

@@ -23,13 +23,13 @@ public final class PathTracer implements Shader {
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
+    private final EyeImages images;
     private final boolean absorbs;
     private final boolean hasCausticPass;
 
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
-    private final EyeImages images;
     private final PathValue value;
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;

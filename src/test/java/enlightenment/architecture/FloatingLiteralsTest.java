@@ -78,8 +78,6 @@ class FloatingLiteralsTest {
                     "0x1p36",
                     "mean free paths in the frame, in which every coordinate is below 2 and rounded to 2^-52"),
             new Explained(
-                    "compiled/AlbedoInversion.java", "2.61188", "fit of Chiang et al. 2016 to an albedo, a ratio"),
-            new Explained(
                     "shading/SubpathDensities.java", "0x1p-500", "a cosine that can be squared: no quotient of 0"),
             new Explained("numeric/Scale.java", "0x1p100", "brings a subnormal number into the normal range, exactly"),
             new Explained(

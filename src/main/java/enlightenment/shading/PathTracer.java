@@ -14,10 +14,9 @@ import java.util.function.BooleanSupplier;
 
 /**
  * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
- * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997).
- *
- * <p>What a path finds twice, by sampling a light and by running into it, is weighted so that both together count once
- * ({@link PathLight}). Nothing is clamped: the mean over paths is the solution. See docs/physical-light.md.
+ * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997). What a path finds
+ * twice, by sampling a light and by running into it, is weighted so that both together count once ({@link PathLight}). Nothing is
+ * clamped: the mean over paths is the solution. See docs/physical-light.md.
  */
 public final class PathTracer implements Shader {
     private final PhysicalScene physical;

@@ -96,6 +96,12 @@ final class PathFollower {
         }
     }
 
+    /** Starts a path of physical shading with a camera ray. */
+    void begin(Ray ray, Sampler sampler) {
+        drawWavelength(sampler);
+        begin(ray);
+    }
+
     /** Starts a path with a camera ray. */
     void begin(Ray ray) {
         counters.cameraRays++;

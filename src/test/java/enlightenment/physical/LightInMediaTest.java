@@ -146,8 +146,7 @@ class LightInMediaTest {
                 .object(ball(0.1, 0.9, -0.2, 0.6), matte(0.5, 0.5, 0.5))
                 .build();
         assertArrayEquals(
-                new float[3 * 4 * 4],
-                Renderer.render(scene, by(method, scene)).toArray());
+                new float[3 * 4 * 4], Renderer.render(scene, by(method, scene)).toArray());
     }
 
     static Stream<BuiltInMethod> methods() {

@@ -112,7 +112,8 @@ public final class PhysicalScene {
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
-        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
+        hasScattering =
+                around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().of(id, 0).absorbs);

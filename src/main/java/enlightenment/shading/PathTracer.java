@@ -174,6 +174,9 @@ public final class PathTracer implements Shader {
             return inMedium(ray, sampler);
         }
         if (event == PathFollower.Event.NOTHING) {
+            if (medium != null && medium == physical.around) {
+                value.absorb(medium, Double.MAX_VALUE);
+            }
             if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
                 value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);

@@ -75,7 +75,8 @@ public final class PhysicalScene {
     private final int[] lightOfFace;
 
     PhysicalScene(PhysicalShading shading, SceneFrame frame, CompiledPrimitives compiled, List<PhysicalLight> points) {
-        Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
+        around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
         backgroundG = background.g();
         backgroundB = background.b();
@@ -111,7 +112,6 @@ public final class PhysicalScene {
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        around = shading.medium().map(m -> around(m, frame)).orElse(null);
         hasScattering =
                 around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
@@ -129,6 +129,16 @@ public final class PhysicalScene {
         caustics = CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
+    }
+
+    /** What is left of the surroundings behind a medium that has no end: what it takes nothing of. */
+    private static Rgb seen(Rgb background, SurfaceMaterial around) {
+        if (around == null) {
+            return background;
+        }
+        double[] left = {background.r(), background.g(), background.b()};
+        around.absorb(Double.MAX_VALUE, left);
+        return new Rgb(left[0], left[1], left[2]);
     }
 
     private static SurfaceMaterial around(Medium medium, SceneFrame frame) {

@@ -98,11 +98,10 @@ final class MediaScenes {
     private static void fog(Map<String, SceneBuilder> scenes) {
         scenes.put("fog", foggy(FOG).light(LAMP).object(ball(-0.35, 0.45, -0.1, 0.42), PhysicalScenes.WHITE));
         scenes.put(
-                "fog with a mirror, glass and all lights",
+                "fog with a mirror and glass",
                 foggy(GREY_FOG)
                         .light(LAMP)
                         .light(panel(-0.5, 1.9, 0.2, 0.4, WARM, false))
-                        .light(POINT)
                         .object(ball(-0.45, 0.45, 0.1, 0.42), MIRROR)
                         .object(ball(0.45, 0.4, -0.3, 0.38), GLASS));
         scenes.put(

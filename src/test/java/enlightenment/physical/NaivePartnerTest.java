@@ -41,7 +41,7 @@ class NaivePartnerTest {
                 "checkered metal, mirror and glass",
                 "glowing disk and triangle",
                 "glowing tubes",
-                "fog with a mirror, glass and all lights",
+                "fog with a mirror and glass",
                 "half of glass",
                 "lights of all kinds",
                 "many lights of all kinds",

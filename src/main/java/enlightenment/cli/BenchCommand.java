@@ -98,8 +98,8 @@ final class BenchCommand extends Subcommand {
     private boolean lines(List<Bench> all, String name, Scene scene) {
         MethodList able = methods == null ? MethodList.oursFor(scene) : methods;
         for (Method method : able.methods()) {
-            boolean renders = method.shadings().contains(scene.shading().model());
-            if (renders && !line(all, name, scene, RenderSettings.of(scene).withMethod(method))) {
+            if (Method.supports(method, scene)
+                    && !line(all, name, scene, RenderSettings.of(scene).withMethod(method))) {
                 return false;
             }
         }

@@ -10,10 +10,12 @@ import picocli.CommandLine.ITypeConverter;
 
 /** Methods to compare, each at most once. */
 record MethodList(List<Method> methods) {
-    /** Those of this program that can render a scene; others want to be named. */
+    /** Those of this program that can render a scene; others want to be named. All for its shading if none can, for whoever says why. */
     static MethodList oursFor(Scene scene) {
-        return new MethodList(
-                List.copyOf(BuiltInMethod.rendering(scene.shading().model())));
+        List<Method> ours = List.copyOf(BuiltInMethod.rendering(scene.shading().model()));
+        List<Method> able =
+                ours.stream().filter(method -> Method.supports(method, scene)).toList();
+        return new MethodList(able.isEmpty() ? ours : able);
     }
 
     /** As it is typed: {@code raytrace,cluster}. */

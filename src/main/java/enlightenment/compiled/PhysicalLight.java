@@ -85,6 +85,16 @@ public final class PhysicalLight extends LightBody {
         return form == null ? null : new PhysicalLight(Place.of(p, form), form, p, id, face, radiance);
     }
 
+    /**
+     * Whether a face lies in the plane of the light, which is flat, or of a part of it: then no point of the face has light from it. Rounding
+     * puts points of the face above or below that plane, where the light would fill half of their sky.
+     */
+    public boolean isInPlaneWith(int otherId, int otherFace) {
+        return isFlat
+                && (id == otherId && face == otherFace
+                        || !lyingOn().isEmpty() && lyingOn().has(otherId, otherFace));
+    }
+
     /** Luminance of radiance or intensity. */
     double luminance() {
         return 0.2126 * r + 0.7152 * g + 0.0722 * b;

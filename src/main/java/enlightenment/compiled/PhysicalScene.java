@@ -5,6 +5,7 @@ import enlightenment.color.Rgb;
 import enlightenment.emitter.LightPicker;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
+import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -53,7 +54,7 @@ public final class PhysicalScene {
     private final int[] lightOfFace;
 
     PhysicalScene(PhysicalShading shading, CompiledPrimitives compiled, List<PhysicalLight> points) {
-        Rgb background = shading.background();
+        Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
         backgroundR = background.r();
         backgroundG = background.g();
         backgroundB = background.b();

@@ -17,6 +17,7 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Display;
+import enlightenment.scene.LightFeature;
 import enlightenment.scene.Method;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
@@ -31,6 +32,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Function;
 
 /** Builds from a scene only what it requires. */
@@ -225,11 +227,19 @@ public final class SceneCompiler {
         Features(Scene scene, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
             if (scene.shading() instanceof ClassicShading shading) {
                 addClassic(scene, shading, surfaces);
+            } else {
+                addMatter(LightFeature.of(scene).keySet());
             }
             add(
                     withBvh,
                     "bounding volume hierarchy over " + scene.objects().size() + " primitives",
                     "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
+        }
+
+        private void addMatter(Set<LightFeature> asked) {
+            for (LightFeature feature : LightFeature.values()) {
+                add(asked.contains(feature), feature.description(), feature.description());
+            }
         }
 
         private void addClassic(Scene scene, ClassicShading shading, Iterable<SurfaceMaterial> surfaces) {

@@ -55,10 +55,10 @@ public final class SurfaceMaterial {
     public final boolean absorbs;
 
     /** How much it absorbs per unit of length of the frame, by band. */
-    public final double absorptionR;
+    private final double absorptionR;
 
-    public final double absorptionG;
-    public final double absorptionB;
+    private final double absorptionG;
+    private final double absorptionB;
 
     /** What a pane of it, which encloses no volume, does with light; null unless it is glass of physical shading. */
     public final ThinDielectric pane;
@@ -180,6 +180,18 @@ public final class SurfaceMaterial {
         rgb[0] = r;
         rgb[1] = g;
         rgb[2] = b;
+    }
+
+    /**
+     * Multiplies light by what is left of it after a way through a solid of this material: Beer's law.
+     *
+     * @param length of the way, in units of the frame
+     * @param rgb light by band
+     */
+    public void absorb(double length, double[] rgb) {
+        rgb[0] *= StrictMath.exp(-absorptionR * length);
+        rgb[1] *= StrictMath.exp(-absorptionG * length);
+        rgb[2] *= StrictMath.exp(-absorptionB * length);
     }
 
     /**

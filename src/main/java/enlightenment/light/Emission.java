@@ -1,5 +1,6 @@
 package enlightenment.light;
 
+import enlightenment.check.Check;
 import enlightenment.color.Rgb;
 import java.util.Objects;
 
@@ -9,8 +10,10 @@ import java.util.Objects;
  *
  * @param quantity what the number measures
  * @param value the number, for each band
+ * @param ultraviolet the same quantity of the band of the near ultraviolet (300 to 400 nm), without the light's colour; only fluorescent
+ *     surfaces show it
  */
-public record Emission(Quantity quantity, Rgb value) {
+public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
     /** What the number measures. */
     public enum Quantity {
         /** Radiance, W/(m² sr): how bright the surface looks from everywhere it shines to. */
@@ -29,10 +32,25 @@ public record Emission(Quantity quantity, Rgb value) {
     /** Intensity 1. */
     public static final Emission INTENSITY_1 = intensity(Rgb.WHITE);
 
-    /** Checks that nothing is missing. */
+    /**
+     * Checks that nothing is missing.
+     *
+     * @throws enlightenment.math.InvalidValueException (key {@code ultraviolet}) if that is negative or not finite
+     */
     public Emission {
         Objects.requireNonNull(quantity, "quantity");
         Objects.requireNonNull(value, "value");
+        Check.notNegative("ultraviolet", ultraviolet);
+    }
+
+    /** Visible light alone. */
+    public Emission(Quantity quantity, Rgb value) {
+        this(quantity, value, 0);
+    }
+
+    /** The same with as much ultraviolet light. */
+    public Emission withUltraviolet(double amount) {
+        return new Emission(quantity, value, amount);
     }
 
     /** This radiance. */

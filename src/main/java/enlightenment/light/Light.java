@@ -29,6 +29,11 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         return color().linear().times(emission().value());
     }
 
+    /** What it gives in the near ultraviolet (300 to 400 nm), in the quantity of its {@link #emission}, whatever its colour is. */
+    default double ultraviolet() {
+        return emission().ultraviolet();
+    }
+
     /** The name of this kind of light in the scene format, such as {@code "sphere"}. */
     String type();
 

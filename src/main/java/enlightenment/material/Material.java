@@ -4,28 +4,47 @@ import enlightenment.check.Check;
 import enlightenment.color.Rgb;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * What a surface does with light: an immutable description. Classic shading ignores what only physical shading knows of a
- * material: roughness, absorption, radiance.
+ * material: roughness, absorption, dispersion, radiance.
  *
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range, and {@link NullPointerException} for a missing one. A colour may not reflect more than it receives: no linear component
  * is above 1.
  */
-public sealed interface Material permits Material.Matte, Material.Mirror, Material.Glossy, Material.Glass {
+public sealed interface Material
+        permits Material.Matte,
+                Material.Mirror,
+                Material.Glossy,
+                Material.Glass,
+                Material.Scattering,
+                Material.Fluorescent {
 
     /** The surface's colour; for a mirror or glass, the filter that is multiplied onto what is seen in or through it. */
     Texture color();
 
     /** Whether shadows show on the surface (false is the paper's {@code noShadow}, which physical shading does not have). */
-    boolean receivesShadows();
+    default boolean receivesShadows() {
+        return true;
+    }
 
     /**
      * The radiance with which the surface glows by itself, to both of its sides, in physical shading: the object is a light then.
-     * Black for glass: only what is opaque glows.
+     * Black for glass and media: only what is opaque glows.
      */
-    Rgb radiance();
+    default Rgb radiance() {
+        return Rgb.BLACK;
+    }
+
+    /**
+     * The radiance with which it glows in the near ultraviolet (300 to 400 nm), in the unit of {@link #radiance}, to both of its
+     * sides. Only fluorescent surfaces show it.
+     */
+    default double ultraviolet() {
+        return 0;
+    }
 
     /** The name of this kind of material in the scene format, such as {@code "matte"}. */
     String type();
@@ -38,13 +57,21 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
      * @param roughness of its microscopic surface, 0 (Lambert) to 1 (Portsmouth, Kutz and Hill, "EON: a practical
      *     energy-preserving rough diffuse BRDF", 2025)
      * @param radiance see {@link Material#radiance}
+     * @param ultraviolet see {@link Material#ultraviolet}
      */
-    record Matte(Texture color, boolean receivesShadows, double roughness, Rgb radiance) implements Material {
+    record Matte(Texture color, boolean receivesShadows, double roughness, Rgb radiance, double ultraviolet)
+            implements Material {
         /** Validates the components, as {@link Material} states. */
         public Matte {
             Reflectance.check(color);
             Check.range("roughness", roughness, 0, 1);
             Objects.requireNonNull(radiance, "radiance");
+            Check.notNegative("ultraviolet", ultraviolet);
+        }
+
+        /** A surface that glows, if at all, in visible light alone. */
+        public Matte(Texture color, boolean receivesShadows, double roughness, Rgb radiance) {
+            this(color, receivesShadows, roughness, radiance, 0);
         }
 
         /** A Lambertian surface that does not glow. */
@@ -59,12 +86,12 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
 
         /** The same surface with another roughness. */
         public Matte withRoughness(double value) {
-            return new Matte(color, receivesShadows, value, radiance);
+            return new Matte(color, receivesShadows, value, radiance, ultraviolet);
         }
 
         /** The same surface with another radiance. */
         public Matte withRadiance(Rgb value) {
-            return new Matte(color, receivesShadows, roughness, value);
+            return new Matte(color, receivesShadows, roughness, value, ultraviolet);
         }
 
         @Override
@@ -79,12 +106,19 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
      * @param color what is multiplied onto the reflected colour
      * @param receivesShadows has no effect: a mirror shows no shadows of its own
      * @param radiance see {@link Material#radiance}
+     * @param ultraviolet see {@link Material#ultraviolet}
      */
-    record Mirror(Texture color, boolean receivesShadows, Rgb radiance) implements Material {
+    record Mirror(Texture color, boolean receivesShadows, Rgb radiance, double ultraviolet) implements Material {
         /** Validates the components, as {@link Material} states. */
         public Mirror {
             Reflectance.check(color);
             Objects.requireNonNull(radiance, "radiance");
+            Check.notNegative("ultraviolet", ultraviolet);
+        }
+
+        /** A mirror that glows, if at all, in visible light alone. */
+        public Mirror(Texture color, boolean receivesShadows, Rgb radiance) {
+            this(color, receivesShadows, radiance, 0);
         }
 
         /** A mirror that does not glow. */
@@ -113,9 +147,15 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
      * @param conductor the optical constants; empty for Schlick's term
      * @param multipleScattering whether light that meets several facets is counted; without it, rough surfaces are too dark
      * @param radiance see {@link Material#radiance}
+     * @param ultraviolet see {@link Material#ultraviolet}
      */
     record Glossy(
-            Texture color, double roughness, Optional<Conductor> conductor, boolean multipleScattering, Rgb radiance)
+            Texture color,
+            double roughness,
+            Optional<Conductor> conductor,
+            boolean multipleScattering,
+            Rgb radiance,
+            double ultraviolet)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Glossy {
@@ -123,6 +163,17 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
             Check.range("roughness", roughness, 0, 1);
             Objects.requireNonNull(conductor, "conductor");
             Objects.requireNonNull(radiance, "radiance");
+            Check.notNegative("ultraviolet", ultraviolet);
+        }
+
+        /** A surface that glows, if at all, in visible light alone. */
+        public Glossy(
+                Texture color,
+                double roughness,
+                Optional<Conductor> conductor,
+                boolean multipleScattering,
+                Rgb radiance) {
+            this(color, roughness, conductor, multipleScattering, radiance, 0);
         }
 
         /** A surface with Schlick's Fresnel term and multiple scattering that does not glow. */
@@ -133,11 +184,6 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
         /** A metal of these optical constants and this filter colour, with multiple scattering. */
         public static Glossy metal(Texture color, Conductor conductor, double roughness) {
             return new Glossy(color, roughness, Optional.of(conductor), true, Rgb.BLACK);
-        }
-
-        @Override
-        public boolean receivesShadows() {
-            return true;
         }
 
         @Override
@@ -176,6 +222,8 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
      * @param absorption the share that is lost per scene unit inside the solid, for small shares: light decays by exp(−absorption ·
      *     length) (Beer and Lambert)
      * @param multipleScattering whether light that meets several facets of a rough surface is counted
+     * @param dispersion Abbe's number (n_d − 1) / (n_F − n_C) of the glass, greater than 0, whose n_d is the index of refraction: 60
+     *     of crown glass, 36 of flint glass; the less, the more colours part (Cauchy's formula of two terms). Empty: it refracts all wavelengths alike
      */
     record Glass(
             Texture color,
@@ -185,7 +233,8 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
             boolean receivesShadows,
             double roughness,
             Rgb absorption,
-            boolean multipleScattering)
+            boolean multipleScattering,
+            OptionalDouble dispersion)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Glass {
@@ -194,6 +243,31 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
             Check.range("transparency", transparency, 0, 1);
             Check.range("roughness", roughness, 0, 1);
             Objects.requireNonNull(absorption, "absorption");
+            if (dispersion.isPresent()) {
+                Check.positive("dispersion", dispersion.getAsDouble());
+            }
+        }
+
+        /** Glass that refracts all wavelengths alike. */
+        public Glass(
+                Texture color,
+                double indexOfRefraction,
+                double transparency,
+                int priority,
+                boolean receivesShadows,
+                double roughness,
+                Rgb absorption,
+                boolean multipleScattering) {
+            this(
+                    color,
+                    indexOfRefraction,
+                    transparency,
+                    priority,
+                    receivesShadows,
+                    roughness,
+                    absorption,
+                    multipleScattering,
+                    OptionalDouble.empty());
         }
 
         /** Smooth glass that absorbs nothing. */
@@ -209,38 +283,115 @@ public sealed interface Material permits Material.Matte, Material.Mirror, Materi
 
         /** The same glass with another roughness. */
         public Glass withRoughness(double value) {
-            return new Glass(
-                    color,
-                    indexOfRefraction,
-                    transparency,
-                    priority,
-                    receivesShadows,
-                    value,
-                    absorption,
-                    multipleScattering);
+            return with(value, absorption, dispersion);
         }
 
         /** The same glass that absorbs this per scene unit. */
         public Glass withAbsorption(Rgb value) {
+            return with(roughness, value, dispersion);
+        }
+
+        /** The same glass with this Abbe number. */
+        public Glass withDispersion(double value) {
+            return with(roughness, absorption, OptionalDouble.of(value));
+        }
+
+        private Glass with(double rough, Rgb absorbed, OptionalDouble abbe) {
             return new Glass(
                     color,
                     indexOfRefraction,
                     transparency,
                     priority,
                     receivesShadows,
-                    roughness,
-                    value,
-                    multipleScattering);
-        }
-
-        @Override
-        public Rgb radiance() {
-            return Rgb.BLACK;
+                    rough,
+                    absorbed,
+                    multipleScattering,
+                    abbe);
         }
 
         @Override
         public String type() {
             return "glass";
+        }
+    }
+
+    /**
+     * A solid that light enters and is scattered in, such as wax, milk, marble or skin. Only physical shading has it.
+     *
+     * @param medium what is inside
+     * @param indexOfRefraction of the medium, greater than 0; with 1 there is no border that reflects or turns light
+     * @param roughness of the border, 0 (smooth) to 1; the parameter alpha of the distribution GGX is its square
+     * @param priority as that of {@link Glass}
+     */
+    record Scattering(Medium medium, double indexOfRefraction, double roughness, int priority) implements Material {
+        private static final Texture WHITE = Texture.of(Rgb.WHITE);
+
+        /** Validates the components, as {@link Material} states. */
+        public Scattering {
+            Objects.requireNonNull(medium, "medium");
+            Check.positive("indexOfRefraction", indexOfRefraction);
+            Check.range("roughness", roughness, 0, 1);
+        }
+
+        /** A medium without a border that reflects, priority 0. */
+        public static Scattering of(Medium medium) {
+            return new Scattering(medium, 1, 0, 0);
+        }
+
+        /** White: what passes the border is not filtered. What colour it seems to have is a matter of its medium. */
+        @Override
+        public Texture color() {
+            return WHITE;
+        }
+
+        @Override
+        public String type() {
+            return "scattering";
+        }
+    }
+
+    /**
+     * A Lambertian surface with a dye that takes in light of one band of wavelengths and gives some of it back in another, longer
+     * ones. Only physical shading has it.
+     *
+     * @param color its reflectance: what is given back unchanged
+     * @param absorption the wavelengths that the dye absorbs of what is not reflected
+     * @param emission the wavelengths that it emits; never shorter ones than it took in (Stokes)
+     * @param yield the photons that it emits for each that it absorbs, 0..1
+     * @param radiance see {@link Material#radiance}
+     * @param ultraviolet see {@link Material#ultraviolet}
+     */
+    record Fluorescent(
+            Texture color,
+            WavelengthBand absorption,
+            WavelengthBand emission,
+            double yield,
+            Rgb radiance,
+            double ultraviolet)
+            implements Material {
+        /** Validates the components, as {@link Material} states. */
+        public Fluorescent {
+            Reflectance.check(color);
+            Objects.requireNonNull(absorption, "absorption");
+            Objects.requireNonNull(emission, "emission");
+            Check.that(
+                    emission.high() > absorption.low(),
+                    "emission",
+                    "must reach beyond the shortest wavelength of \"absorption\": what is emitted is never shorter than"
+                            + " what was absorbed");
+            Check.range("yield", yield, 0, 1);
+            Objects.requireNonNull(radiance, "radiance");
+            Check.notNegative("ultraviolet", ultraviolet);
+        }
+
+        /** A surface that does not glow by itself. */
+        public Fluorescent(Texture color, WavelengthBand absorption, WavelengthBand emission, double yield) {
+            this(color, absorption, emission, yield, Rgb.BLACK, 0);
+        }
+
+        @Override
+        public String type() {
+            return "fluorescent";
         }
     }
 }

@@ -19,7 +19,8 @@ final class Reflectance {
         }
     }
 
-    private static void check(Color color) {
+    /** The same of one colour. */
+    static void check(Color color) {
         if (color instanceof Rgb light) {
             Check.that(
                     light.max() <= 1,

@@ -142,7 +142,7 @@ public final class Renderer {
         known.add(settings.method());
         List<Sight> methods = new ArrayList<>();
         for (Method method : known) {
-            if (method.shadings().contains(scene.shading().model())) {
+            if (Method.supports(method, scene)) {
                 methods.add(new Sight(
                         method,
                         Integrators.blindSpot(method, compiled),
@@ -183,7 +183,7 @@ public final class Renderer {
      * @param expectedMemoryBytes estimate of the memory for the compiled scene and the picture
      * @param hints what is surely not meant, such as a camera inside a solid, each with its place, and what the method cannot see;
      *     empty for a scene that makes sense
-     * @param methods the methods that can render the scene's shading, in the order of {@link Method#all}
+     * @param methods the methods that can render the scene, in the order of {@link Method#all}
      */
     public record Inspection(
             List<String> modelled,

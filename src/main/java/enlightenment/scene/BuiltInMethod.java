@@ -97,6 +97,20 @@ public enum BuiltInMethod implements Method {
     }
 
     @Override
+    public boolean canRender(LightFeature feature) {
+        return switch (feature) {
+            // No method follows light inside of media yet.
+            case SCATTERING -> false;
+            // No method takes light from one band to another yet.
+            case FLUORESCENCE -> false;
+            // No method follows single wavelengths yet.
+            case DISPERSION -> false;
+            // No method knows other surroundings than constant ones yet.
+            case SURROUNDINGS -> false;
+        };
+    }
+
+    @Override
     public List<MethodSetting> settings() {
         return settings;
     }

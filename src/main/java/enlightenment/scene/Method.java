@@ -51,6 +51,9 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
     /** What it can render; at least one. */
     Set<Shading.Model> shadings();
 
+    /** Whether it can render scenes of physical shading that ask for this. */
+    boolean canRender(LightFeature feature);
+
     /** Its settings, each with its key, its range and its default, in the order in which they are told. */
     List<MethodSetting> settings();
 
@@ -130,6 +133,12 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
         return settings(standIn.isPresent() ? List.of(method, standIn.get()) : List.of(method));
     }
 
+    /** Whether a method can render a scene, all of what it asks for. */
+    static boolean supports(Method method, Scene scene) {
+        return method.shadings().contains(scene.shading().model())
+                && LightFeature.of(scene).keySet().stream().allMatch(method::canRender);
+    }
+
     /**
      * Fails unless a method can render a scene.
      *
@@ -137,15 +146,30 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
      */
     static void requireSupport(Method method, Scene scene) {
         Shading.Model model = scene.shading().model();
-        if (method.shadings().contains(model)) {
-            return;
+        if (!method.shadings().contains(model)) {
+            throw SceneException.of(
+                    "/shading/model",
+                    "the method " + method.word() + " cannot render " + model.word() + " shading, only "
+                            + Shading.Model.words(method.shadings()) + "; "
+                            + able(words(all().stream()
+                                    .filter(m -> m.shadings().contains(model))
+                                    .toList())));
         }
-        List<String> able =
-                words(all().stream().filter(m -> m.shadings().contains(model)).toList());
-        throw SceneException.of(
-                "/shading/model",
-                "the method " + method.word() + " cannot render " + model.word() + " shading, only "
-                        + Shading.Model.words(method.shadings()) + "; "
-                        + (able.isEmpty() ? "no method can yet" : "what can: " + String.join(", ", able)));
+        Map<LightFeature, String> asked = LightFeature.of(scene);
+        for (Map.Entry<LightFeature, String> entry : asked.entrySet()) {
+            if (!method.canRender(entry.getKey())) {
+                throw SceneException.of(
+                        entry.getValue(),
+                        "the method " + method.word() + " cannot render "
+                                + entry.getKey().description() + "; "
+                                + able(words(all().stream()
+                                        .filter(m -> asked.keySet().stream().allMatch(m::canRender))
+                                        .toList())));
+            }
+        }
+    }
+
+    private static String able(List<String> words) {
+        return words.isEmpty() ? "no method can yet" : "what can: " + String.join(", ", words);
     }
 }

@@ -60,6 +60,12 @@ public abstract non-sealed class MethodExtension implements Method {
         return shadings;
     }
 
+    /** False, unless a subclass says otherwise: what follows light has to know what light may do. */
+    @Override
+    public boolean canRender(LightFeature feature) {
+        return false;
+    }
+
     @Override
     public final List<MethodSetting> settings() {
         return settings;

@@ -80,6 +80,7 @@ public record Scene(
             }
         }
         fit.throwIfAny();
+        fit.requireTogether();
         fit.require(camera);
     }
 

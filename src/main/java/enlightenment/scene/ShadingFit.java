@@ -19,6 +19,12 @@ final class ShadingFit {
     /** What is wrong, by its place. */
     private final Map<String, String> found = new LinkedHashMap<>();
 
+    /** Where the first glass that disperses light stands; null if there is none. */
+    private String glass;
+
+    /** Where the first fluorescent surface stands; null if there is none. */
+    private String dye;
+
     ShadingFit(Shading shading, Map<String, Material> named) {
         this.model = shading.model();
         this.named = named;
@@ -47,26 +53,53 @@ final class ShadingFit {
     }
 
     private void look(Material material, String place) {
-        if (model == Shading.Model.CLASSIC && material instanceof Material.Glossy) {
+        LightFeature feature = model == Shading.Model.PHYSICAL ? LightFeature.of(material) : null;
+        if (feature == LightFeature.DISPERSION && glass == null) {
+            glass = placeOf(named, material, place);
+        } else if (feature == LightFeature.FLUORESCENCE && dye == null) {
+            dye = placeOf(named, material, place);
+        }
+        if (model == Shading.Model.CLASSIC && needsPhysical(material)) {
             found.putIfAbsent(
-                    placeOf(material, place) + "/type",
-                    "\"glossy\" needs \"shading\": {\"model\": \"physical\"}; classic shading has \"matte\", \"mirror\" and"
-                            + " \"glass\"");
+                    placeOf(named, material, place) + "/type",
+                    "\"" + material.type() + "\" needs \"shading\": {\"model\": \"physical\"}; classic shading has"
+                            + " \"matte\", \"mirror\" and \"glass\"");
         } else if (model == Shading.Model.PHYSICAL && !material.receivesShadows()) {
             found.putIfAbsent(
-                    placeOf(material, place) + "/receivesShadows",
+                    placeOf(named, material, place) + "/receivesShadows",
                     "must be true in physical shading: what stands in the way of light takes it from every surface alike");
         }
     }
 
+    private static boolean needsPhysical(Material material) {
+        return material instanceof Material.Glossy
+                || material instanceof Material.Scattering
+                || material instanceof Material.Fluorescent;
+    }
+
     /** Where a material stands: with its name, if it has one. */
-    private String placeOf(Material material, String place) {
+    static String placeOf(Map<String, Material> named, Material material, String place) {
         for (Map.Entry<String, Material> entry : named.entrySet()) {
             if (Objects.equals(entry.getValue(), material)) {
                 return "materials/" + entry.getKey().replace("~", "~0").replace("/", "~1");
             }
         }
         return place;
+    }
+
+    /**
+     * Fails if the objects ask for what cannot be had together.
+     *
+     * @throws InvalidValueException at the place of the glass; its text names the other one
+     */
+    void requireTogether() {
+        if (glass != null && dye != null) {
+            throw new InvalidValueException(
+                    glass + "/dispersion",
+                    "cannot stand together with a fluorescent surface (/" + dye
+                            + "): dispersion follows single wavelengths,"
+                            + " fluorescence bands of them; leave one of the two out");
+        }
     }
 
     /**

@@ -110,7 +110,7 @@ final class BidirectionalLights {
             return false;
         }
         PhysicalLight l = physical.lights[choice.light];
-        if (isIn(l)) {
+        if (l.isInPlaneWith(eye.path.id, hit.face)) {
             return false;
         }
         counters.lightSamples++;
@@ -124,8 +124,7 @@ final class BidirectionalLights {
         eye.bsdf.evaluate(s);
         shadow.isFiltered = false;
         if (eye.isBorder) {
-            boolean passes = turn(s);
-            shadow.beginAtBorder(passes);
+            shadow.beginAtBorder(Optics.turn(s, eye.color));
         } else {
             shadow.begin();
         }
@@ -142,13 +141,6 @@ final class BidirectionalLights {
         }
         weigh(l, density);
         return true;
-    }
-
-    /** A vertex in the plane of a flat light: rounding puts it above or below. */
-    private boolean isIn(PhysicalLight l) {
-        return l.isFlat
-                && (l.id == eye.path.id && l.face == eye.path.hit.face
-                        || !l.lyingOn().isEmpty() && l.lyingOn().has(eye.path.id, eye.path.hit.face));
     }
 
     /** Samples a point of the light; returns its density per solid angle or, of a point light, the squared distance. */
@@ -185,21 +177,5 @@ final class BidirectionalLights {
                         * eye.densities.behind(eye.survival * eye.reverse.of(eye.bsdf, s))
                 : 0;
         weight = SubpathDensities.weight(ofLight, ofEye);
-    }
-
-    /**
-     * Turns the value of a rough border into that of radiance.
-     *
-     * @return whether the direction passes the border
-     */
-    boolean turn(Scattering s) {
-        boolean passes = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0;
-        if (passes) {
-            double compression = s.eta * s.eta;
-            s.valueR *= compression * eye.color[0];
-            s.valueG *= compression * eye.color[1];
-            s.valueB *= compression * eye.color[2];
-        }
-        return passes;
     }
 }

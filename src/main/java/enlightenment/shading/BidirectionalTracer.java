@@ -188,7 +188,7 @@ public final class BidirectionalTracer implements Shader {
         }
         eye.bsdf.evaluate(s);
         if (eye.isBorder) {
-            lights.turn(s);
+            Optics.turn(s, eye.color);
         }
         bsdf.evaluate(there);
         if (beyond < 0) {

@@ -83,9 +83,7 @@ final class EyeConnection {
         if (!path.tracer.occluded(ray, 1)) {
             SurfaceMaterial medium = absorbs ? path.medium(isBeyond) : null;
             if (medium != null && medium.absorbs) {
-                through[0] = StrictMath.exp(-medium.absorptionR * length);
-                through[1] = StrictMath.exp(-medium.absorptionG * length);
-                through[2] = StrictMath.exp(-medium.absorptionB * length);
+                medium.absorb(length, through);
             }
             return false;
         }

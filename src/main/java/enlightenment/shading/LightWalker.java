@@ -177,11 +177,9 @@ abstract class LightWalker {
             return false;
         }
         if (medium != null && medium.absorbs) {
-            double length = path.distance(ray);
-            filter(
-                    StrictMath.exp(-medium.absorptionR * length),
-                    StrictMath.exp(-medium.absorptionG * length),
-                    StrictMath.exp(-medium.absorptionB * length));
+            Arrays.fill(surface, 1);
+            medium.absorb(path.distance(ray), surface);
+            filter(surface[0], surface[1], surface[2]);
         }
         boolean isGlass = event == PathFollower.Event.GLASS;
         if (isGlass) {

@@ -19,6 +19,24 @@ final class Optics {
         s.nz = hit.nz * hit.side;
     }
 
+    /**
+     * Turns what a rough border of two media does to light into what it does to radiance, if the direction to the light passes the border.
+     *
+     * @param s the border; its value is changed
+     * @param tint of what passes, by band
+     * @return whether the direction passes the border
+     */
+    static boolean turn(Scattering s, double[] tint) {
+        boolean passes = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0;
+        if (passes) {
+            double compression = s.eta * s.eta;
+            s.valueR *= compression * tint[0];
+            s.valueG *= compression * tint[1];
+            s.valueB *= compression * tint[2];
+        }
+        return passes;
+    }
+
     /** Lets the ray leave in the direction that was sampled. */
     static void leave(Ray ray, Hit hit, Scattering s) {
         ray.set(hit.px, hit.py, hit.pz, s.ix, s.iy, s.iz, 0).from(hit.primitive, s.transmitted ? -hit.side : hit.side);

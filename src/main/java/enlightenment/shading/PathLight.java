@@ -133,7 +133,7 @@ final class PathLight {
 
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (isIn(l)) {
+        if (l.isInPlaneWith(path.id, hit.face)) {
             return;
         }
         shadow.isFiltered = false;
@@ -165,16 +165,6 @@ final class PathLight {
             green = Math.fma(g, l.g, green);
             blue = Math.fma(b, l.b, blue);
         }
-    }
-
-    /**
-     * Whether the vertex lies in the plane of a flat light, or of a part of it. Rounding puts it above or below: the light would fill half of
-     * its sky.
-     */
-    private boolean isIn(PhysicalLight l) {
-        return l.isFlat
-                && (l.id == path.id && l.face == hit.face
-                        || !l.lyingOn().isEmpty() && l.lyingOn().has(path.id, hit.face));
     }
 
     private boolean choose(Sampler sampler, int address) {
@@ -292,7 +282,7 @@ final class PathLight {
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (isIn(l)) {
+        if (l.isInPlaneWith(path.id, hit.face)) {
             return;
         }
         shadow.isFiltered = false;
@@ -315,23 +305,11 @@ final class PathLight {
         s.iz = sample.dz;
         bsdf.evaluate(s);
         if (through != null) {
-            turn(s);
+            shadow.beginAtBorder(Optics.turn(s, through));
         }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double f = (l.isPoint ? 1 : PowerHeuristic.weight(s.pdf, probability * density)) / (probability * density);
             add(l, f * s.valueR, f * s.valueG, f * s.valueB);
-        }
-    }
-
-    /** Turns to the side of a border that a direction leads to. */
-    private void turn(Scattering s) {
-        boolean passes = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0;
-        shadow.beginAtBorder(passes);
-        if (passes) {
-            double compression = s.eta * s.eta;
-            s.valueR *= compression * through[0];
-            s.valueG *= compression * through[1];
-            s.valueB *= compression * through[2];
         }
     }
 

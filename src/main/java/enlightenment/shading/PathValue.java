@@ -3,6 +3,7 @@ package enlightenment.shading;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
+import java.util.Arrays;
 
 /**
  * What a path from the eye has gathered, and how much of what is still to come counts: its throughput. Of both, the part that is not left
@@ -36,6 +37,8 @@ final class PathValue {
 
     /** Radiance at the eye per radiance here, where the index of refraction is another one. */
     private double compression;
+
+    private final double[] transmittance = new double[3];
 
     /** The index of refraction of the medium that the eye is in. */
     private double firstIndex;
@@ -178,9 +181,9 @@ final class PathValue {
 
     /** The same by Beer and Lambert's law, on the way to what the path has come to. */
     void absorb(SurfaceMaterial medium, double length) {
-        throughputR *= StrictMath.exp(-medium.absorptionR * length);
-        throughputG *= StrictMath.exp(-medium.absorptionG * length);
-        throughputB *= StrictMath.exp(-medium.absorptionB * length);
+        Arrays.fill(transmittance, 1);
+        medium.absorb(length, transmittance);
+        filter(transmittance[0], transmittance[1], transmittance[2]);
     }
 
     /** Whether a path that has had so many events goes on without roulette. */

@@ -107,9 +107,7 @@ final class SegmentRays {
 
     private void absorb(SurfaceMaterial medium, double distance) {
         if (medium != null && medium.absorbs) {
-            rgb[0] *= StrictMath.exp(-medium.absorptionR * distance);
-            rgb[1] *= StrictMath.exp(-medium.absorptionG * distance);
-            rgb[2] *= StrictMath.exp(-medium.absorptionB * distance);
+            medium.absorb(distance, rgb);
         }
     }
 }

@@ -10,6 +10,7 @@ import enlightenment.emitter.LightSample;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
+import java.util.Arrays;
 
 /** Whether lights are visible from a vertex of a path, and what of them the medium on the way, and glass that does not turn rays, let pass. */
 final class ShadowRays {
@@ -130,9 +131,8 @@ final class ShadowRays {
         if (!isHidden && !tracer.occluded(ray, to.length, l)) {
             if (medium != null) {
                 isFiltered = true;
-                rgb[0] = StrictMath.exp(-medium.absorptionR * to.length);
-                rgb[1] = StrictMath.exp(-medium.absorptionG * to.length);
-                rgb[2] = StrictMath.exp(-medium.absorptionB * to.length);
+                Arrays.fill(rgb, 1);
+                medium.absorb(to.length, rgb);
             }
             return false;
         }

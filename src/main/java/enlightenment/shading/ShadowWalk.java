@@ -15,8 +15,6 @@ final class ShadowWalk {
     private final PathFollower follower;
     private final boolean absorbs;
 
-    private double[] rgb;
-
     ShadowWalk(CompiledScene scene, RayCounters counters) {
         follower = new PathFollower(scene, counters, Integer.MAX_VALUE);
         absorbs = scene.physical.hasAbsorption;
@@ -34,8 +32,7 @@ final class ShadowWalk {
      */
     boolean reaches(
             PhysicalLight light, Ray ray, double distance, PathFollower path, boolean isBehind, double[] through) {
-        rgb = through;
-        Arrays.fill(rgb, 1);
+        Arrays.fill(through, 1);
         boolean isPoint = light == null || light.isPoint;
         follower.beginShadow(path, isBehind);
         double left = distance;
@@ -45,7 +42,7 @@ final class ShadowWalk {
             boolean isBeyond = event == PathFollower.Event.NOTHING || isPoint && follower.distance(ray) >= left;
             double length = isBeyond ? left : follower.distance(ray);
             if (medium != null && medium.absorbs) {
-                absorb(medium, length);
+                medium.absorb(length, through);
             }
             if (isBeyond) {
                 return isPoint;
@@ -56,7 +53,7 @@ final class ShadowWalk {
                     return true;
                 }
             }
-            if (event == PathFollower.Event.SURFACE || !follower.passStraight(ray, rgb)) {
+            if (event == PathFollower.Event.SURFACE || !follower.passStraight(ray, through)) {
                 return false;
             }
         }
@@ -65,11 +62,5 @@ final class ShadowWalk {
     private boolean isOn(PhysicalLight light, Ray ray, double left) {
         return light.hidesNothingOfItself && light.id == follower.id && light.face == follower.hit.face
                 || light.lyingOn().isEnd(ray, follower.id, follower.hit, left);
-    }
-
-    private void absorb(SurfaceMaterial medium, double length) {
-        rgb[0] *= StrictMath.exp(-medium.absorptionR * length);
-        rgb[1] *= StrictMath.exp(-medium.absorptionG * length);
-        rgb[2] *= StrictMath.exp(-medium.absorptionB * length);
     }
 }

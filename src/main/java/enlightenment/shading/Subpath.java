@@ -142,16 +142,11 @@ abstract class Subpath {
             return Event.NOTHING;
         }
         if (medium != null && medium.absorbs) {
-            absorb(medium, path.distance(ray));
+            Arrays.fill(weight, 1);
+            medium.absorb(path.distance(ray), weight);
+            filter(weight[0], weight[1], weight[2]);
         }
         return event == PathFollower.Event.SURFACE ? surface() : glass(sampler);
-    }
-
-    private void absorb(SurfaceMaterial medium, double length) {
-        filter(
-                StrictMath.exp(-medium.absorptionR * length),
-                StrictMath.exp(-medium.absorptionG * length),
-                StrictMath.exp(-medium.absorptionB * length));
     }
 
     private void filter(double r, double g, double b) {

@@ -5,6 +5,7 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
+import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -51,7 +52,7 @@ final class NaiveScene {
     NaiveScene(Scene scene) {
         this.scene = scene;
         PhysicalShading shading = (PhysicalShading) scene.shading();
-        background = NaiveColors.of(shading.background());
+        background = NaiveColors.of(((Background.Constant) shading.background()).radiance());
         maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
         for (Light light : scene.lights()) {
             add(light);

@@ -10,6 +10,7 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.physical.InvarianceScenes;
+import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
@@ -165,7 +166,8 @@ class PhysicalInvarianceTest {
                         : o)
                 .toList();
         PhysicalShading shading = (PhysicalShading) s.shading();
-        Shading brighter = new PhysicalShading(shading.maxBounces(), times(shading.background(), factor));
+        Shading brighter = new PhysicalShading(
+                shading.maxBounces(), times(((Background.Constant) shading.background()).radiance(), factor));
         return new Scene(
                 s.name(),
                 s.width(),

@@ -2,6 +2,7 @@ package enlightenment.scene.json;
 
 import enlightenment.color.Color;
 import enlightenment.color.Rgb;
+import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -208,6 +209,12 @@ final class Fields {
     Rgb bands(String key, Rgb unlessGiven) {
         JsonValue v = get(key);
         return v == null ? unlessGiven : values.bands(v, at(key));
+    }
+
+    /** A band of wavelengths; null where it is missing or wrong. */
+    WavelengthBand wavelengths(String key) {
+        JsonValue v = get(key);
+        return v == null ? null : values.wavelengths(v, at(key));
     }
 
     /** Reports a value of this part. */

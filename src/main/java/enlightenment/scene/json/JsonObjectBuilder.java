@@ -4,6 +4,7 @@ import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
+import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneException;
@@ -106,6 +107,11 @@ final class JsonObjectBuilder {
         return put(key, child(key).text("texture", name).json());
     }
 
+    /** A texture that has a name, by that. */
+    JsonObjectBuilder textureName(String key, Texture texture) {
+        return text(key, names.of(texture));
+    }
+
     JsonObjectBuilder imageFile(String key, Path file) {
         return text(key, names.of(file));
     }
@@ -161,6 +167,10 @@ final class JsonObjectBuilder {
 
     JsonObjectBuilder bandsUnless(Rgb usual, String key, Rgb v) {
         return v.equals(usual) && !animated(key) ? this : bands(key, v);
+    }
+
+    JsonObjectBuilder wavelengths(String key, WavelengthBand band) {
+        return put(key, JsonValue.Arr.of(List.of(number(band.low()), number(band.high()))));
     }
 
     private static JsonValue bands(Rgb c) {

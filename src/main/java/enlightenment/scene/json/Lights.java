@@ -12,38 +12,41 @@ import java.util.Map;
 
 /** The lights. */
 final class Lights {
-    private static final String ULTRAVIOLET = "is not available yet: only fluorescent surfaces will see it";
-
     static final Family<Light> FAMILY = new Family<Light>(
                     "light", "a light", null, Map.of(), Lights::read, Lights::write)
-            .with("sphere", Light.Sphere.class, "center radius color | radiance power", notOfSurfaces("sphere"))
+            .with(
+                    "sphere",
+                    Light.Sphere.class,
+                    "center radius color | radiance power ultraviolet",
+                    notOfSurfaces("sphere"))
             .with(
                     "rectangle",
                     Light.Rectangle.class,
-                    "corners color | twoSided radiance power",
+                    "corners color | twoSided radiance power ultraviolet",
                     notOfSurfaces("rectangle"))
             .with(
                     "point",
                     Light.Point.class,
-                    "position color | intensity power",
+                    "position color | intensity power ultraviolet",
                     Map.of(
                             "radiance",
-                            "belongs to lights with a surface; a point light has \"intensity\" or \"power\"",
-                            "ultraviolet",
-                            ULTRAVIOLET));
+                            "belongs to lights with a surface; a point light has \"intensity\" or \"power\""));
 
     private Lights() {}
 
     private static Map<String, String> notOfSurfaces(String type) {
-        return Map.of(
-                "intensity",
-                "belongs to point lights; a " + type + " light has \"radiance\" or \"power\"",
-                "ultraviolet",
-                ULTRAVIOLET);
+        return Map.of("intensity", "belongs to point lights; a " + type + " light has \"radiance\" or \"power\"");
+    }
+
+    /** How much the light gives, with what it gives of ultraviolet light; null after a problem with that. */
+    private static Emission emission(Fields f, Emission unlessGiven) {
+        Emission visible = visible(f, unlessGiven);
+        double ultraviolet = f.number("ultraviolet", 0);
+        return f.make(() -> visible.withUltraviolet(ultraviolet));
     }
 
     /** How much the light gives: in the quantity that is usual for it, or as power; not as both. */
-    private static Emission emission(Fields f, Emission unlessGiven) {
+    private static Emission visible(Fields f, Emission unlessGiven) {
         String usual = Fields.word(unlessGiven.quantity());
         if (!f.has("power")) {
             return f.has(usual) ? new Emission(unlessGiven.quantity(), f.bands(usual, Rgb.WHITE)) : unlessGiven;
@@ -56,9 +59,10 @@ final class Lights {
 
     private static void write(Emission emission, Emission usual, JsonObjectBuilder p) {
         String key = Fields.word(emission.quantity());
-        if (!emission.equals(usual) || p.animated(key)) {
+        if (emission.quantity() != usual.quantity() || !emission.value().equals(usual.value()) || p.animated(key)) {
             p.bands(key, emission.value());
         }
+        p.numberUnless(0, "ultraviolet", emission.ultraviolet());
     }
 
     private static Light read(String type, Fields f) {

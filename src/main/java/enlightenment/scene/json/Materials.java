@@ -2,32 +2,54 @@ package enlightenment.scene.json;
 
 import enlightenment.color.Rgb;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.material.Texture;
+import enlightenment.material.WavelengthBand;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** The named materials, and materials where they are used. */
 final class Materials {
+    private static final String GLASS_IS_DARK = "belongs to opaque materials: glass does not glow";
+    private static final String MEDIA_ARE_DARK = "belongs to opaque materials: media do not glow";
+
     static final Family<Material> FAMILY = new Family<Material>(
-                    "material", "a material", null, Vocabulary.PLANNED_MATERIALS, Materials::read, Materials::write)
-            .with("matte", Material.Matte.class, "color | roughness radiance receivesShadows")
-            .with("mirror", Material.Mirror.class, "color | radiance receivesShadows")
+                    "material", "a material", null, Map.of(), Materials::read, Materials::write)
+            .with("matte", Material.Matte.class, "color | roughness radiance ultraviolet receivesShadows")
+            .with("mirror", Material.Mirror.class, "color | radiance ultraviolet receivesShadows")
             .with(
                     "glossy",
                     Material.Glossy.class,
-                    "color roughness | eta k multipleScattering radiance",
+                    "color roughness | eta k multipleScattering radiance ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no glossy surfaces"))
             .with(
                     "glass",
                     Material.Glass.class,
-                    "color indexOfRefraction | transparency priority roughness absorption multipleScattering receivesShadows",
+                    "color indexOfRefraction | transparency priority roughness absorption multipleScattering dispersion"
+                            + " receivesShadows",
+                    Map.of("radiance", GLASS_IS_DARK, "ultraviolet", GLASS_IS_DARK))
+            .with(
+                    "scattering",
+                    Material.Scattering.class,
+                    "| color meanFreePath scatteringCoefficient absorptionCoefficient anisotropy indexOfRefraction roughness"
+                            + " priority",
                     Map.of(
                             "radiance",
-                            "belongs to opaque materials: glass does not glow",
-                            "dispersion",
-                            "is not available yet: glass refracts all wavelengths alike"));
+                            MEDIA_ARE_DARK,
+                            "ultraviolet",
+                            MEDIA_ARE_DARK,
+                            "absorption",
+                            "is called \"absorptionCoefficient\" here, and stands with \"scatteringCoefficient\"",
+                            "receivesShadows",
+                            "belongs to classic shading, which has no media that scatter light"))
+            .with(
+                    "fluorescent",
+                    Material.Fluorescent.class,
+                    "color absorption emission yield | radiance ultraviolet",
+                    Map.of("receivesShadows", "belongs to classic shading, which has no fluorescent surfaces"));
 
     private Materials() {}
 
@@ -37,6 +59,8 @@ final class Materials {
             case "mirror" -> mirror(f);
             case "glossy" -> glossy(f);
             case "glass" -> glass(f);
+            case "scattering" -> scattering(f);
+            case "fluorescent" -> fluorescent(f);
             default -> throw Family.unknown(type);
         };
     }
@@ -46,16 +70,19 @@ final class Materials {
             p.texture("color", m.color())
                     .numberUnless(0, "roughness", m.roughness())
                     .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
+                    .numberUnless(0, "ultraviolet", m.ultraviolet())
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
         } else if (value instanceof Material.Mirror m) {
             p.texture("color", m.color())
                     .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
+                    .numberUnless(0, "ultraviolet", m.ultraviolet())
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
         } else if (value instanceof Material.Glossy g) {
             p.texture("color", g.color()).number("roughness", g.roughness());
             g.conductor().ifPresent(c -> p.bands("eta", c.eta()).bands("k", c.k()));
             p.flagUnless(true, "multipleScattering", g.multipleScattering())
-                    .bandsUnless(Rgb.BLACK, "radiance", g.radiance());
+                    .bandsUnless(Rgb.BLACK, "radiance", g.radiance())
+                    .numberUnless(0, "ultraviolet", g.ultraviolet());
         } else if (value instanceof Material.Glass g) {
             p.texture("color", g.color())
                     .number("indexOfRefraction", g.indexOfRefraction())
@@ -63,8 +90,21 @@ final class Materials {
                     .wholeUnless(0, "priority", g.priority())
                     .numberUnless(0, "roughness", g.roughness())
                     .bandsUnless(Rgb.BLACK, "absorption", g.absorption())
-                    .flagUnless(true, "multipleScattering", g.multipleScattering())
-                    .flagUnless(true, "receivesShadows", g.receivesShadows());
+                    .flagUnless(true, "multipleScattering", g.multipleScattering());
+            g.dispersion().ifPresent(abbe -> p.number("dispersion", abbe));
+            p.flagUnless(true, "receivesShadows", g.receivesShadows());
+        } else if (value instanceof Material.Scattering s) {
+            Media.write(s.medium(), p)
+                    .numberUnless(1, "indexOfRefraction", s.indexOfRefraction())
+                    .numberUnless(0, "roughness", s.roughness())
+                    .wholeUnless(0, "priority", s.priority());
+        } else if (value instanceof Material.Fluorescent d) {
+            p.texture("color", d.color())
+                    .wavelengths("absorption", d.absorption())
+                    .wavelengths("emission", d.emission())
+                    .number("yield", d.yield())
+                    .bandsUnless(Rgb.BLACK, "radiance", d.radiance())
+                    .numberUnless(0, "ultraviolet", d.ultraviolet());
         } else {
             throw Family.unknown(value);
         }
@@ -111,14 +151,18 @@ final class Materials {
         boolean shadows = receivesShadows(f);
         double roughness = f.number("roughness", 0);
         Rgb radiance = radiance(f);
-        return color == null ? null : f.make(() -> new Material.Matte(color, shadows, roughness, radiance));
+        double ultraviolet = f.number("ultraviolet", 0);
+        return color == null
+                ? null
+                : f.make(() -> new Material.Matte(color, shadows, roughness, radiance, ultraviolet));
     }
 
     private static Material mirror(Fields f) {
         Texture color = Textures.color(f, "color");
         boolean shadows = receivesShadows(f);
         Rgb radiance = radiance(f);
-        return color == null ? null : f.make(() -> new Material.Mirror(color, shadows, radiance));
+        double ultraviolet = f.number("ultraviolet", 0);
+        return color == null ? null : f.make(() -> new Material.Mirror(color, shadows, radiance, ultraviolet));
     }
 
     private static Material glossy(Fields f) {
@@ -126,6 +170,7 @@ final class Materials {
         double roughness = f.number("roughness");
         boolean several = f.flag("multipleScattering", true);
         Rgb radiance = radiance(f);
+        double ultraviolet = f.number("ultraviolet", 0);
         boolean isConductor = f.has("eta") || f.has("k");
         Rgb eta = constant(f, "eta", isConductor);
         Rgb k = constant(f, "k", isConductor);
@@ -137,7 +182,8 @@ final class Materials {
                 roughness,
                 isConductor ? Optional.of(new Material.Conductor(eta, k)) : Optional.empty(),
                 several,
-                radiance));
+                radiance,
+                ultraviolet));
     }
 
     /** One of the two constants of a conductor. */
@@ -157,11 +203,33 @@ final class Materials {
         double roughness = f.number("roughness", 0);
         Rgb absorption = f.bands("absorption", Rgb.BLACK);
         boolean several = f.flag("multipleScattering", true);
+        OptionalDouble abbe = f.has("dispersion") ? OptionalDouble.of(f.number("dispersion")) : OptionalDouble.empty();
         if (color == null) {
             return null;
         }
-        return f.make(() ->
-                new Material.Glass(color, index, transparency, priority, shadows, roughness, absorption, several));
+        return f.make(() -> new Material.Glass(
+                color, index, transparency, priority, shadows, roughness, absorption, several, abbe));
+    }
+
+    private static Material scattering(Fields f) {
+        Medium medium = Media.read(f);
+        double index = f.number("indexOfRefraction", 1);
+        double roughness = f.number("roughness", 0);
+        int priority = f.integer("priority", Integer.MIN_VALUE, Integer.MAX_VALUE, 0);
+        return medium == null ? null : f.make(() -> new Material.Scattering(medium, index, roughness, priority));
+    }
+
+    private static Material fluorescent(Fields f) {
+        Texture color = Textures.color(f, "color");
+        WavelengthBand absorption = f.wavelengths("absorption");
+        WavelengthBand emission = f.wavelengths("emission");
+        double yield = f.number("yield");
+        Rgb radiance = radiance(f);
+        double ultraviolet = f.number("ultraviolet", 0);
+        if (color == null) {
+            return null;
+        }
+        return f.make(() -> new Material.Fluorescent(color, absorption, emission, yield, radiance, ultraviolet));
     }
 
     private static boolean receivesShadows(Fields f) {

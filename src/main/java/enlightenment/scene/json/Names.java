@@ -2,6 +2,8 @@ package enlightenment.scene.json;
 
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.scene.Background;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.nio.file.Path;
@@ -31,11 +33,18 @@ final class Names {
             nameTexture(object.material());
             object.faces().forEach(this::nameTexture);
         }
+        if (scene.shading() instanceof PhysicalShading shading
+                && shading.background() instanceof Background.Picture surroundings) {
+            nameTexture(surroundings.picture());
+        }
     }
 
     /** In the format only a colour can stand where it is used: every other texture needs a name. */
     private void nameTexture(Material material) {
-        Texture texture = material.color();
+        nameTexture(material.color());
+    }
+
+    private void nameTexture(Texture texture) {
         if (texture instanceof Texture.Solid || textureNames.containsKey(texture)) {
             return;
         }

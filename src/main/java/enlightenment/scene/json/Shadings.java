@@ -1,16 +1,22 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.color.Rgb;
+import enlightenment.material.Medium;
+import enlightenment.scene.Background;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /** Reads and writes the shading part; its key {@code "model"} says which other keys it has. */
 final class Shadings {
+    /** Keys of physical shading that somebody may expect in classic shading. */
+    private static final Map<String, String> ONLY_PHYSICAL =
+            Map.of("medium", "belongs to physical shading: classic shading has nothing that scatters light on its way");
+
     /** Keys of classic shading that somebody may expect in physical shading, and why they are not there. */
     private static final Map<String, String> ONLY_CLASSIC = Map.of(
             "ambient",
@@ -35,7 +41,7 @@ final class Shadings {
     }
 
     private static Shading classic(JsonValue v, JsonPointer place, Values values) {
-        Fields f = Fields.of(v, place, Vocabulary.CLASSIC_SHADING, values);
+        Fields f = Fields.of(v, place, Vocabulary.CLASSIC_SHADING, ONLY_PHYSICAL, values);
         if (f == null) {
             return null;
         }
@@ -56,28 +62,24 @@ final class Shadings {
         OptionalInt maxBounces = f.has("maxBounces")
                 ? OptionalInt.of(f.integer("maxBounces", 0, PhysicalShading.MAX_BOUNCES, 0))
                 : PhysicalShading.DEFAULT.maxBounces();
-        Rgb background = background(f);
-        return f.make(() -> new PhysicalShading(maxBounces, background));
-    }
-
-    private static Rgb background(Fields f) {
-        if (f.get("background") instanceof JsonValue.Obj o && o.get("texture") != null) {
-            f.problem(
-                    "background",
-                    "a texture as background is not available yet: light comes from it evenly, or not at all");
-            return Rgb.BLACK;
-        }
-        return f.color("background", PhysicalShading.DEFAULT.background()).linear();
+        Background background = f.has("background")
+                ? Backgrounds.read(f.get("background"), f.at("background"), values)
+                : PhysicalShading.DEFAULT.background();
+        Medium medium = f.has("medium") ? Media.read(f.get("medium"), f.at("medium"), values) : null;
+        return background == null
+                ? null
+                : f.make(() -> new PhysicalShading(maxBounces, background, Optional.ofNullable(medium)));
     }
 
     static JsonValue write(Shading shading, JsonObjectBuilder p) {
         p.text("model", shading.model().word());
         if (shading instanceof PhysicalShading s) {
             if (!s.background().equals(PhysicalShading.DEFAULT.background()) || p.animated("background")) {
-                p.put(
-                        "background",
-                        p.child("background").linear("linear", s.background()).json());
+                p.put("background", Backgrounds.write(s.background(), p.child("background")));
             }
+            s.medium()
+                    .ifPresent(m ->
+                            p.put("medium", Media.write(m, p.child("medium")).json()));
             if (s.maxBounces().isPresent()) {
                 p.whole("maxBounces", s.maxBounces().getAsInt());
             }

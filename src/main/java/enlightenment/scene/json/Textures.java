@@ -76,9 +76,13 @@ final class Textures {
             Color c = values.color(v, place, COLOR);
             return values.problems().count() > before ? null : Texture.of(c);
         }
-        Fields f = Fields.of(v, place, Vocabulary.TEXTURE_REFERENCE, values);
+        return named(Fields.of(v, place, Vocabulary.TEXTURE_REFERENCE, values));
+    }
+
+    /** The texture that the key {@code "texture"} names; null after a problem, here or where the texture has its name. */
+    static Texture named(Fields f) {
         String name = f.text("texture", "the name of a texture");
-        Map<String, Texture> named = values.library().textures;
+        Map<String, Texture> named = f.values().library().textures;
         if (name == null || named.containsKey(name)) {
             return name == null ? null : named.get(name);
         }

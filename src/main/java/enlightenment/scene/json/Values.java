@@ -3,7 +3,9 @@ package enlightenment.scene.json;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;
@@ -219,6 +221,23 @@ final class Values {
         return v instanceof JsonValue.Num
                 ? Rgb.gray(notNegative(v, place))
                 : three(v, place, "a number, or [r, g, b] with components of at least 0");
+    }
+
+    /** Two wavelengths; null after a problem. */
+    WavelengthBand wavelengths(JsonValue v, JsonPointer place) {
+        int before = problems.count();
+        JsonValue.Arr a = array(v, place, 2, "two wavelengths [from, to] in nanometres");
+        double low = a == null ? Double.NaN : number(a.get(0), place.child(0));
+        double high = a == null ? Double.NaN : number(a.get(1), place.child(1));
+        if (problems.count() > before) {
+            return null;
+        }
+        try {
+            return new WavelengthBand(low, high);
+        } catch (InvalidValueException e) {
+            problems.add(v, place, e.problem());
+            return null;
+        }
     }
 
     private Rgb three(JsonValue v, JsonPointer place, String expected) {

@@ -19,7 +19,9 @@ final class Vocabulary {
     static final Keys CLASSIC_SHADING =
             Keys.of("classicShading", "the shading", "", "model ambient shadow background maxBounces");
     static final Keys PHYSICAL_SHADING =
-            Keys.of("physicalShading", "physical shading", "model", "background maxBounces");
+            Keys.of("physicalShading", "physical shading", "model", "background medium maxBounces");
+    static final Keys MEDIUM = Keys.of(
+            "medium", "a medium", "", "color meanFreePath scatteringCoefficient absorptionCoefficient anisotropy");
     static final Keys DISPLAY = Keys.of("display", "the display part", "", "exposure tone");
     static final Keys LINEAR_COLOR = Keys.of("linearColor", "a linear colour", "linear", "");
     static final Keys ANIMATION = Keys.of("animation", "an animation", "frames framesPerSecond tracks", "");
@@ -29,16 +31,12 @@ final class Vocabulary {
     /** Types of objects that the format will have, and what is missing. */
     static final Map<String, String> PLANNED_OBJECTS = Map.of("mesh", "");
 
-    /** Types of materials that the format will have, and what is missing. */
-    static final Map<String, String> PLANNED_MATERIALS = Map.of(
-            "scattering", "no method follows light that is scattered inside of a solid",
-            "fluorescent", "no method takes light from one wavelength to another");
-
     private Vocabulary() {}
 
     /** All parts that come in several kinds. */
     static List<Family<?>> families() {
-        return List.of(Cameras.FAMILY, Shapes.FAMILY, Materials.FAMILY, Lights.FAMILY, Textures.FAMILY);
+        return List.of(
+                Cameras.FAMILY, Shapes.FAMILY, Materials.FAMILY, Lights.FAMILY, Textures.FAMILY, Backgrounds.FAMILY);
     }
 
     /** Every part of the format, without what methods from outside add to it. */
@@ -49,6 +47,7 @@ final class Vocabulary {
                 IMAGE,
                 CLASSIC_SHADING,
                 PHYSICAL_SHADING,
+                MEDIUM,
                 DISPLAY,
                 LINEAR_COLOR,
                 render,

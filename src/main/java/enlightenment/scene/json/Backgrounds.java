@@ -1,0 +1,83 @@
+package enlightenment.scene.json;
+
+import enlightenment.color.Rgb;
+import enlightenment.material.Texture;
+import enlightenment.scene.Background;
+import java.util.Map;
+
+/** The light of surroundings: a colour, a picture or a sky. */
+final class Backgrounds {
+    static final Family<Background> FAMILY = new Family<Background>(
+                    "background", "surroundings", "picture", Map.of(), Backgrounds::read, Backgrounds::put)
+            .with("picture", Background.Picture.class, "texture | radiance rotation")
+            .with("sky", Background.Sky.class, "elevation | azimuth turbidity groundAlbedo radiance sun");
+
+    private Backgrounds() {}
+
+    /** Null after a problem, here or where a texture has its name. */
+    static Background read(JsonValue v, JsonPointer place, Values values) {
+        boolean isColor = !(v instanceof JsonValue.Obj o) || o.get("texture") == null && o.get("type") == null;
+        if (isColor) {
+            return new Background.Constant(values.color(v, place).linear());
+        }
+        Fields f = Fields.of(v, place, FAMILY, values);
+        return f == null ? null : FAMILY.read(f);
+    }
+
+    private static Background read(String type, Fields f) {
+        return switch (type) {
+            case "picture" -> picture(f);
+            case "sky" -> sky(f);
+            default -> throw Family.unknown(type);
+        };
+    }
+
+    private static Background picture(Fields f) {
+        Texture texture = f.has("texture") ? Textures.named(f) : null;
+        Rgb radiance = f.bands("radiance", Rgb.WHITE);
+        double rotation = f.number("rotation", 0);
+        if (texture == null) {
+            return null;
+        }
+        if (!(texture instanceof Texture.File file)) {
+            f.problem("texture", "must name an image file: surroundings have no other textures");
+            return null;
+        }
+        return f.make(() -> new Background.Picture(file, radiance, rotation));
+    }
+
+    private static Background sky(Fields f) {
+        double elevation = f.number("elevation");
+        double azimuth = f.number("azimuth", 0);
+        double turbidity = f.number("turbidity", Background.Sky.USUAL_TURBIDITY);
+        Rgb ground = f.bands("groundAlbedo", Rgb.BLACK);
+        Rgb radiance = f.bands("radiance", Rgb.WHITE);
+        boolean sun = f.flag("sun", true);
+        return f.make(() -> new Background.Sky(elevation, azimuth, turbidity, ground, radiance, sun));
+    }
+
+    static JsonValue write(Background background, JsonObjectBuilder p) {
+        if (background instanceof Background.Constant c) {
+            return p.linear("linear", c.radiance()).json();
+        }
+        FAMILY.write(background, p);
+        return p.json();
+    }
+
+    private static void put(Background value, JsonObjectBuilder p) {
+        if (value instanceof Background.Picture s) {
+            p.textureName("texture", s.picture())
+                    .bandsUnless(Rgb.WHITE, "radiance", s.radiance())
+                    .numberUnless(0, "rotation", s.rotation());
+        } else if (value instanceof Background.Sky s) {
+            p.number("elevation", s.elevation())
+                    .numberUnless(0, "azimuth", s.azimuth())
+                    .numberUnless(Background.Sky.USUAL_TURBIDITY, "turbidity", s.turbidity())
+                    .bandsUnless(Rgb.BLACK, "groundAlbedo", s.groundAlbedo())
+                    .bandsUnless(Rgb.WHITE, "radiance", s.radiance())
+                    .flagUnless(true, "sun", s.hasSun());
+        } else {
+            throw Family.unknown(value);
+        }
+    }
+}

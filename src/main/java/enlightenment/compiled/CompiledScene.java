@@ -11,6 +11,7 @@ import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
+import enlightenment.surroundings.Surroundings;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -104,6 +105,7 @@ public final class CompiledScene {
             Shading shading,
             CompiledLight[] lights,
             List<PhysicalLight> points,
+            Surroundings surroundings,
             CompiledPrimitives compiled,
             Accelerator accelerator,
             List<String> features,
@@ -114,7 +116,7 @@ public final class CompiledScene {
         this.camera = camera;
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
-        physical = shading instanceof PhysicalShading p ? new PhysicalScene(p, compiled, points) : null;
+        physical = shading instanceof PhysicalShading p ? new PhysicalScene(p, surroundings, compiled, points) : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
         this.materials = compiled.materials();

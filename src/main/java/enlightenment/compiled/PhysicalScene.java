@@ -7,6 +7,7 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
+import enlightenment.surroundings.Surroundings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -26,6 +27,9 @@ public final class PhysicalScene {
 
     public final double backgroundG;
     public final double backgroundB;
+
+    /** Light from infinity that is not the same from everywhere: then that which is the same is 0; else null. */
+    public final Surroundings surroundings;
 
     /** The most scattering events of a path. */
     public final int maxBounces;
@@ -53,7 +57,12 @@ public final class PhysicalScene {
 
     private final int[] lightOfFace;
 
-    PhysicalScene(PhysicalShading shading, CompiledPrimitives compiled, List<PhysicalLight> points) {
+    PhysicalScene(
+            PhysicalShading shading,
+            Surroundings surroundings,
+            CompiledPrimitives compiled,
+            List<PhysicalLight> points) {
+        this.surroundings = surroundings;
         Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
         backgroundR = background.r();
         backgroundG = background.g();

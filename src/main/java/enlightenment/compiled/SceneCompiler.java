@@ -112,6 +112,7 @@ public final class SceneCompiler {
                 scene.shading(),
                 lights,
                 physical ? glowing.points : List.of(),
+                physical ? CompiledSurroundings.of((PhysicalShading) scene.shading(), files) : null,
                 compiled,
                 accelerator,
                 features.present(),

@@ -105,8 +105,7 @@ public enum BuiltInMethod implements Method {
             case FLUORESCENCE -> false;
             // No method follows single wavelengths yet.
             case DISPERSION -> false;
-            // No method knows other surroundings than constant ones yet.
-            case SURROUNDINGS -> false;
+            case SURROUNDINGS -> this == RAYTRACE || this == CLUSTER || this == METROPOLIS;
         };
     }
 

@@ -29,6 +29,9 @@ public final class PathTracer implements Shader {
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
+    /** Light from a picture or a sky around the scene; null if there is none. */
+    private final InfiniteLight infinite;
+
     private final PathValue value = new PathValue();
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;
@@ -69,6 +72,7 @@ public final class PathTracer implements Shader {
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
+        infinite = InfiniteLight.of(scene, counters, path, value);
         connections = new PathConnections(path.tracer);
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
@@ -162,7 +166,9 @@ public final class PathTracer implements Shader {
         SurfaceMaterial medium = absorbs ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
-            if (!isAlbedo) {
+            if (infinite != null && !isAlbedo) {
+                infinite.arrive(ray, history.gathered, history.scattered ? weightOfCaustic() : 1);
+            } else if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
                 value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
             }
@@ -252,16 +258,16 @@ public final class PathTracer implements Shader {
                     surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             value.leaveToChance(path.key + light.views);
         }
+        if (infinite != null) {
+            infinite.gather(Lambert.INSTANCE, path.arrive(ray, surface), sampler, address, !history.scattered);
+        }
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
         }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
-        light.left(s.pdf);
-        if (seen) {
-            mirrors.left(s);
-        }
+        left(s, seen);
         history.leave(false);
         return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
@@ -287,12 +293,26 @@ public final class PathTracer implements Shader {
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
+    /** Tells all who gathered light in which direction the path leaves. */
+    private void left(Scattering s, boolean isSeen) {
+        light.left(s.pdf);
+        if (infinite != null) {
+            infinite.left(s.pdf);
+        }
+        if (isSeen) {
+            mirrors.left(s);
+        }
+    }
+
     /** Any other lobes. */
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
         value.add(light.red, light.green, light.blue);
+        if (infinite != null) {
+            infinite.gather(material.bsdf, s, sampler, address, !history.scattered);
+        }
         boolean seen = isSeenByMirrors();
         if (seen) {
             gatherMirrored(material.bsdf, s, sampler);
@@ -301,10 +321,7 @@ public final class PathTracer implements Shader {
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
         }
-        light.left(s.pdf);
-        if (seen) {
-            mirrors.left(s);
-        }
+        left(s, seen);
         path.leave(ray, s);
         history.leave(s.delta);
         return survives(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
@@ -344,7 +361,7 @@ public final class PathTracer implements Shader {
         history.leave(true);
         if (isRough) {
             history.gathered = true;
-            light.left(path.glass.border.pdf);
+            left(path.glass.border, false);
         }
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
@@ -377,6 +394,9 @@ public final class PathTracer implements Shader {
         path.turnTo(0);
         light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
         value.add(light.red, light.green, light.blue);
+        if (infinite != null) {
+            infinite.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
+        }
         return true;
     }
 

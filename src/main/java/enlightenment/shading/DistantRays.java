@@ -10,6 +10,9 @@ import java.util.Arrays;
  * Paths pass the same surfaces by the same rules.
  */
 final class DistantRays {
+    /** Farther than anything; what is missed is infinitely far. */
+    private static final double ENDLESS = Double.MAX_VALUE;
+
     private final PathFollower path;
     private final Ray ray = new Ray();
 
@@ -35,14 +38,14 @@ final class DistantRays {
         path.poll.tick();
         start(dx, dy, dz, atBorder, through);
         Arrays.fill(rgb, 1);
-        if (!path.tracer.occluded(ray, Double.POSITIVE_INFINITY)) {
+        if (!path.tracer.occluded(ray, ENDLESS)) {
             return true;
         }
         if (walk == null) {
             return false;
         }
         start(dx, dy, dz, atBorder, through);
-        return walk.reaches(null, ray, Double.POSITIVE_INFINITY, path, through, rgb);
+        return walk.reaches(null, ray, ENDLESS, path, through, rgb);
     }
 
     private void start(double dx, double dy, double dz, boolean atBorder, boolean through) {

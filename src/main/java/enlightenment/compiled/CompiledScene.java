@@ -93,6 +93,8 @@ public final class CompiledScene {
     public final MirrorBalls mirrorBalls;
 
     private ConeSearch coneSearch;
+    private LightStarts lightStarts;
+    private LightStarts lightStartsWithBackground;
     private final List<String> features;
     private final List<String> absent;
 
@@ -225,5 +227,23 @@ public final class CompiledScene {
             coneSearch = ConeSearch.of(accelerator);
         }
         return coneSearch;
+    }
+
+    /**
+     * Where paths of light begin. Made when it is first needed: few renders do.
+     *
+     * @param withBackground whether they may begin in the surroundings
+     */
+    public synchronized LightStarts lightStarts(boolean withBackground) {
+        if (withBackground) {
+            if (lightStartsWithBackground == null) {
+                lightStartsWithBackground = new LightStarts(this, true);
+            }
+            return lightStartsWithBackground;
+        }
+        if (lightStarts == null) {
+            lightStarts = new LightStarts(this, false);
+        }
+        return lightStarts;
     }
 }

@@ -44,7 +44,7 @@ public final class LightStarts {
      * @param scene whose shading is physical
      * @param withBackground whether paths may begin in the surroundings
      */
-    public LightStarts(CompiledScene scene, boolean withBackground) {
+    LightStarts(CompiledScene scene, boolean withBackground) {
         this.scene = scene;
         lights = scene.physical.lights;
         int n = lights.length;

@@ -3,16 +3,15 @@ package enlightenment.method;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.BidirectionalLightTracer;
 import enlightenment.shading.BidirectionalTracer;
 
 /**
  * Paths from both ends (docs/bidirectional.md). Tiles take camera samples as {@link RayTraceMethod} does, and connect each with a light
- * path of its own; what other light paths bring to the eye straight is added to them ({@link BidirectionalPaths}).
+ * path of its own; what other light paths bring to the eye straight is added to them ({@link LightPaths#ofBidirectional}).
  */
 public final class BidirectionalMethod {
     /** Paths that may end anywhere, per camera sample: the weights of all paths count on it. */
-    public static final double PATHS_PER_SAMPLE = BidirectionalLightTracer.PATHS_PER_SAMPLE;
+    public static final double PATHS_PER_SAMPLE = BidirectionalTracer.LIGHT_PATHS_PER_SAMPLE;
 
     private BidirectionalMethod() {}
 

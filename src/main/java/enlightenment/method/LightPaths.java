@@ -4,22 +4,46 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatBatch;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.LightTracer;
+import enlightenment.shading.LightPathTracer;
 import java.util.function.BooleanSupplier;
 
-/**
- * Light tracing: paths from everything that shines make all light that surfaces scatter to the eye. What the eye sees of lights, straight
- * and in mirrors, is the business of tiles beside it ({@link RayTraceMethod#ofSeenLight}). See docs/light-tracing.md.
- */
+/** Paths from lights whose light is added to what tiles make of the same picture. */
 public final class LightPaths implements SplatIntegrator {
     /** Paths that tell how bright their light is in the picture. */
     private static final int TRIAL_PATHS = 1 << 12;
 
-    private final LightTracer tracer;
+    private final LightPathTracer tracer;
 
-    /** For one thread, and a scene of physical shading. */
-    public LightPaths(CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        tracer = new LightTracer(scene, settings.seed(), settings.width(), settings.height(), counters);
+    private LightPaths(LightPathTracer tracer) {
+        this.tracer = tracer;
+    }
+
+    /**
+     * The caustics of a picture of which tiles make the rest: paths that are aimed at mirrors and smooth glass (docs/caustics.md). For one
+     * thread, and a scene with a pass of caustics.
+     */
+    public static LightPaths ofCaustics(CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        return new LightPaths(
+                LightPathTracer.ofCaustics(scene, settings.seed(), settings.width(), settings.height(), counters));
+    }
+
+    /**
+     * Light tracing: paths from everything that shines make all light that surfaces scatter to the eye. What the eye sees of lights,
+     * straight and in mirrors, is the business of tiles ({@link RayTraceMethod#ofSeenLight}). See docs/light-tracing.md. For one thread, and
+     * a scene of physical shading.
+     */
+    public static LightPaths ofAllLight(CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        return new LightPaths(
+                LightPathTracer.ofAllLight(scene, settings.seed(), settings.width(), settings.height(), counters));
+    }
+
+    /**
+     * Of {@link BidirectionalMethod} the light paths that are connected to the eye itself. For one thread, and a scene of physical
+     * shading.
+     */
+    public static LightPaths ofBidirectional(CompiledScene scene, RenderSettings settings, RayCounters counters) {
+        return new LightPaths(
+                LightPathTracer.ofBidirectional(scene, settings.seed(), settings.width(), settings.height(), counters));
     }
 
     @Override

@@ -5,8 +5,6 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.math.InvalidValueException;
 import enlightenment.method.BidirectionalMethod;
-import enlightenment.method.BidirectionalPaths;
-import enlightenment.method.CausticPaths;
 import enlightenment.method.Integrator;
 import enlightenment.method.LightPaths;
 import enlightenment.method.RayTraceMethod;
@@ -164,9 +162,9 @@ public final class Integrators {
             return factory.makeLightPaths(plan, scene, settings, counters);
         }
         return switch ((BuiltInMethod) plan.method()) {
-            case RAYTRACE, CLUSTER, METROPOLIS -> new CausticPaths(scene, settings, counters);
-            case LIGHT -> new LightPaths(scene, settings, counters);
-            case BIDIRECTIONAL -> new BidirectionalPaths(scene, settings, counters);
+            case RAYTRACE, CLUSTER, METROPOLIS -> LightPaths.ofCaustics(scene, settings, counters);
+            case LIGHT -> LightPaths.ofAllLight(scene, settings, counters);
+            case BIDIRECTIONAL -> LightPaths.ofBidirectional(scene, settings, counters);
         };
     }
 

@@ -2,33 +2,19 @@ package enlightenment.shading;
 
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.LightStarts;
 import enlightenment.compiled.RayCounters;
-import enlightenment.film.SplatBatch;
-import java.util.function.BooleanSupplier;
 
 /**
  * What paths from lights bring to the eye straight: of all strategies of {@link BidirectionalTracer} the one whose light may fall
  * anywhere. The paths are others than those that tiles follow, with the same densities.
  */
-public final class BidirectionalLightTracer {
-    /** How many of these paths there are for each path from the eye. */
-    public static final double PATHS_PER_SAMPLE = 1;
-
+final class BidirectionalLightTracer extends LightPathTracer {
     private final LightSubpath light;
-    private final EyeConnection eye;
     private final ReverseDensity reverse = new ReverseDensity();
     private final PathSampler sampler;
-    private final int width;
-    private final int height;
 
     /** Null but in tests. */
     private Strategies strategies;
-
-    /** Where light is put; null if only its sum is wanted. */
-    private SplatBatch out;
-
-    private double brought;
 
     /**
      * For one thread.
@@ -38,11 +24,14 @@ public final class BidirectionalLightTracer {
      * @param width of the whole picture in pixels
      * @param height of the whole picture in pixels
      */
-    public BidirectionalLightTracer(CompiledScene scene, long seed, int width, int height, RayCounters counters) {
-        this.width = width;
-        this.height = height;
-        light = new LightSubpath(scene, new LightStarts(scene, false), counters);
-        eye = new EyeConnection(scene, counters, light.path, true);
+    BidirectionalLightTracer(CompiledScene scene, long seed, int width, int height, RayCounters counters) {
+        this(scene, new LightSubpath(scene, scene.lightStarts(false), counters), seed, width, height, counters);
+    }
+
+    private BidirectionalLightTracer(
+            CompiledScene scene, LightSubpath light, long seed, int width, int height, RayCounters counters) {
+        super(scene, light.path, true, width, height, counters);
+        this.light = light;
         sampler = new PathSampler(seed);
     }
 
@@ -56,34 +45,13 @@ public final class BidirectionalLightTracer {
         return light;
     }
 
-    /** Ends {@link #trace} by a {@link java.util.concurrent.CancellationException} soon after this becomes true. */
-    public void stopWhen(BooleanSupplier condition) {
-        light.path.poll.stopWhen(condition);
+    @Override
+    double power() {
+        return light.power();
     }
 
-    /** Follows the path with this number and adds what it brings to the picture. */
-    public void trace(long number, SplatBatch to) {
-        out = to;
-        follow(number);
-    }
-
-    /**
-     * What a path contributes to the picture in the mean ({@link SplatBatch#add}), by some paths with numbers of their own; positive, even
-     * if none of them reaches the eye, unless nothing shines.
-     */
-    public double meanContribution(int paths) {
-        out = null;
-        brought = 0;
-        double power = 0;
-        for (int i = 1; i <= paths; i++) {
-            power += follow(-i) ? light.power() : 0;
-        }
-        // In the frame lengths are about 1, and so is the importance of what the eye sees.
-        double least = power / (paths * (double) paths);
-        return Math.min(Math.max(brought / paths, least), Double.MAX_VALUE);
-    }
-
-    private boolean follow(long number) {
+    @Override
+    boolean follow(long number) {
         sampler.path(number);
         boolean begins = light.begin(sampler);
         boolean goes = begins;
@@ -106,11 +74,8 @@ public final class BidirectionalLightTracer {
 
     /** Adds what the eye sees of the path's light at the surface that it is at. */
     private void connect() {
-        if (!eye.project() || out != null && !out.covers(eye.x() * width, eye.y() * height)) {
-            return;
-        }
         Scattering s = light.s;
-        if (!eye.sees(light.bsdf, s, light.isBorder ? light.color : null)) {
+        if (!isSeen(light.bsdf, s, light.isBorder ? light.color : null)) {
             return;
         }
         double weight = weight(Math.abs(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz));
@@ -123,16 +88,8 @@ public final class BidirectionalLightTracer {
     }
 
     private double weight(double cosine) {
-        double seen = eye.importance() * cosine / PATHS_PER_SAMPLE;
+        double seen = eye.importance() * cosine / BidirectionalTracer.LIGHT_PATHS_PER_SAMPLE;
         double back = light.survival * reverse.of(light.bsdf, light.s);
         return SubpathDensities.weight(SubpathDensities.square(seen) * light.densities.behind(back), 0);
-    }
-
-    private void add(double r, double g, double b) {
-        if (out == null) {
-            brought += (r + g + b) / 3;
-        } else {
-            out.add(eye.x() * width, eye.y() * height, r, g, b);
-        }
     }
 }

@@ -18,6 +18,9 @@ import java.util.function.BooleanSupplier;
  * {@link BidirectionalLightTracer}. See docs/bidirectional.md.
  */
 public final class BidirectionalTracer implements Shader {
+    /** How many light paths that are connected to the eye straight there are for each path from the eye. */
+    public static final double LIGHT_PATHS_PER_SAMPLE = 1;
+
     private final PhysicalScene physical;
     private final EyeSubpath eye;
     private final LightSubpath light;
@@ -36,8 +39,8 @@ public final class BidirectionalTracer implements Shader {
     /** For one thread, and a scene of physical shading. */
     public BidirectionalTracer(CompiledScene scene, RayCounters counters) {
         physical = scene.physical;
-        LightStarts starts = new LightStarts(scene, false);
-        eye = new EyeSubpath(scene, counters, BidirectionalLightTracer.PATHS_PER_SAMPLE);
+        LightStarts starts = scene.lightStarts(false);
+        eye = new EyeSubpath(scene, counters, LIGHT_PATHS_PER_SAMPLE);
         light = new LightSubpath(scene, starts, counters);
         lights = new BidirectionalLights(scene, starts, counters, eye);
         segments = new SegmentRays(scene, counters, eye.path);

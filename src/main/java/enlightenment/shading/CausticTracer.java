@@ -9,7 +9,7 @@ import enlightenment.sampling.Hash;
  * each of these surfaces it is connected to the eye. A path from the eye finds such light by chance only, and leaves it out
  * ({@link PathTracer}).
  */
-public final class CausticTracer extends LightWalker {
+final class CausticTracer extends LightWalker {
     /** Keeps the numbers of these paths apart from all others. */
     private static final long PURPOSE = 0x6361757374696373L;
 
@@ -22,7 +22,7 @@ public final class CausticTracer extends LightWalker {
      * @param height of the whole picture in pixels
      * @param counters what this thread counts
      */
-    public CausticTracer(CompiledScene scene, long seed, int width, int height, RayCounters counters) {
+    CausticTracer(CompiledScene scene, long seed, int width, int height, RayCounters counters) {
         super(scene, new CausticSource(scene.physical.caustics), true, Hash.of(seed, PURPOSE), width, height, counters);
     }
 }

@@ -1,7 +1,6 @@
 package enlightenment.shading;
 
 import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.LightStarts;
 import enlightenment.compiled.RayCounters;
 import enlightenment.sampling.Hash;
 
@@ -9,7 +8,7 @@ import enlightenment.sampling.Hash;
  * Follows light from everything that shines to all surfaces that scatter it other than into single directions, and connects it to the eye
  * at each of them: everything but what {@link SeenLight} finds, and what is seen in mirrors or through glass that turns rays.
  */
-public final class LightTracer extends LightWalker {
+final class LightTracer extends LightWalker {
     /** Keeps the numbers of these paths apart from all others. */
     private static final long PURPOSE = 0x6c696768747061L;
 
@@ -22,10 +21,10 @@ public final class LightTracer extends LightWalker {
      * @param height of the whole picture in pixels
      * @param counters what this thread counts
      */
-    public LightTracer(CompiledScene scene, long seed, int width, int height, RayCounters counters) {
+    LightTracer(CompiledScene scene, long seed, int width, int height, RayCounters counters) {
         super(
                 scene,
-                new LightSource(new LightStarts(scene, true), scene.physical),
+                new LightSource(scene.lightStarts(true), scene.physical),
                 false,
                 Hash.of(seed, PURPOSE),
                 width,

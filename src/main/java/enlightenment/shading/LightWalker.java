@@ -7,12 +7,10 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
-import enlightenment.film.SplatBatch;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;
 import java.util.Arrays;
-import java.util.function.BooleanSupplier;
 
 /**
  * Follows paths of light from where a {@link PathSource} starts them; at each surface that scatters light other than into single
@@ -20,16 +18,12 @@ import java.util.function.BooleanSupplier;
  *
  * <p>What is followed is importance the other way round: at a border of glass it does not change with the index of refraction.
  */
-abstract class LightWalker {
+abstract class LightWalker extends LightPathTracer {
     final PhysicalScene physical;
-    final PathFollower path;
     final PathSource source;
     final Ray ray = new Ray();
 
     private final long seed;
-    private final int width;
-    private final int height;
-    private final EyeConnection eye;
     private final double[] numbers = new double[PathSource.NUMBERS];
 
     /** Of each two numbers of the first ray: the seed of their sequence, and that of its order. */
@@ -41,11 +35,6 @@ abstract class LightWalker {
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
-
-    /** Where light is put; null if only its sum is wanted. */
-    private SplatBatch out;
-
-    private double brought;
 
     /** The power that the path carries. */
     double red;
@@ -87,28 +76,21 @@ abstract class LightWalker {
             int width,
             int height,
             RayCounters counters) {
+        super(
+                scene,
+                new PathFollower(scene, counters, scene.physical.maxBounces),
+                !onlyCaustics,
+                width,
+                height,
+                counters);
         this.seed = seed;
-        this.width = width;
-        this.height = height;
         this.source = source;
         this.onlyCaustics = onlyCaustics;
         physical = scene.physical;
-        path = new PathFollower(scene, counters, physical.maxBounces);
-        eye = new EyeConnection(scene, counters, path, !onlyCaustics);
     }
 
-    /** Ends {@link #trace} by a {@link java.util.concurrent.CancellationException} soon after this becomes true. */
-    public final void stopWhen(BooleanSupplier condition) {
-        path.poll.stopWhen(condition);
-    }
-
-    /** Follows the path with this number and adds what it brings to the picture. */
-    public final void trace(long number, SplatBatch to) {
-        out = to;
-        follow(number);
-    }
-
-    private boolean follow(long number) {
+    @Override
+    boolean follow(long number) {
         draw(number);
         if (!source.emit(numbers, ray)) {
             return false;
@@ -127,20 +109,9 @@ abstract class LightWalker {
         return true;
     }
 
-    /**
-     * What a path contributes to the picture in the mean ({@link enlightenment.film.SplatBatch#add}), by some paths with numbers of their
-     * own; positive, even if none of them reaches the eye, unless nothing shines.
-     */
-    public final double meanContribution(int paths) {
-        out = null;
-        brought = 0;
-        double power = 0;
-        for (int i = 1; i <= paths; i++) {
-            power += follow(-i) ? source.red + source.green + source.blue : 0;
-        }
-        // In the frame lengths are about 1, and so is the importance of what the eye sees.
-        double least = power / (paths * (double) paths);
-        return Math.min(Math.max(brought / paths, least), Double.MAX_VALUE);
+    @Override
+    double power() {
+        return source.red + source.green + source.blue;
     }
 
     /** The numbers of the first ray: each two of them from a sequence that fills their square evenly. */
@@ -214,19 +185,12 @@ abstract class LightWalker {
      * @param tint of what passes, at a rough border; null elsewhere
      */
     private void connect(Bsdf bsdf, Scattering s, double[] tint) {
-        if (!eye.project() || out != null && !out.covers(eye.x() * width, eye.y() * height)) {
-            return;
-        }
-        if (!eye.sees(bsdf, s, tint)) {
-            return;
-        }
-        double r = red * s.valueR * eye.importance() * eye.through[0];
-        double g = green * s.valueG * eye.importance() * eye.through[1];
-        double b = blue * s.valueB * eye.importance() * eye.through[2];
-        if (out == null) {
-            brought += (r + g + b) / 3;
-        } else {
-            out.add(eye.x() * width, eye.y() * height, r, g, b);
+        if (isSeen(bsdf, s, tint)) {
+            double importance = eye.importance();
+            add(
+                    red * s.valueR * importance * eye.through[0],
+                    green * s.valueG * importance * eye.through[1],
+                    blue * s.valueB * importance * eye.through[2]);
         }
     }
 

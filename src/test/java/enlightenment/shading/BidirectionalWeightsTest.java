@@ -86,7 +86,7 @@ class BidirectionalWeightsTest {
     private void read(String camera) {
         Scene read = SceneReader.readString(SCENE.replace("CAMERA", camera), Path.of(""), "");
         scene = SceneCompiler.compile(read, RenderSettings.of(read));
-        starts = new LightStarts(scene, false);
+        starts = scene.lightStarts(false);
         eye = new EyeProjection(scene.camera);
     }
 
@@ -275,7 +275,7 @@ class BidirectionalWeightsTest {
         int n = p.size();
         if (j == n) {
             // Connected to the eye itself; but not the light.
-            return seenStraight && n > 1 ? BidirectionalLightTracer.PATHS_PER_SAMPLE : 0;
+            return seenStraight && n > 1 ? BidirectionalTracer.LIGHT_PATHS_PER_SAMPLE : 0;
         }
         Vertex last = p.get(n - 1);
         double density = 1;

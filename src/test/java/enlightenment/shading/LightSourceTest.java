@@ -62,7 +62,7 @@ class LightSourceTest {
 
     /** Draws paths; returns by light: how many there were, and the sum of their powers. */
     private static double[][] draw(CompiledScene scene, boolean withBackground) {
-        LightStarts starts = new LightStarts(scene, withBackground);
+        LightStarts starts = scene.lightStarts(withBackground);
         LightSource source = new LightSource(starts, scene.physical);
         SplittableRandom random = new SplittableRandom(5);
         double[][] found = new double[2][starts.background + 1];
@@ -112,12 +112,12 @@ class LightSourceTest {
     @Test
     void theSurroundingsShineThroughABallAroundAllSurfaces() {
         CompiledScene scene = compile(scene(0.5));
-        LightStarts starts = new LightStarts(scene, true);
+        LightStarts starts = scene.lightStarts(true);
         double power = 4 * Math.PI * Math.PI * starts.radius * starts.radius * 0.5;
         double[][] found = draw(scene, true);
         double each = found[1][starts.background] / found[0][starts.background];
         assertEquals(power / starts.probability(starts.background), each, 1e-9 * each);
-        assertEquals(0, new LightStarts(scene, false).probability(starts.background));
+        assertEquals(0, scene.lightStarts(false).probability(starts.background));
         assertEquals(0, draw(scene, false)[0][starts.background]);
     }
 
@@ -132,7 +132,7 @@ class LightSourceTest {
     }
 
     private static boolean isAnyBallTwoSided(CompiledScene scene) {
-        LightStarts starts = new LightStarts(scene, false);
+        LightStarts starts = scene.lightStarts(false);
         boolean any = false;
         for (int l = 0; l < starts.background; l++) {
             any |= scene.physical.lights[l].isBall && starts.shinesBothWays(l);
@@ -147,7 +147,7 @@ class LightSourceTest {
                 .shading(PhysicalShading.DEFAULT)
                 .build();
         CompiledScene scene = SceneCompiler.compile(dark, RenderSettings.of(dark));
-        LightSource source = new LightSource(new LightStarts(scene, true), scene.physical);
+        LightSource source = new LightSource(scene.lightStarts(true), scene.physical);
         assertFalse(source.emit(new double[PathSource.NUMBERS], new Ray()));
     }
 }

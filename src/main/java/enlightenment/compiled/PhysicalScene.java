@@ -99,7 +99,7 @@ public final class PhysicalScene {
                 || hasPanes(compiled);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
-        caustics = CausticPass.of(lights, compiled, maxBounces);
+        caustics = CausticPass.of(lights, surroundings == null ? null : surroundings.sun, compiled, maxBounces);
         picker = picker(lights);
     }
 

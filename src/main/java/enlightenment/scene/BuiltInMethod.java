@@ -105,7 +105,7 @@ public enum BuiltInMethod implements Method {
             case FLUORESCENCE -> false;
             // No method follows single wavelengths yet.
             case DISPERSION -> false;
-            case SURROUNDINGS -> this == RAYTRACE || this == CLUSTER || this == METROPOLIS;
+            case SURROUNDINGS -> true;
         };
     }
 

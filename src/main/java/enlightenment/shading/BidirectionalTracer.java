@@ -26,6 +26,11 @@ public final class BidirectionalTracer implements Shader {
     private final LightSubpath light;
     private final BidirectionalLights lights;
     private final SegmentRays segments;
+
+    /** Light from a picture or a sky around the scene; null if there is none. It is added there first. */
+    private final InfiniteLight infinite;
+
+    private final PathValue fromInfinity = new PathValue();
     private final Scattering there = new Scattering();
     private final ReverseDensity reverse = new ReverseDensity();
 
@@ -43,6 +48,8 @@ public final class BidirectionalTracer implements Shader {
         eye = new EyeSubpath(scene, counters, LIGHT_PATHS_PER_SAMPLE);
         light = new LightSubpath(scene, starts, counters);
         lights = new BidirectionalLights(scene, starts, counters, eye);
+        infinite = InfiniteLight.of(scene, counters, eye.path, fromInfinity);
+        fromInfinity.begin(1);
         segments = new SegmentRays(scene, counters, eye.path);
     }
 
@@ -109,7 +116,12 @@ public final class BidirectionalTracer implements Shader {
     private boolean step(Sampler sampler) {
         switch (eye.next(sampler)) {
             case NOTHING:
-                add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                if (infinite == null) {
+                    add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                } else {
+                    infinite.arrive(eye.ray, eye.lastConnects, 1);
+                    addInfinite();
+                }
                 return false;
             case PASSED:
                 return true;
@@ -127,7 +139,29 @@ public final class BidirectionalTracer implements Shader {
         if (!eye.bsdf.isDelta()) {
             gather(sampler);
         }
-        return eye.leave(sampler);
+        return infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
+    }
+
+    /**
+     * Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). Leaves the surface, too.
+     */
+    private boolean gatherInfinite(Sampler sampler) {
+        if (!eye.bsdf.isDelta()) {
+            if (eye.isBorder) {
+                infinite.gatherAtBorder(eye.bsdf, eye.s, eye.color, sampler, eye.address, eye.isFirst);
+            } else {
+                infinite.gather(eye.bsdf, eye.s, sampler, eye.address, eye.isFirst);
+            }
+            addInfinite();
+        }
+        boolean goes = eye.leave(sampler);
+        infinite.left(eye.isBorder ? eye.path.glass.border.pdf : eye.s.pdf);
+        return goes;
+    }
+
+    private void addInfinite() {
+        add(1, fromInfinity.red, fromInfinity.green, fromInfinity.blue);
+        fromInfinity.beginPart();
     }
 
     /** Adds light that comes to the last vertex of the path from the eye. */

@@ -167,7 +167,7 @@ public final class PathTracer implements Shader {
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
             if (infinite != null && !isAlbedo) {
-                infinite.arrive(ray, history.gathered, history.scattered ? weightOfCaustic() : 1);
+                infinite.arrive(ray, history.gathered, hasCausticPass && history.scatteredFirst ? 0 : 1);
             } else if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
                 value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);

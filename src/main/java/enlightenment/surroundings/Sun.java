@@ -50,6 +50,11 @@ public final class Sun {
         solidAngle = 2 * Math.PI * oneMinusCosine;
     }
 
+    /** The greatest band of its radiance. */
+    public double max() {
+        return Math.max(r, Math.max(g, b));
+    }
+
     /** Whether a unit vector leads to the disk. */
     public boolean contains(double dx, double dy, double dz) {
         // The chord: near 1 a cosine has lost what counts.

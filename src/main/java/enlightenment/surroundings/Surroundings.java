@@ -137,9 +137,18 @@ public final class Surroundings {
         return table.isBlack();
     }
 
-    /** The integral of radiance over all directions, without the sun: the sum of all bands. */
-    public double total() {
-        return table.total;
+    /** The integral of radiance over all directions: the sum of all bands. */
+    public double power() {
+        return table.total + ofSun();
+    }
+
+    private double ofSun() {
+        return sun == null ? 0 : (sun.r + sun.g + sun.b) * sun.solidAngle;
+    }
+
+    /** The share of that which is the sun's. */
+    public double sunShare() {
+        return power() > 0 ? ofSun() / power() : 0;
     }
 
     /**

@@ -2,6 +2,7 @@ package enlightenment.compiled;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -14,7 +15,9 @@ import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.material.Texture;
+import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.nio.file.Path;
@@ -83,11 +86,14 @@ public final class Descriptions {
                     Material.Matte.of(RED),
                     Material.Mirror.of(RED),
                     Material.Glossy.of(RED, 0.5),
-                    Material.Glass.of(RED, 1.5)));
+                    Material.Glass.of(RED, 1.5),
+                    Material.Scattering.of(Medium.Colored.of(Rgb.gray(0.5), Rgb.gray(0.25))),
+                    new Material.Fluorescent(RED, new WavelengthBand(300, 400), new WavelengthBand(500, 600), 0.5)));
 
     /** Those that classic shading knows. */
-    public static final List<Material> CLASSIC_MATERIALS =
-            MATERIALS.stream().filter(m -> !(m instanceof Material.Glossy)).toList();
+    public static final List<Material> CLASSIC_MATERIALS = MATERIALS.stream()
+            .filter(m -> m instanceof Material.Matte || m instanceof Material.Mirror || m instanceof Material.Glass)
+            .toList();
 
     /** Textures; no file is where the one names it. */
     public static final List<Texture> TEXTURES = all(

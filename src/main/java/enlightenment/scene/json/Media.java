@@ -21,7 +21,12 @@ final class Media {
 
     /** The medium of a part that has the keys of one, and maybe others; null after a problem. */
     static Medium read(Fields f) {
+        boolean isPhysics = f.has("scatteringCoefficient") || f.has("absorptionCoefficient");
         boolean isLook = f.has("color") || f.has("meanFreePath");
+        if (!isLook && !isPhysics) {
+            f.problem("color", "missing; a medium has either " + LOOK + " or " + PHYSICS);
+            return null;
+        }
         List<String> keys =
                 isLook ? List.of("color", "meanFreePath") : List.of("scatteringCoefficient", "absorptionCoefficient");
         if (isLook) {

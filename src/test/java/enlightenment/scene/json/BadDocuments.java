@@ -150,31 +150,116 @@ final class BadDocuments {
             edit("\"shadowSamples\": 7", "\"proposal\": \"gauss\"", "/render/proposal", "expected one of"),
             edit("\"maxBounces\": 7", "\"maxBounces\": -1", "/shading/maxBounces", "whole number"),
             edit("\"type\": \"triangle\"", "\"type\": \"mesh\"", "/objects/8/type", "not available yet"),
+            // Matter and surroundings, for physical shading.
             edit(
-                    "\"type\": \"mirror\"",
-                    "\"type\": \"scattering\"",
-                    "/materials/chrome/type",
-                    "not available yet: no method follows light that is scattered inside of a solid; expected one of"),
+                    "\"anisotropy\": 0.375",
+                    "\"anisotropy\": 1",
+                    "/materials/wax/anisotropy",
+                    "between -1 and 1, both excluded"),
             edit(
-                    "\"type\": \"mirror\"",
-                    "\"type\": \"fluorescent\"",
-                    "/materials/chrome/type",
-                    "not available yet: no method takes light from one wavelength to another; expected one of"),
+                    "\"anisotropy\": 0.375",
+                    "\"anisotropy\": 0.375, \"scatteringCoefficient\": 3",
+                    "/materials/wax/scatteringCoefficient",
+                    "stands beside \"color\" and \"meanFreePath\""),
             edit(
-                    "\"priority\": -2",
-                    "\"dispersion\": 60",
-                    "/materials/glass/dispersion",
-                    "not available yet: glass refracts all wavelengths alike"),
+                    "\"color\": \"#f0e0c0\", \"meanFreePath\": [0.3, 0.2, 0.1]",
+                    "\"color\": \"#f0e0c0\"",
+                    "/materials/wax/meanFreePath",
+                    "missing; a medium has either \"color\" and \"meanFreePath\" or"),
             edit(
-                    "\"radius\": 0.15,",
-                    "\"radius\": 0.15, \"ultraviolet\": 3,",
-                    "/lights/0/ultraviolet",
-                    "not available yet: only fluorescent surfaces will see it"),
+                    ", \"absorptionCoefficient\": 0.125",
+                    "",
+                    "/materials/milk/absorptionCoefficient",
+                    "missing; a medium has either"),
+            edit(
+                    "\"absorptionCoefficient\": 0.125",
+                    "\"absorptionCoefficient\": -0.125",
+                    "/materials/milk/absorptionCoefficient",
+                    "at least 0"),
+            edit(
+                    "\"absorptionCoefficient\": 0.125",
+                    "\"absorptionCoefficient\": 0.125, \"absorption\": 0.125",
+                    "/materials/milk/absorption",
+                    "is called \"absorptionCoefficient\" here"),
+            edit(
+                    "\"roughness\": 0.125, \"priority\": 3",
+                    "\"roughness\": 1.5, \"priority\": 3",
+                    "/materials/wax/roughness",
+                    "0.0..1.0"),
+            edit(
+                    "\"roughness\": 0.125, \"priority\": 3",
+                    "\"radiance\": 0.125, \"priority\": 3",
+                    "/materials/wax/radiance",
+                    "media do not glow"),
+            edit(
+                    "\"indexOfRefraction\": 1.44",
+                    "\"indexOfRefraction\": 0",
+                    "/materials/wax/indexOfRefraction",
+                    "greater than 0"),
+            edit(
+                    "\"absorption\": [320, 450]",
+                    "\"absorption\": [290, 450]",
+                    "/materials/marker/absorption",
+                    "in 300..780 nm, not [290.0, 450.0]"),
+            edit(
+                    "\"emission\": [500, 600.5]",
+                    "\"emission\": [500, 600, 700]",
+                    "/materials/marker/emission",
+                    "two wavelengths [from, to] in nanometres"),
+            edit("\"yield\": 0.875", "\"yield\": 1.25", "/materials/marker/yield", "0.0..1.0"),
+            edit(
+                    "\"yield\": 0.875",
+                    "\"yield\": 0.875, \"receivesShadows\": false",
+                    "/materials/marker/receivesShadows",
+                    "belongs to classic shading"),
+            edit("\"dispersion\": 36.5", "\"dispersion\": 0", "/materials/glass/dispersion", "greater than 0"),
+            edit("\"dispersion\": 36.5", "\"ultraviolet\": 1", "/materials/glass/ultraviolet", "glass does not glow"),
+            edit("\"ultraviolet\": 7", "\"ultraviolet\": -7", "/lights/0/ultraviolet", "at least 0"),
+            edit(
+                    "\"ultraviolet\": 2.5",
+                    "\"ultraviolet\": [1, 2, 3]",
+                    "/materials/ember/ultraviolet",
+                    "must be a number"),
+            edit(
+                    "\"maxBounces\": 7",
+                    "\"medium\": { \"color\": \"#fff\", \"meanFreePath\": 3 }",
+                    "/shading/medium",
+                    "belongs to physical shading"),
             edit(
                     "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
-                    "\"physical\", \"background\": {\"texture\": \"ice\", \"radiance\": 3}",
-                    "/shading/background",
-                    "a texture as background is not available yet"),
+                    "\"physical\", \"background\": {\"texture\": 3}",
+                    "/shading/background/texture",
+                    "the name of a texture"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"texture\": \"ice\", \"radiance\": -3}",
+                    "/shading/background/radiance",
+                    "at least 0"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"texture\": \"ice\", \"exposure\": 3}",
+                    "/shading/background/exposure",
+                    "unknown key"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"type\": \"sky\"}",
+                    "/shading/background/elevation",
+                    "missing; a sky background needs it"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"type\": \"sky\", \"elevation\": 91}",
+                    "/shading/background/elevation",
+                    "0.0..90.0"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"type\": \"sky\", \"elevation\": 9, \"turbidity\": 11}",
+                    "/shading/background/turbidity",
+                    "1.0..10.0"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"medium\": {}",
+                    "/shading/medium/color",
+                    "missing; a medium has either"),
             // Light, for physical shading.
             edit(
                     "\"radius\": 0.15,",
@@ -205,8 +290,8 @@ final class BadDocuments {
             edit("\"roughness\": 0.25", "\"roughness\": 2", "/materials/glass/roughness", "0.0..1.0, not 2.0"),
             edit("[0.5, 0, 2]", "[0.5, 0, -2]", "/materials/glass/absorption/2", "at least 0, not -2.0"),
             edit(
-                    "\"absorption\"",
-                    "\"radiance\"",
+                    "\"absorption\": [0.5, 0, 2]",
+                    "\"radiance\": [0.5, 0, 2]",
                     "/materials/glass/radiance",
                     "belongs to opaque materials: glass does not glow"),
             edit(
@@ -258,6 +343,51 @@ final class BadDocuments {
 
     /** What only the reader can know. */
     static final List<Edit> FOR_THE_READER = List.of(
+            edit(
+                    "\"meanFreePath\": [0.3, 0.2, 0.1]",
+                    "\"meanFreePath\": [0.3, 0, 0.1]",
+                    "/materials/wax/meanFreePath",
+                    "greater than 0, not 0.0"),
+            edit(
+                    "\"meanFreePath\": [0.3, 0.2, 0.1]",
+                    "\"meanFreePath\": 1e-310",
+                    "/materials/wax/meanFreePath",
+                    "too short"),
+            edit(
+                    "\"color\": \"#f0e0c0\"",
+                    "\"color\": {\"linear\": [0, 0, 1.5]}",
+                    "/materials/wax/color",
+                    "reflects more than it receives"),
+            edit(
+                    "\"scatteringCoefficient\": [6, 5, 4], \"absorptionCoefficient\": 0.125",
+                    "\"scatteringCoefficient\": 1e308, \"absorptionCoefficient\": 1e308",
+                    "/materials/milk/scatteringCoefficient",
+                    "beyond the range of doubles"),
+            edit(
+                    "\"absorption\": [320, 450]",
+                    "\"absorption\": [450, 320]",
+                    "/materials/marker/absorption",
+                    "two growing wavelengths"),
+            edit(
+                    "\"emission\": [500, 600.5]",
+                    "\"emission\": [300, 310]",
+                    "/materials/marker/emission",
+                    "never shorter than what was absorbed"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"texture\": \"checks\"}",
+                    "/shading/background/texture",
+                    "must name an image file"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"texture\": \"icy\"}",
+                    "/shading/background/texture",
+                    "did you mean \"ice\"?"),
+            edit(
+                    "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
+                    "\"physical\", \"background\": {\"type\": \"sky\", \"elevation\": 9, \"groundAlbedo\": [1, 1, 1.5]}",
+                    "/shading/background/groundAlbedo",
+                    "more than it receives"),
             edit("\"width\": 40", "\"width\": 1e30", "/image/width", "in 1..65536, not 1e30"),
             // Numbers that no double can hold.
             edit("\"radius\": 1.5", "\"radius\": 1e-400", "/objects/0/radius", "not 1e-400"),
@@ -286,7 +416,7 @@ final class BadDocuments {
                     "{ \"texture\": \"check\" }",
                     "/objects/3/material/color/texture",
                     "unknown texture \"check\"; did you mean \"checks\"?"),
-            edit("\"name\": \"ring\"", "\"name\": \"ball\"", "/objects/7/name", "is used twice; first in line 28"),
+            edit("\"name\": \"ring\"", "\"name\": \"ball\"", "/objects/7/name", "is used twice; first in line 34"),
             // What surfaces cannot be made of.
             edit(
                     "[0.25, 0.5, 1]",

@@ -35,13 +35,19 @@ final class Documents {
                 "ice": { "type": "matte", "color": { "texture": "ice" }, "receivesShadows": false },
                 "chrome": { "type": "mirror", "color": [0.1, 0.2, 0.3], "radiance": 0.5, "receivesShadows": true },
                 "glass": { "type": "glass", "color": "#fefefe", "indexOfRefraction": 1.5, "transparency": 0.875,
-                  "priority": -2, "roughness": 0.25, "absorption": [0.5, 0, 2], "multipleScattering": false, "receivesShadows": true },
-                "ember": { "type": "matte", "color": { "linear": [0.25, 0.5, 1] }, "roughness": 0.625, "radiance": [4, 2, 0] },
+                  "priority": -2, "roughness": 0.25, "absorption": [0.5, 0, 2], "multipleScattering": false,
+                  "dispersion": 36.5, "receivesShadows": true },
+                "ember": { "type": "matte", "color": { "linear": [0.25, 0.5, 1] }, "roughness": 0.625, "radiance": [4, 2, 0], "ultraviolet": 2.5 },
                 "copper": { "type": "glossy", "color": "#ffeeff", "roughness": 0.375, "eta": [0.2, 0.92, 1.1], "k": [3.91, 2.45, 2.14],
-                  "multipleScattering": false, "radiance": 1.5 }
+                  "multipleScattering": false, "radiance": 1.5, "ultraviolet": 0.25 },
+                "wax": { "type": "scattering", "color": "#f0e0c0", "meanFreePath": [0.3, 0.2, 0.1], "anisotropy": 0.375,
+                  "indexOfRefraction": 1.44, "roughness": 0.125, "priority": 3 },
+                "milk": { "type": "scattering", "scatteringCoefficient": [6, 5, 4], "absorptionCoefficient": 0.125 },
+                "marker": { "type": "fluorescent", "color": [0.5, 0.25, 0], "absorption": [320, 450], "emission": [500, 600.5],
+                  "yield": 0.875, "radiance": 0.5, "ultraviolet": 0.75 }
               },
               "lights": [
-                { "type": "sphere", "center": [0, 1, 1], "radius": 0.15, "color": "#ffffff", "radiance": [200, 150, 100] },
+                { "type": "sphere", "center": [0, 1, 1], "radius": 0.15, "color": "#ffffff", "radiance": [200, 150, 100], "ultraviolet": 7 },
                 { "type": "rectangle", "corners": [[0, 9, 0], [0, 9, 1], [1, 9, 1], [1, 9, 0]], "color": "#ffffee", "twoSided": false, "power": 40 },
                 { "type": "point", "position": [0, 5, 5], "color": [1, 1, 1], "intensity": 3 }
               ],

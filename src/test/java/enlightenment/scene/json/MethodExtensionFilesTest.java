@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.PhysicalShading;
@@ -96,7 +97,7 @@ class MethodExtensionFilesTest {
     void aBackgroundThatAScreenShowsIsDecodedOnce() {
         Scene s = read("\"shading\": { \"model\": \"physical\", \"background\": \"#804020\" }");
         Rgb light = Rgb.of(DisplayRgb.ofBytes(0x80, 0x40, 0x20));
-        assertEquals(light, ((PhysicalShading) s.shading()).background());
+        assertEquals(new Background.Constant(light), ((PhysicalShading) s.shading()).background());
         assertEquals(s, again(s));
         Scene written = read("\"shading\": { \"model\": \"physical\", \"background\": { \"linear\": [" + light.r()
                 + ", " + light.g() + ", " + light.b() + "] } }");

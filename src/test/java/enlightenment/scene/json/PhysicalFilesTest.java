@@ -10,17 +10,19 @@ import enlightenment.color.Tone;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.material.Texture;
+import enlightenment.scene.Background;
 import enlightenment.scene.Display;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException.Problem;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What scene files say about light, and what they say that is not there yet. */
+/** What scene files say about light and matter. */
 class PhysicalFilesTest {
     @TempDir
     Path folder;
@@ -127,20 +129,54 @@ class PhysicalFilesTest {
     }
 
     @Test
-    void aWaxBallIsRefusedWithItsFileItsPlaceAndTheReason() {
-        List<Problem> problems = Documents.problems(
-                scene("\"materials\": {\"wax\": {\"type\": \"scattering\", \"scatteringCoefficient\": [6, 5, 3],"
-                        + " \"absorptionCoefficient\": [0.06, 0.2, 0.6]}}, \"objects\": [{\"type\": \"sphere\","
-                        + " \"center\": [0, 0, 0], \"radius\": 1, \"material\": \"wax\"}]"),
-                folder);
-        assertEquals(1, problems.size(), problems.toString());
-        String said = problems.get(0).toString();
-        assertTrue(said.startsWith("scene.json:1:"), said);
-        assertTrue(
-                said.endsWith(
-                        "/materials/wax/type: \"scattering\" is not available yet: no method follows light that is"
-                                + " scattered inside of a solid; expected one of \"matte\", \"mirror\", \"glossy\", \"glass\""),
-                said);
+    void aMediumIsGivenByItsLookOrByItsPhysics() {
+        Material.Scattering wax =
+                (Material.Scattering) material("\"type\": \"scattering\", \"color\": \"#fff\", \"meanFreePath\": 0.5");
+        assertEquals(Material.Scattering.of(Medium.Colored.of(DisplayRgb.WHITE, Rgb.gray(0.5))), wax);
+        Material.Scattering milk = (Material.Scattering) material(
+                "\"type\": \"scattering\", \"scatteringCoefficient\": [6, 5, 3], \"absorptionCoefficient\": 0.5,"
+                        + " \"anisotropy\": -0.25");
+        assertEquals(new Medium.Coefficients(new Rgb(6, 5, 3), Rgb.gray(0.5), -0.25), milk.medium());
+        assertEquals(1, milk.indexOfRefraction());
+    }
+
+    @Test
+    void surroundingsAreAPictureThatHasANameOrASky() {
+        Documents.withImage(folder);
+        String picture = "{\"model\": \"physical\", \"background\": {\"texture\": \"room\", \"rotation\": 90},"
+                + " \"medium\": {\"color\": \"#fff\", \"meanFreePath\": 40}}, \"textures\": {\"room\": {\"file\": \"ice.png\"}}";
+        Scene s = Documents.read(scene("\"name\": \"x\"").replace("{\"model\": \"physical\"}", picture), folder);
+        PhysicalShading shading = (PhysicalShading) s.shading();
+        Texture.File room = (Texture.File) s.textures().get("room");
+        assertEquals(new Background.Picture(room, Rgb.WHITE, 90), shading.background());
+        assertEquals(Optional.of(Medium.Colored.of(DisplayRgb.WHITE, Rgb.gray(40))), shading.medium());
+        assertEquals(s, again(s));
+        String sky = "{\"model\": \"physical\", \"background\": {\"type\": \"sky\", \"elevation\": 30}}";
+        s = Documents.read(scene("\"name\": \"x\"").replace("{\"model\": \"physical\"}", sky), folder);
+        assertEquals(Background.Sky.of(30, 0), ((PhysicalShading) s.shading()).background());
+        assertEquals(s, again(s));
+    }
+
+    @Test
+    void ultravioletLightHasNoColour() {
+        Light lamp = light(
+                "\"type\": \"point\", \"position\": [0, 0, 0], \"color\": {\"linear\": [0.5, 2, 0]}, \"ultraviolet\": 3");
+        assertEquals(3, lamp.ultraviolet());
+        assertEquals(Emission.INTENSITY_1.withUltraviolet(3), lamp.emission());
+    }
+
+    @Test
+    void dyesAndDispersionDoNotStandTogether() {
+        String both =
+                "\"materials\": {\"prism\": {\"type\": \"glass\", \"color\": \"#fff\", \"indexOfRefraction\": 1.6,"
+                        + " \"dispersion\": 36}, \"marker\": {\"type\": \"fluorescent\", \"color\": \"#fff\", \"absorption\":"
+                        + " [320, 450], \"emission\": [500, 600], \"yield\": 0.5}}";
+        Documents.read(scene(both), folder);
+        String objects = ", \"objects\": [{\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1, \"material\":"
+                + " \"prism\"}, {\"type\": \"sphere\", \"center\": [4, 0, 0], \"radius\": 1, \"material\": \"marker\"}]";
+        Problem problem = Documents.problem(scene(both + objects), folder);
+        assertEquals("/materials/prism/dispersion", problem.pointer());
+        assertTrue(problem.message().contains("(/materials/marker)"), problem.message());
     }
 
     @Test

@@ -18,10 +18,13 @@ import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.material.Texture;
+import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
+import enlightenment.scene.Background;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.ClusterSettings;
@@ -41,6 +44,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Random;
 import java.util.TreeMap;
@@ -58,6 +62,9 @@ final class RandomScenes {
     private final Map<String, Material> materials = new LinkedHashMap<>();
     private boolean isPhysical;
 
+    /** Scenes have fluorescent surfaces or glass that disperses light, not both. */
+    private boolean hasDyes;
+
     RandomScenes(long seed, Path imageFolder) {
         this.random = new Random(seed);
         this.imageFolder = imageFolder;
@@ -66,14 +73,15 @@ final class RandomScenes {
     Scene next() {
         textures.clear();
         materials.clear();
-        Shading shading = shading();
-        isPhysical = shading instanceof PhysicalShading;
+        isPhysical = random.nextBoolean();
+        hasDyes = random.nextBoolean();
         for (int i = random.nextInt(NAMES.length); i > 0; i--) {
             textures.put(NAMES[i], texture());
         }
         for (int i = random.nextInt(NAMES.length); i > 0; i--) {
             materials.put(NAMES[i], newMaterial());
         }
+        Shading shading = shading();
         List<Light> lights = new ArrayList<>();
         for (int i = random.nextInt(6); i > 0; i--) {
             lights.add(retry(this::light));
@@ -107,15 +115,50 @@ final class RandomScenes {
     }
 
     private Shading shading() {
-        return switch (random.nextInt(4)) {
-            case 0 -> ClassicShading.DEFAULT;
-            case 1 -> PhysicalShading.DEFAULT;
-            case 2 ->
-                new PhysicalShading(
-                        OptionalInt.of(random.nextInt(1000)),
-                        new Rgb(1e9 * unit(), random.nextDouble(), random.nextDouble() * 1e-9));
-            default -> new ClassicShading(unit(), unit(), color(), random.nextInt(1000));
-        };
+        if (!isPhysical) {
+            return random.nextBoolean()
+                    ? ClassicShading.DEFAULT
+                    : new ClassicShading(unit(), unit(), color(), random.nextInt(1000));
+        }
+        return random.nextInt(3) == 0
+                ? PhysicalShading.DEFAULT
+                : new PhysicalShading(
+                        random.nextBoolean() ? OptionalInt.empty() : OptionalInt.of(random.nextInt(1000)),
+                        background(),
+                        random.nextBoolean() ? Optional.empty() : Optional.of(retry(this::medium)));
+    }
+
+    private Background background() {
+        switch (random.nextInt(3)) {
+            case 0:
+                return new Background.Constant(new Rgb(1e9 * unit(), random.nextDouble(), random.nextDouble() * 1e-9));
+            case 1:
+                List<Texture.File> named = textures.values().stream()
+                        .filter(Texture.File.class::isInstance)
+                        .map(Texture.File.class::cast)
+                        .toList();
+                Texture.File picture = named.isEmpty() ? file() : named.get(random.nextInt(named.size()));
+                if (named.isEmpty()) {
+                    textures.put("around", picture);
+                }
+                return new Background.Picture(
+                        picture, random.nextBoolean() ? Rgb.WHITE : radiance(), random.nextBoolean() ? 0 : number());
+            default:
+                return new Background.Sky(
+                        90 * unit(),
+                        random.nextBoolean() ? 0 : number(),
+                        random.nextBoolean() ? Background.Sky.USUAL_TURBIDITY : 1 + 9 * random.nextDouble(),
+                        random.nextBoolean() ? Rgb.BLACK : new Rgb(unit(), unit(), unit()),
+                        random.nextBoolean() ? Rgb.WHITE : radiance(),
+                        random.nextBoolean());
+        }
+    }
+
+    private Medium medium() {
+        double anisotropy = random.nextBoolean() ? 0 : 2 * unit() - 1;
+        return random.nextBoolean()
+                ? new Medium.Colored(surfaceColor(), new Rgb(positive(), positive(), positive()), anisotropy)
+                : new Medium.Coefficients(radiance(), radiance(), anisotropy);
     }
 
     /** Some random values make no shape: then others do. */
@@ -131,9 +174,7 @@ final class RandomScenes {
 
     private Animation animation(Shading shading, List<Light> lights, List<SceneObject> objects) {
         List<Animation.Track> tracks = new ArrayList<>();
-        tracks.add(new Animation.Track(
-                "/shading/background/" + (shading instanceof PhysicalShading ? "linear/" : "") + random.nextInt(3),
-                keys()));
+        tracks.add(new Animation.Track("/shading/background/" + animated(shading), keys()));
         tracks.add(new Animation.Track("/render/seed", keys()));
         if (random.nextBoolean()) {
             tracks.add(new Animation.Track("/display/exposure", keys()));
@@ -148,13 +189,24 @@ final class RandomScenes {
                 tracks.add(new Animation.Track("/objects/" + i + "/center/" + random.nextInt(3), keys()));
             } else if (o.shape() instanceof Cube) {
                 tracks.add(new Animation.Track("/objects/" + i + "/rotation/1", keys()));
-            } else if (o.material().color() instanceof Texture.Solid) {
+            } else if (o.material().color() instanceof Texture.Solid
+                    && !(o.material() instanceof Material.Scattering)) {
                 boolean linear = ((Texture.Solid) o.material().color()).color() instanceof Rgb;
                 tracks.add(new Animation.Track(
                         "/objects/" + i + "/material/color/" + (linear ? "linear/2" : "2"), keys()));
             }
         }
         return new Animation(1 + random.nextInt(1000), positive(), tracks);
+    }
+
+    /** Where a shading's background has a number. */
+    private String animated(Shading shading) {
+        if (shading instanceof PhysicalShading physical) {
+            return physical.background() instanceof Background.Constant
+                    ? "linear/" + random.nextInt(3)
+                    : physical.background() instanceof Background.Picture ? "rotation" : "elevation";
+        }
+        return "" + random.nextInt(3);
     }
 
     private Animation.Track track(String light, Emission emission) {
@@ -264,11 +316,11 @@ final class RandomScenes {
                 ? Texture.of(surfaceColor())
                 : named.get(random.nextInt(named.size()));
         boolean shadows = isPhysical || random.nextBoolean();
-        switch (random.nextInt(isPhysical ? 4 : 3)) {
+        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 6 : 5)) {
             case 0:
-                return new Material.Matte(color, shadows, random.nextBoolean() ? 0 : unit(), radiance());
+                return new Material.Matte(color, shadows, random.nextBoolean() ? 0 : unit(), radiance(), ultraviolet());
             case 1:
-                return new Material.Mirror(color, shadows, radiance());
+                return new Material.Mirror(color, shadows, radiance(), ultraviolet());
             case 3:
                 return new Material.Glossy(
                         color,
@@ -278,7 +330,17 @@ final class RandomScenes {
                                 : Optional.of(new Material.Conductor(
                                         new Rgb(positive(), positive(), positive()), radiance())),
                         random.nextBoolean(),
-                        radiance());
+                        radiance(),
+                        ultraviolet());
+            case 4:
+                return new Material.Scattering(
+                        retry(this::medium),
+                        random.nextBoolean() ? 1 : positive(),
+                        random.nextBoolean() ? 0 : unit(),
+                        random.nextBoolean() ? 0 : random.nextInt());
+            case 5:
+                return retry(() -> new Material.Fluorescent(
+                        color, wavelengths(), wavelengths(), unit(), radiance(), ultraviolet()));
             default:
                 return new Material.Glass(
                         color,
@@ -288,17 +350,31 @@ final class RandomScenes {
                         shadows,
                         random.nextBoolean() ? 0 : unit(),
                         radiance(),
-                        random.nextBoolean());
+                        random.nextBoolean(),
+                        hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive()));
         }
+    }
+
+    private double ultraviolet() {
+        return random.nextBoolean() ? 0 : Math.abs(number());
+    }
+
+    private WavelengthBand wavelengths() {
+        double low = 300 + 400 * unit();
+        return new WavelengthBand(low, low + 0.25 + 75 * unit());
+    }
+
+    private Texture.File file() {
+        return new Texture.File(
+                imageFolder.resolve("ice.png"),
+                Texture.Filter.values()[random.nextInt(2)],
+                Texture.Encoding.values()[random.nextInt(2)]);
     }
 
     private Texture texture() {
         switch (random.nextInt(3)) {
             case 0:
-                return new Texture.File(
-                        imageFolder.resolve("ice.png"),
-                        Texture.Filter.values()[random.nextInt(2)],
-                        Texture.Encoding.values()[random.nextInt(2)]);
+                return file();
             case 1:
                 return new Texture.Checker(List.of(surfaceColor(), color()), positive());
             default:
@@ -317,7 +393,8 @@ final class RandomScenes {
     private Emission emission(Emission usual) {
         return random.nextInt(3) == 0
                 ? usual
-                : new Emission(random.nextBoolean() ? usual.quantity() : Emission.Quantity.POWER, radiance());
+                : new Emission(
+                        random.nextBoolean() ? usual.quantity() : Emission.Quantity.POWER, radiance(), ultraviolet());
     }
 
     private Rgb radiance() {

@@ -100,7 +100,7 @@ class SceneErrorsTest {
         assertTrue(problem.message().contains(says), problem.message());
         assertTrue(problem.pointer().startsWith("/objects/5"), problem.toString());
         assertTrue(!problem.message().contains("Jackson") && !problem.message().contains("Feature"), problem.message());
-        assertEquals(33, problem.line(), problem.toString());
+        assertEquals(39, problem.line(), problem.toString());
     }
 
     @Test

@@ -112,7 +112,8 @@ class SceneFormatDocumentTest {
                 new Section(Shapes.FAMILY, "### Objects", true),
                 new Section(Materials.FAMILY, "### Materials", true),
                 new Section(Textures.FAMILY, "### Textures", true),
-                new Section(Lights.FAMILY, "### Lights", true));
+                new Section(Lights.FAMILY, "### Lights", true),
+                new Section(Backgrounds.FAMILY, "#### Surroundings", true));
     }
 
     @Test
@@ -141,6 +142,7 @@ class SceneFormatDocumentTest {
         return List.of(
                 new Part("#### Classic", List.of(Vocabulary.CLASSIC_SHADING)),
                 new Part("#### Physical", List.of(Vocabulary.PHYSICAL_SHADING)),
+                new Part("#### Media", List.of(Vocabulary.MEDIUM)),
                 new Part("### Display", List.of(Vocabulary.DISPLAY)),
                 new Part("### Render", List.of(RenderPart.keys(BuiltInMethod.ALL))),
                 new Part("### Animation", List.of(Vocabulary.ANIMATION, Vocabulary.TRACK)));

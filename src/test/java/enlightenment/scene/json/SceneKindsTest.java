@@ -9,6 +9,8 @@ import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.scene.Background;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.io.IOException;
@@ -64,7 +66,16 @@ class SceneKindsTest {
                 new Sealed(Material.class, Materials.FAMILY, s -> s.materials().values().stream(), v -> ((Material) v)
                         .type()),
                 new Sealed(Light.class, Lights.FAMILY, s -> s.lights().stream(), v -> ((Light) v).type()),
-                new Sealed(Texture.class, Textures.FAMILY, s -> s.textures().values().stream(), v -> null));
+                new Sealed(Texture.class, Textures.FAMILY, s -> s.textures().values().stream(), v -> null),
+                new Sealed(Background.class, Backgrounds.FAMILY, SceneKindsTest::backgrounds, v -> null));
+    }
+
+    /** Those that are not just a colour, which the format writes as one. */
+    private static Stream<?> backgrounds(Scene scene) {
+        return scene.shading() instanceof PhysicalShading shading
+                        && !(shading.background() instanceof Background.Constant)
+                ? Stream.of(shading.background())
+                : Stream.empty();
     }
 
     private static Set<Class<?>> leaves(Class<?> type) {
@@ -75,6 +86,7 @@ class SceneKindsTest {
         for (Class<?> permitted : type.getPermittedSubclasses()) {
             leaves.addAll(leaves(permitted));
         }
+        leaves.remove(Background.Constant.class);
         return leaves;
     }
 

@@ -21,7 +21,9 @@ import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.material.Texture;
+import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
@@ -69,17 +71,33 @@ class SceneReaderTest {
         assertEquals(Map.of("ice", ice, "checks", checks, "plain", plain(0, 0, 255)), s.textures());
         Material matte = new Material.Matte(ice, false);
         Material chrome = new Material.Mirror(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)), true, Rgb.gray(0.5));
-        Material glass =
-                new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true, 0.25, new Rgb(0.5, 0, 2), false);
-        Material ember = new Material.Matte(Texture.of(new Rgb(0.25, 0.5, 1)), true, 0.625, new Rgb(4, 2, 0));
+        Material glass = new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true, 0.25, new Rgb(0.5, 0, 2), false)
+                .withDispersion(36.5);
+        Material ember = new Material.Matte(Texture.of(new Rgb(0.25, 0.5, 1)), true, 0.625, new Rgb(4, 2, 0), 2.5);
         Material copper = new Material.Glossy(
                 plain(255, 238, 255),
                 0.375,
                 Optional.of(new Material.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14))),
                 false,
-                Rgb.gray(1.5));
+                Rgb.gray(1.5),
+                0.25);
+        Material wax = new Material.Scattering(
+                new Medium.Colored(DisplayRgb.ofBytes(0xf0, 0xe0, 0xc0), new Rgb(0.3, 0.2, 0.1), 0.375),
+                1.44,
+                0.125,
+                3);
+        Material milk = Material.Scattering.of(Medium.Coefficients.of(new Rgb(6, 5, 4), Rgb.gray(0.125)));
+        Material marker = new Material.Fluorescent(
+                Texture.of(DisplayRgb.of(0.5, 0.25, 0)),
+                new WavelengthBand(320, 450),
+                new WavelengthBand(500, 600.5),
+                0.875,
+                Rgb.gray(0.5),
+                0.75);
         assertEquals(
-                Map.of("ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper),
+                Map.of(
+                        "ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper, "wax", wax,
+                        "milk", milk, "marker", marker),
                 s.materials());
         assertEquals(new Display(-0.5, Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
@@ -87,7 +105,11 @@ class SceneReaderTest {
         assertEquals(new RenderDefaults(Method.CLUSTER, 3, ChosenSettings.of(new RayTraceSettings(7)), 99), s.render());
         assertEquals(
                 List.of(
-                        new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE, Emission.radiance(new Rgb(200, 150, 100))),
+                        new Light.Sphere(
+                                p(0, 1, 1),
+                                0.15,
+                                DisplayRgb.WHITE,
+                                Emission.radiance(new Rgb(200, 150, 100)).withUltraviolet(7)),
                         new Light.Rectangle(
                                 p(0, 9, 0),
                                 p(0, 9, 1),

@@ -1,6 +1,5 @@
 package enlightenment.compiled;
 
-import enlightenment.codec.RasterFiles;
 import enlightenment.material.Texture;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
@@ -33,10 +32,10 @@ final class CompiledSurroundings {
 
     private static Surroundings picture(Background.Picture p, byte[] content) {
         boolean isLight = p.picture().encoding() == Texture.Encoding.LINEAR;
-        RasterFiles.Decoder<Surroundings> decoder =
-                bytes -> Surroundings.of(RasterFiles.decode(bytes), p.radiance(), p.rotation(), isLight);
         try {
-            return content == null ? RasterFiles.read(p.picture().file(), decoder) : decoder.decode(content);
+            return content == null
+                    ? Surroundings.read(p.picture().file(), p.radiance(), p.rotation(), isLight)
+                    : Surroundings.of(content, p.radiance(), p.rotation(), isLight);
         } catch (IOException e) {
             throw new SceneException(List.of(new SceneException.Problem(
                     p.picture().file().toString(),

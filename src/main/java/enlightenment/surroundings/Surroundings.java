@@ -1,10 +1,11 @@
 package enlightenment.surroundings;
 
-import enlightenment.codec.Raster;
+import enlightenment.codec.RasterFiles;
 import enlightenment.color.Rgb;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Angles;
 import java.io.IOException;
+import java.nio.file.Path;
 
 /**
  * Light that comes from infinity, from each direction another: a picture of all directions, or a sky with its sun. The vertical is the y
@@ -45,14 +46,24 @@ public final class Surroundings {
      * A picture of all directions, longitude by latitude: its upper edge is the direction of the y axis, its middle that of the z axis,
      * and to the right of it is that of the x axis.
      *
+     * @param file the bytes of a picture file of any kind that can be read
      * @param scale by which its light is multiplied, by band
      * @param degrees by which it is turned around the y axis: the picture's middle is seen in this direction then, counted from the z
      *     axis to the x axis
      * @param isLight whether whole numbers are proportional to light, rather than display-referred; floats always are
-     * @throws IOException if one of its numbers is no radiance, or there is not enough memory
+     * @throws IOException with the reason, if it cannot be read or one of its numbers is no radiance
      */
-    public static Surroundings of(Raster picture, Rgb scale, double degrees, boolean isLight) throws IOException {
-        return new Surroundings(DirectionMap.of(picture, scale, isLight), degrees, null);
+    public static Surroundings of(byte[] file, Rgb scale, double degrees, boolean isLight) throws IOException {
+        return new Surroundings(DirectionMap.of(RasterFiles.decode(file), scale, isLight), degrees, null);
+    }
+
+    /**
+     * As {@link #of}, of a file on the disk.
+     *
+     * @throws IOException with a message that names the file and the reason
+     */
+    public static Surroundings read(Path file, Rgb scale, double degrees, boolean isLight) throws IOException {
+        return RasterFiles.read(file, bytes -> of(bytes, scale, degrees, isLight));
     }
 
     /**

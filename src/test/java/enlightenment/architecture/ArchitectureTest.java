@@ -53,6 +53,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.image")
             .layer("picture")
             .definedBy("enlightenment.picture")
+            .layer("surroundings")
+            .definedBy("enlightenment.surroundings")
             .layer("texture")
             .definedBy("enlightenment.texture")
             .layer("geometry")
@@ -160,11 +162,23 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers(
-                    "bsdf", "emitter", "scene", "compiled", "shading", "method", "plan", "render", "net", "cli")
+                    "bsdf",
+                    "emitter",
+                    "surroundings",
+                    "scene",
+                    "compiled",
+                    "shading",
+                    "method",
+                    "plan",
+                    "render",
+                    "net",
+                    "cli")
             .whereLayer("text")
             .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
             .whereLayer("codec")
-            .mayOnlyBeAccessedByLayers("image", "picture", "texture")
+            .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings")
+            .whereLayer("surroundings")
+            .mayOnlyBeAccessedByLayers("compiled", "shading")
             .whereLayer("picture")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "cli")
             .whereLayer("texture")

@@ -18,15 +18,11 @@ final class ChainFile {
             throw CliException.wrongUsage("--dump-chains needs --method " + Method.METROPOLIS.word() + "; "
                     + settings.method().word() + " has none");
         }
-        String extension = FileNames.extension(file);
-        if (!extension.equals(".json") && !extension.equals(".csv")) {
-            throw CliException.wrongUsage(
-                    "--dump-chains must name a file that ends in .json or .csv, not \"" + file + "\"");
-        }
+        TableFile.check("--dump-chains", file);
     }
 
     static void write(Path file, RenderResult result, Terminal terminal) throws IOException {
-        boolean csv = FileNames.extension(file).equals(".csv");
+        boolean csv = TableFile.isCsv(file);
         WholeFile.write(file, csv ? csv(result) : ChainJson.of(result.chains()));
         if (result.report().sampling().method() != Method.METROPOLIS) {
             terminal.say(

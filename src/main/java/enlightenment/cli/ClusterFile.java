@@ -23,15 +23,11 @@ final class ClusterFile {
             throw CliException.wrongUsage("--dump-clusters needs --method " + able + "; "
                     + settings.method().word() + " has none");
         }
-        String extension = FileNames.extension(file);
-        if (!extension.equals(".json") && !extension.equals(".csv")) {
-            throw CliException.wrongUsage(
-                    "--dump-clusters must name a file that ends in .json or .csv, not \"" + file + "\"");
-        }
+        TableFile.check("--dump-clusters", file);
     }
 
     static void write(Path file, RenderResult result, Terminal terminal) throws IOException {
-        boolean csv = FileNames.extension(file).equals(".csv");
+        boolean csv = TableFile.isCsv(file);
         WholeFile.write(file, csv ? ClusterCsv.of(result.clusters()) : ClusterJson.of(result.clusters()));
         if (!result.report().sampling().method().hasClusters()) {
             terminal.say(

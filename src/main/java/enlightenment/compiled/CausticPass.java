@@ -44,6 +44,7 @@ public final class CausticPass {
     /** The sums of these. */
     private final double[] cumulative;
 
+    private final double ofUltraviolet;
     /** The disk of the sun, the light after the last; null if there is none. */
     public final Sun sun;
 
@@ -57,9 +58,11 @@ public final class CausticPass {
     private final boolean[] shinesBothWays;
     private final int[][] media;
 
-    private CausticPass(PhysicalLight[] lights, Sun sun, SpecularThings balls, CompiledPrimitives compiled) {
+    private CausticPass(
+            PhysicalLight[] lights, Sun sun, double ofUltraviolet, SpecularThings balls, CompiledPrimitives compiled) {
         this.lights = lights;
         this.sun = sun;
+        this.ofUltraviolet = ofUltraviolet;
         SceneBall around = SceneBall.around(compiled.primitives());
         center = around.center();
         radius = around.radius();
@@ -102,8 +105,11 @@ public final class CausticPass {
     /**
      * The pass of a scene; null if caustics need none: without mirrors and smooth glass, without lights that shine at them, and where
      * paths end before.
+     *
+     * @param ofUltraviolet how much of ultraviolet light is seen
      */
-    static CausticPass of(PhysicalLight[] lights, Sun sun, CompiledPrimitives compiled, int maxBounces) {
+    static CausticPass of(
+            PhysicalLight[] lights, Sun sun, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
         int n = sun == null ? lights.length : lights.length + 1;
         if (n == 0 || maxBounces < LEAST_BOUNCES) {
             return null;
@@ -113,7 +119,7 @@ public final class CausticPass {
         if (balls.count() == 0) {
             return null;
         }
-        CausticPass pass = new CausticPass(lights, sun, balls, compiled);
+        CausticPass pass = new CausticPass(lights, sun, ofUltraviolet, balls, compiled);
         return pass.cumulative[pass.cumulative.length - 1] > 0 ? pass : null;
     }
 
@@ -134,8 +140,9 @@ public final class CausticPass {
         }
     }
 
-    private static double brightness(PhysicalLight light) {
-        return Math.max(light.r, Math.max(light.g, light.b));
+    private double brightness(PhysicalLight light) {
+        double visible = Math.max(light.r, Math.max(light.g, light.b));
+        return ofUltraviolet > 0 ? Math.max(visible, ofUltraviolet * light.ultraviolet) : visible;
     }
 
     private double distance(PhysicalLight light, int s) {

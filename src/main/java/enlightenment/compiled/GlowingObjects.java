@@ -44,7 +44,7 @@ final class GlowingObjects {
                 all.add(object(light, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
             } else if (light instanceof Light.Point p) {
                 PhysicalLight point = point(p, frame);
-                if (point.luminance() > 0) {
+                if (point.luminance() > 0 || point.ultraviolet > 0) {
                     points.add(point);
                 }
             } else {
@@ -56,7 +56,8 @@ final class GlowingObjects {
                 .thenComparingDouble(l -> l.z)
                 .thenComparingDouble(l -> l.r)
                 .thenComparingDouble(l -> l.g)
-                .thenComparingDouble(l -> l.b));
+                .thenComparingDouble(l -> l.b)
+                .thenComparingDouble(l -> l.ultraviolet));
         if (all.isEmpty()) {
             objects = scene.objects();
         } else {
@@ -68,11 +69,13 @@ final class GlowingObjects {
     /** @param perPower the radiance of one unit of power */
     private SceneObject object(Light light, double perPower, boolean isTwoSided, Shape shape) {
         Rgb radiance = light.emitted();
+        double ultraviolet = light.ultraviolet();
         if (light.emission().quantity() == Emission.Quantity.POWER) {
+            ultraviolet *= perPower;
             radiance = new Rgb(radiance.r() * perPower, radiance.g() * perPower, radiance.b() * perPower);
         }
         Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
-        surfaces.put(black, new SurfaceMaterial(black, null, PhysicalSurface.light(radiance, isTwoSided)));
+        surfaces.put(black, new SurfaceMaterial(black, null, PhysicalSurface.light(radiance, ultraviolet, isTwoSided)));
         return SceneObject.of(shape, black);
     }
 
@@ -94,7 +97,8 @@ final class GlowingObjects {
                 new Rgb(
                         intensity(c.r() * perPower, frame),
                         intensity(c.g() * perPower, frame),
-                        intensity(c.b() * perPower, frame)));
+                        intensity(c.b() * perPower, frame)),
+                intensity(p.ultraviolet() * perPower, frame));
     }
 
     private static double intensity(double value, SceneFrame frame) {

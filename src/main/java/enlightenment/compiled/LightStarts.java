@@ -85,8 +85,11 @@ public final class LightStarts {
         return mean(scene.physical.backgroundR, scene.physical.backgroundG, scene.physical.backgroundB);
     }
 
-    private static double brightness(PhysicalLight light) {
-        return mean(light.r, light.g, light.b);
+    private double brightness(PhysicalLight light) {
+        double visible = mean(light.r, light.g, light.b);
+        return scene.physical.hasUltraviolet
+                ? Math.fma(scene.physical.visibleOfUltraviolet / 3, light.ultraviolet, visible)
+                : visible;
     }
 
     private static double mean(double r, double g, double b) {

@@ -48,7 +48,7 @@ public final class MirrorBalls {
                 for (int light = 0; light < physical.lights.length; light++) {
                     PhysicalLight l = physical.lights[light];
                     if (!l.isPoint && l.id != id && !scene.coincident.concerns(l.id)) {
-                        pairs.add(new Pair(id, light, power((SpherePrimitive) scene.primitives[id], l)));
+                        pairs.add(new Pair(id, light, power((SpherePrimitive) scene.primitives[id], l, physical)));
                     }
                 }
                 keepBest(pairs);
@@ -75,12 +75,13 @@ public final class MirrorBalls {
     }
 
     /** About how much of a light's power comes to a mirror, but for a factor. */
-    private static double power(SpherePrimitive mirror, PhysicalLight l) {
+    private static double power(SpherePrimitive mirror, PhysicalLight l, PhysicalScene scene) {
         double x = mirror.x() - l.ballX;
         double y = mirror.y() - l.ballY;
         double z = mirror.z() - l.ballZ;
         double share = mirror.radius() * mirror.radius() / (x * x + y * y + z * z);
-        return Math.max(l.r, Math.max(l.g, l.b)) * l.form.area() * Math.min(share, 1);
+        double brightest = Math.max(Math.max(l.r, Math.max(l.g, l.b)), scene.visibleOfUltraviolet * l.ultraviolet);
+        return brightest * l.form.area() * Math.min(share, 1);
     }
 
     /** The number of pairs. */

@@ -37,6 +37,7 @@ final class PhysicalFeatures {
         add(any(surfaces, m -> !m.isGlass && m.isDelta), "mirrors", "mirrors");
         add(any(surfaces, m -> m.isGlass), "refraction by Fresnel's equations, nested media", "refraction");
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");
+        add(scene.hasUltraviolet, "ultraviolet light", "ultraviolet light");
         add(scene.hasAbsorption, "absorption in media", "absorption in media");
         add(any(surfaces, SurfaceMaterial::hasImage), "image textures", "image textures");
     }

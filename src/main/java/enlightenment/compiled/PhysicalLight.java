@@ -41,10 +41,14 @@ public final class PhysicalLight extends LightBody {
     public final double g;
     public final double b;
 
+    /** The same of ultraviolet; 0 if nothing in the scene shows it. */
+    public final double ultraviolet;
+
     /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
     public final boolean hidesNothingOfItself;
 
-    private PhysicalLight(Place place, AreaLight form, Primitive surface, int id, int face, Rgb glow) {
+    private PhysicalLight(
+            Place place, AreaLight form, Primitive surface, int id, int face, Rgb glow, double ultraviolet) {
         super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
         this.form = form;
         this.id = id;
@@ -55,6 +59,7 @@ public final class PhysicalLight extends LightBody {
         r = glow.r();
         g = glow.g();
         b = glow.b();
+        this.ultraviolet = ultraviolet;
         hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex() && surface.isSolid());
     }
 
@@ -75,14 +80,19 @@ public final class PhysicalLight extends LightBody {
     }
 
     /** A point light of an intensity per squared unit of length of the frame. */
-    static PhysicalLight point(Vec3 position, Rgb intensity) {
-        return new PhysicalLight(Place.ball(position, 0), null, null, NO_PRIMITIVE, 0, intensity);
+    static PhysicalLight point(Vec3 position, Rgb intensity, double ultraviolet) {
+        return new PhysicalLight(Place.ball(position, 0), null, null, NO_PRIMITIVE, 0, intensity, ultraviolet);
+    }
+
+    /** This point light without its ultraviolet, which nothing shows. */
+    PhysicalLight withoutUltraviolet() {
+        return ultraviolet == 0 ? this : point(new Vec3(x, y, z), new Rgb(r, g, b), 0);
     }
 
     /** A face of a primitive that glows; null if it has no area in the frame. */
-    static PhysicalLight glowing(Primitive p, int id, int face, Rgb radiance, boolean isTwoSided) {
+    static PhysicalLight glowing(Primitive p, int id, int face, Rgb radiance, double ultraviolet, boolean isTwoSided) {
         AreaLight form = AreaLights.of(p, face, isTwoSided);
-        return form == null ? null : new PhysicalLight(Place.of(p, form), form, p, id, face, radiance);
+        return form == null ? null : new PhysicalLight(Place.of(p, form), form, p, id, face, radiance, ultraviolet);
     }
 
     /**

@@ -7,6 +7,7 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
+import enlightenment.surroundings.Sun;
 import enlightenment.surroundings.Surroundings;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -49,6 +50,15 @@ public final class PhysicalScene {
     /** Whether shadow rays may pass glass that does not turn them: panes, and borders of media of equal index. */
     public final boolean hasStraightGlass;
 
+    /** Whether there is ultraviolet light, and something that shows it. */
+    public final boolean hasUltraviolet;
+
+    /** The most that surfaces make of ultraviolet in a visible band; 0 if there is none. */
+    public final double visibleOfUltraviolet;
+
+    /** About how much light there is of each band; null unless there are fluorescent surfaces. */
+    public final double[] lightOfBands;
+
     /** Whether things may be seen in mirrors, in panes, or through glass that turns rays. */
     public final boolean showsMirrored;
 
@@ -68,6 +78,9 @@ public final class PhysicalScene {
         backgroundG = background.g();
         backgroundB = background.b();
         maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
+        boolean fluoresces = compiled.materials().any(m -> m.reradiation != null);
+        hasUltraviolet = fluoresces && LightBands.haveUltraviolet(compiled.materials(), points);
+        visibleOfUltraviolet = hasUltraviolet ? LightBands.visibleOfUltraviolet(compiled.materials()) : 0;
         int n = compiled.primitives().length;
         firstFace = new int[n];
         List<Integer> ofFaces = new ArrayList<>();
@@ -88,7 +101,12 @@ public final class PhysicalScene {
                 ofFaces.subList(first, ofFaces.size()).clear();
             }
         }
-        all.addAll(points);
+        for (PhysicalLight point : points) {
+            PhysicalLight shown = hasUltraviolet ? point : point.withoutUltraviolet();
+            if (brightness(shown) > 0) {
+                all.add(shown);
+            }
+        }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
         hasAbsorption = Arrays.stream(compiled.glassSolids())
@@ -99,27 +117,36 @@ public final class PhysicalScene {
                 || hasPanes(compiled);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
-        caustics = CausticPass.of(lights, surroundings == null ? null : surroundings.sun, compiled, maxBounces);
+        Sun sun = surroundings == null ? null : surroundings.sun;
+        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
+        lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }
 
-    private static LightPicker picker(PhysicalLight[] lights) {
+    /** By how much of a light is seen, straight or from fluorescent surfaces, it is chosen among others. */
+    private double brightness(PhysicalLight light) {
+        return hasUltraviolet ? light.luminance() + visibleOfUltraviolet * light.ultraviolet : light.luminance();
+    }
+
+    private LightPicker picker(PhysicalLight[] lights) {
         LightPicker.Builder builder = new LightPicker.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
-                builder.addPoint(new Vec3(light.x, light.y, light.z), light.luminance());
+                builder.addPoint(new Vec3(light.x, light.y, light.z), brightness(light));
             } else {
-                builder.add(light.form, light.luminance());
+                builder.add(light.form, brightness(light));
             }
         }
         return builder.build();
     }
 
-    private static PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face) {
-        SurfaceMaterial material = compiled.materials().of(id, face);
-        return material.glows
-                ? PhysicalLight.glowing(compiled.primitives()[id], id, face, material.glow(), material.glowsInside)
-                : null;
+    private PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face) {
+        SurfaceMaterial m = compiled.materials().of(id, face);
+        if (!m.glows || !hasUltraviolet && !m.glowsVisibly()) {
+            return null;
+        }
+        double ultraviolet = hasUltraviolet ? m.glowUltraviolet : 0;
+        return PhysicalLight.glowing(compiled.primitives()[id], id, face, m.glow(), ultraviolet, m.glowsInside);
     }
 
     private static boolean hasPanes(CompiledPrimitives compiled) {

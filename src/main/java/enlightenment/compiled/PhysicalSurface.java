@@ -5,6 +5,7 @@ import enlightenment.bsdf.Fresnel;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Microfacets;
+import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.RoughDielectric;
 import enlightenment.bsdf.RoughDiffuse;
 import enlightenment.bsdf.SmoothConductor;
@@ -24,16 +25,27 @@ import enlightenment.numeric.Scale;
  * @param glow the radiance that it emits
  * @param glowsInside whether it emits from the inside as well
  * @param absorption how much a solid of it absorbs, per unit of length of the frame
+ * @param ultraviolet the same of ultraviolet
+ * @param reradiation what a dye in it does; null if there is none
  * @param look all this as a text that is equal for materials that look the same
  */
-record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsInside, Rgb absorption, String look) {
+record PhysicalSurface(
+        Bsdf bsdf,
+        ThinDielectric pane,
+        Rgb glow,
+        boolean glowsInside,
+        Rgb absorption,
+        double ultraviolet,
+        Reradiation reradiation,
+        String look) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, "");
+    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, null, "");
 
-    static PhysicalSurface of(Material material, SceneFrame frame) {
+    static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes) {
         Rgb absorption = Rgb.BLACK;
         ThinDielectric pane = null;
-        String look = text(material.radiance());
+        Reradiation reradiation = null;
+        String look = text(material.radiance(), material.ultraviolet());
         if (material instanceof Material.Glass glass) {
             pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
@@ -42,14 +54,18 @@ record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsIn
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {
             look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
+        } else if (material instanceof Material.Fluorescent dye) {
+            reradiation = dyes.of(dye);
+            look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
-        return new PhysicalSurface(bsdf(material), pane, material.radiance(), true, absorption, look);
+        return new PhysicalSurface(
+                bsdf(material), pane, material.radiance(), true, absorption, material.ultraviolet(), reradiation, look);
     }
 
     /** The surface of a light: black, and opaque. */
-    static PhysicalSurface light(Rgb radiance, boolean isTwoSided) {
-        return new PhysicalSurface(
-                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, text(radiance) + " " + isTwoSided);
+    static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
+        String look = text(radiance, ultraviolet) + " " + isTwoSided;
+        return new PhysicalSurface(Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, ultraviolet, null, look);
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */
@@ -57,9 +73,16 @@ record PhysicalSurface(Bsdf bsdf, ThinDielectric pane, Rgb glow, boolean glowsIn
         return c.r() + "," + c.g() + "," + c.b();
     }
 
+    private static String text(Rgb c, double ultraviolet) {
+        return ultraviolet == 0 ? text(c) : text(c) + "," + ultraviolet;
+    }
+
     private static Bsdf bsdf(Material material) {
         if (material instanceof Material.Matte matte) {
             return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
+        }
+        if (material instanceof Material.Fluorescent) {
+            return Lambert.INSTANCE;
         }
         if (material instanceof Material.Mirror) {
             return SpecularReflection.INSTANCE;

@@ -173,12 +173,13 @@ public final class SceneCompiler {
             Scene scene, SceneFrame physical, Function<Path, byte[]> files) {
         Map<Texture, ImageTexture> images = new IdentityHashMap<>();
         Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
+        Dyes dyes = new Dyes(scene);
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
-                addSurface(o.material(), physical, surfaces, images, files);
+                addSurface(o.material(), physical, dyes, surfaces, images, files);
             }
             for (Material m : o.faces()) {
-                addSurface(m, physical, surfaces, images, files);
+                addSurface(m, physical, dyes, surfaces, images, files);
             }
         }
         return surfaces;
@@ -188,6 +189,7 @@ public final class SceneCompiler {
     private static void addSurface(
             Material m,
             SceneFrame physical,
+            Dyes dyes,
             Map<Material, SurfaceMaterial> surfaces,
             Map<Texture, ImageTexture> images,
             Function<Path, byte[]> files) {
@@ -203,7 +205,8 @@ public final class SceneCompiler {
                 images.put(file, image);
             }
         }
-        surfaces.put(m, new SurfaceMaterial(m, image, physical == null ? null : PhysicalSurface.of(m, physical)));
+        PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
+        surfaces.put(m, new SurfaceMaterial(m, image, surface));
     }
 
     private static ImageTexture load(Texture.File texture, byte[] content) {

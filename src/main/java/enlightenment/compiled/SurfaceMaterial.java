@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.ClassicDielectric;
 import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.bsdf.ThinDielectric;
 import enlightenment.color.Color;
@@ -50,6 +51,12 @@ public final class SurfaceMaterial {
 
     public final double glowG;
     public final double glowB;
+
+    /** The same of ultraviolet. */
+    public final double glowUltraviolet;
+
+    /** What a dye makes of light that is not reflected; null unless there is one that light in the scene makes shine. */
+    public final Reradiation reradiation;
 
     /** Whether a solid of it absorbs light. */
     public final boolean absorbs;
@@ -121,14 +128,16 @@ public final class SurfaceMaterial {
         other = second;
         checks = scale;
         bilinear = smooth;
-        isBlack = texture instanceof Texture.Solid && r == 0 && g == 0 && b == 0;
         PhysicalSurface p = physical == null ? PhysicalSurface.NONE : physical;
+        reradiation = p.reradiation();
+        isBlack = texture instanceof Texture.Solid && r == 0 && g == 0 && b == 0 && reradiation == null;
         look = physical == null ? "" : p.look() + " ";
         pane = p.pane();
         glowR = p.glow().r();
         glowG = p.glow().g();
         glowB = p.glow().b();
-        glows = glowR > 0 || glowG > 0 || glowB > 0;
+        glowUltraviolet = p.ultraviolet();
+        glows = glowsVisibly() || glowUltraviolet > 0;
         glowsInside = p.glowsInside();
         absorptionR = p.absorption().r();
         absorptionG = p.absorption().g();
@@ -143,6 +152,11 @@ public final class SurfaceMaterial {
         }
         Rgb c = color.linear();
         return new double[] {c.r(), c.g(), c.b()};
+    }
+
+    /** Whether it emits visible light. */
+    boolean glowsVisibly() {
+        return glowR > 0 || glowG > 0 || glowB > 0;
     }
 
     /** The radiance that it emits. */

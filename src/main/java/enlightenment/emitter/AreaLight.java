@@ -9,7 +9,7 @@ import enlightenment.math.Vec3;
  *
  * <p>Whether the light itself or something else hides a sampled point is for the caller's shadow ray to find out.
  */
-public sealed interface AreaLight permits SphereLight, FlatLight, CurvedLight {
+public sealed interface AreaLight permits SphereLight, SurfaceLight {
     /** Prepares samples of this light for the receiver (x, y, z), and sets the sample's cone around the light's ball. */
     void aim(LightSample s, double x, double y, double z);
 

@@ -4,33 +4,22 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
 
 /** A part of a plane that shines from one of its sides or from both. */
-abstract sealed class FlatLight implements AreaLight permits ParallelogramLight, TriangleLight, DiskLight {
+abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight, TriangleLight, DiskLight {
     /** The unit normal, on the front. */
     final Vec3 normal;
-
-    final double area;
-    final boolean twoSided;
 
     /** A point of the plane. */
     private final Vec3 foot;
 
-    /** A ball around the light. */
-    private final Vec3 center;
-
-    private final double radius;
-
     FlatLight(Vec3 foot, Vec3 normal, double area, boolean twoSided, Vec3 center, double radius) {
+        super(center, radius, area, twoSided);
         this.foot = foot;
         this.normal = normal;
-        this.area = area;
-        this.twoSided = twoSided;
-        this.center = center;
-        this.radius = radius;
     }
 
     @Override
     public final void aim(LightSample s, double x, double y, double z) {
-        s.aim(center.x(), center.y(), center.z(), radius, x, y, z);
+        super.aim(s, x, y, z);
         s.height = -Products.dot(normal.x(), normal.y(), normal.z(), foot.x() - x, foot.y() - y, foot.z() - z);
     }
 
@@ -67,27 +56,8 @@ abstract sealed class FlatLight implements AreaLight permits ParallelogramLight,
 
     /** The irradiance of the polygon that the sample has, which is the light. */
     final double irradianceOfPolygon(LightSample s, double nx, double ny, double nz) {
-        return s.polygon.irradiance(nx, ny, nz, Math.abs(s.height), 2 * radius < HorizonPolygon.FAR * s.cone.distance);
-    }
-
-    @Override
-    public final double area() {
-        return area;
-    }
-
-    @Override
-    public final boolean isTwoSided() {
-        return twoSided;
-    }
-
-    @Override
-    public final Vec3 ballCenter() {
-        return center;
-    }
-
-    @Override
-    public final double ballRadius() {
-        return radius;
+        return s.polygon.irradiance(
+                nx, ny, nz, Math.abs(s.height), 2 * ballRadius() < HorizonPolygon.FAR * s.cone.distance);
     }
 
     @Override

@@ -54,9 +54,9 @@ public final class TorusLight extends CurvedLight {
         double r = Math.fma(minorRadius, out, majorRadius);
         double h = minorRadius * up;
         point.set(
-                Math.fma(r, x, Math.fma(h, axis.x(), center.x())),
-                Math.fma(r, y, Math.fma(h, axis.y(), center.y())),
-                Math.fma(r, z, Math.fma(h, axis.z(), center.z())));
+                Math.fma(r, x, Math.fma(h, axis.x(), ballCenter().x())),
+                Math.fma(r, y, Math.fma(h, axis.y(), ballCenter().y())),
+                Math.fma(r, z, Math.fma(h, axis.z(), ballCenter().z())));
     }
 
     /**
@@ -86,6 +86,6 @@ public final class TorusLight extends CurvedLight {
 
     @Override
     public double[] parameters() {
-        return Numbers.of(false, center, axis, new Vec3(majorRadius, minorRadius, 0));
+        return Numbers.of(false, ballCenter(), axis, new Vec3(majorRadius, minorRadius, 0));
     }
 }

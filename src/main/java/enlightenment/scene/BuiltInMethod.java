@@ -101,8 +101,7 @@ public enum BuiltInMethod implements Method {
         return switch (feature) {
             // No method follows light inside of media yet.
             case SCATTERING -> false;
-            // No method takes light from one band to another yet.
-            case FLUORESCENCE -> false;
+            case FLUORESCENCE -> true;
             // No method follows single wavelengths yet.
             case DISPERSION -> false;
             case SURROUNDINGS -> true;

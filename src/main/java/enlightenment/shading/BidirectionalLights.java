@@ -32,6 +32,7 @@ final class BidirectionalLights {
 
     double green;
     double blue;
+    double ultraviolet;
 
     double weight;
 
@@ -134,10 +135,12 @@ final class BidirectionalLights {
         red = s.valueR * l.r / density;
         green = s.valueG * l.g / density;
         blue = s.valueB * l.b / density;
+        ultraviolet = s.valueB * l.ultraviolet / density;
         if (shadow.isFiltered) {
             red *= shadow.rgb[0];
             green *= shadow.rgb[1];
             blue *= shadow.rgb[2];
+            ultraviolet *= shadow.rgb[2];
         }
         weigh(l, density);
         return true;

@@ -30,6 +30,9 @@ public final class BidirectionalTracer implements Shader {
     /** Light from a picture or a sky around the scene; null if there is none. It is added there first. */
     private final InfiniteLight infinite;
 
+    /** The density per solid angle with which the path from the eye left its last vertex. */
+    private double pdf;
+
     private final PathValue fromInfinity = new PathValue();
     private final Scattering there = new Scattering();
     private final ReverseDensity reverse = new ReverseDensity();
@@ -117,9 +120,9 @@ public final class BidirectionalTracer implements Shader {
         switch (eye.next(sampler)) {
             case NOTHING:
                 if (infinite == null) {
-                    add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                    add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
                 } else {
-                    infinite.arrive(eye.ray, eye.lastConnects, 1);
+                    infinite.arrive(eye.ray, eye.lastConnects ? pdf : 0, 1);
                     addInfinite();
                 }
                 return false;
@@ -127,6 +130,7 @@ public final class BidirectionalTracer implements Shader {
                 return true;
             case SURFACE:
                 glow();
+                eye.passDye();
                 break;
             case BORDER:
                 break;
@@ -155,18 +159,28 @@ public final class BidirectionalTracer implements Shader {
             addInfinite();
         }
         boolean goes = eye.leave(sampler);
-        infinite.left(eye.isBorder ? eye.path.glass.border.pdf : eye.s.pdf);
+        pdf = eye.isBorder ? eye.path.glass.border.pdf : eye.s.pdf;
         return goes;
     }
 
     private void addInfinite() {
-        add(1, fromInfinity.red, fromInfinity.green, fromInfinity.blue);
+        add(1, fromInfinity.red, fromInfinity.green, fromInfinity.blue, 0);
         fromInfinity.beginPart();
     }
 
     /** Adds light that comes to the last vertex of the path from the eye. */
-    private void add(double factor, double r, double g, double b) {
+    private void add(double factor, double r, double g, double b, double ultraviolet) {
         double scale = factor * eye.compression;
+        if (eye.mixes) {
+            double x = scale * eye.red * r;
+            double y = scale * eye.green * g;
+            double z = scale * eye.blue * b;
+            double u = scale * eye.ultraviolet * ultraviolet;
+            red += eye.mixing.of(0, x, y, z, u);
+            green += eye.mixing.of(1, x, y, z, u);
+            blue += eye.mixing.of(2, x, y, z, u);
+            return;
+        }
         red = Math.fma(scale * eye.red, r, red);
         green = Math.fma(scale * eye.green, g, green);
         blue = Math.fma(scale * eye.blue, b, blue);
@@ -181,7 +195,7 @@ public final class BidirectionalTracer implements Shader {
         if (eye.glowing != null && eye.glowing.glowsTo(eye.path.hit.side)) {
             // Light that is seen straight is found in this way alone.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
-            add(weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB);
+            add(weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB, eye.glowing.glowUltraviolet);
         }
     }
 
@@ -189,7 +203,7 @@ public final class BidirectionalTracer implements Shader {
         int t = eye.vertices.size() + 1;
         if (lights.aim(sampler)) {
             double weight = watched(1, t, lights.weight);
-            add(weight, lights.red, lights.green, lights.blue);
+            add(weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
         }
         for (int k = 0; k < light.vertices.size(); k++) {
             if (light.vertices.bsdf(k) != null
@@ -237,13 +251,15 @@ public final class BidirectionalTracer implements Shader {
         double r = s.valueR * there.valueR * v.red(k) / d2;
         double g = s.valueG * there.valueG * v.green(k) / d2;
         double b = s.valueB * there.valueB * v.blue(k) / d2;
-        if (!(r > 0 || g > 0 || b > 0)) {
+        double u = s.valueB * there.valueB * v.ultraviolet(k) / d2;
+        if (!(r > 0 || g > 0 || b > 0 || u > 0)) {
             return;
         }
         segments.begin(eye.isBorder, here < 0);
         if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
             double weight = watched(k + 2, t, weight(k, here, beyond, d2));
-            add(weight, r * segments.rgb[0], g * segments.rgb[1], b * segments.rgb[2]);
+            double[] left = segments.rgb;
+            add(weight, r * left[0], g * left[1], b * left[2], u * left[2]);
         }
     }
 

@@ -54,6 +54,7 @@ final class CausticSource extends PathSource {
         red = weight * l.r;
         green = weight * l.g;
         blue = weight * l.b;
+        ultraviolet = weight * l.ultraviolet;
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }
 
@@ -85,6 +86,7 @@ final class CausticSource extends PathSource {
         red = weight * sun.r;
         green = weight * sun.g;
         blue = weight * sun.b;
+        ultraviolet = 0;
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Reradiation;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.EyeProjection;
 import enlightenment.compiled.RayCounters;
@@ -19,20 +20,58 @@ final class EyeSubpath extends Subpath {
     /** Radiance at the eye per radiance here, where the index of refraction is another one. */
     double compression;
 
+    /** What fluorescent surfaces that have scattered the path make of light; and whether there were any. */
+    final BandMixing mixing;
+
+    boolean mixes;
+
+    /** The dye of the surface that the path is at, and its colour; null if there is none. */
+    private Reradiation dye;
+
+    private final double[] dyed = new double[3];
+
     EyeSubpath(CompiledScene scene, RayCounters counters, double lightPaths) {
         super(scene, counters, Sampler.Purpose.CHOICE, Sampler.Purpose.DIRECTION, Sampler.Purpose.ROULETTE);
         eye = new EyeProjection(scene.camera);
         this.lightPaths = lightPaths;
+        mixing = BandMixing.of(scene.physical);
         path.tracer.leaveVisibilityOpen();
     }
 
     /** Begins with a camera ray. */
     void begin(Ray camera) {
-        begin(1, 1, 1);
+        begin(1, 1, 1, 1);
+        mixes = false;
+        dye = null;
         ray.set(camera.ox, camera.oy, camera.oz, camera.dx, camera.dy, camera.dz, camera.tMin);
         path.begin(ray);
         firstIndex = path.glass.indexOfRefraction();
         compression = 1;
+    }
+
+    /** Only what reaches the surface is worth something else, not what it emits by itself: {@link #passDye}. */
+    @Override
+    void reradiate(Reradiation by) {
+        dye = by;
+        System.arraycopy(color, 0, dyed, 0, dyed.length);
+    }
+
+    /** Before light is gathered at the surface that the path is at. */
+    void passDye() {
+        if (dye == null) {
+            return;
+        }
+        if (!mixes) {
+            mixing.clear();
+            mixes = true;
+        }
+        mixing.filter(red, green, blue);
+        mixing.scatter(dye, dyed);
+        red = 1;
+        green = 1;
+        blue = 1;
+        ultraviolet = 1;
+        dye = null;
     }
 
     @Override

@@ -37,9 +37,6 @@ final class InfiniteLight {
     /** Whether it took light from sun and sky, rather than from one that was chosen. */
     private boolean tookBoth;
 
-    /** The density per solid angle with which the path left it. */
-    private double pdf;
-
     /** The tint of what passes, at a rough border; null elsewhere. */
     private double[] through;
 
@@ -148,18 +145,14 @@ final class InfiniteLight {
         }
     }
 
-    /** Tells the density per solid angle of the direction in which the path leaves the vertex. */
-    void left(double density) {
-        pdf = density;
-    }
-
     /**
      * What comes to the path from where its ray leads to, beyond everything.
      *
-     * @param isWeighted whether light was gathered at the last vertex
-     * @param sunWeight of the sun's disk if light was not
+     * @param pdf the density per solid angle with which the path left its last vertex, if light was gathered there; else 0
+     * @param sunWeight of the sun's disk if light was not gathered
      */
-    void arrive(Ray ray, boolean isWeighted, double sunWeight) {
+    void arrive(Ray ray, double pdf, double sunWeight) {
+        boolean isWeighted = pdf > 0;
         double scale = 1 / Math.sqrt(ray.dd);
         double dx = ray.dx * scale;
         double dy = ray.dy * scale;
@@ -179,6 +172,6 @@ final class InfiniteLight {
             b = Math.fma(ofSun, sun.b, b);
         }
         value.add(r, g, b);
-        value.addCertain(r, g, b);
+        value.addCertain(r, g, b, 0);
     }
 }

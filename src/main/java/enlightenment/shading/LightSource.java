@@ -72,7 +72,7 @@ final class LightSource extends PathSource {
             if (physical.surroundings == null) {
                 toSphere(numbers);
                 across(numbers, ray);
-                weigh(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                weigh(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
             } else {
                 fromSurroundings(physical.surroundings, numbers);
                 across(numbers, ray);
@@ -84,21 +84,22 @@ final class LightSource extends PathSource {
             } else {
                 fromSurface(l, numbers, ray);
             }
-            weigh(l.r, l.g, l.b);
+            weigh(l.r, l.g, l.b, l.ultraviolet);
         }
-        return directionDensity > 0 && (red > 0 || green > 0 || blue > 0);
+        return directionDensity > 0 && (red > 0 || green > 0 || blue > 0 || ultraviolet > 0);
     }
 
-    private void weigh(double r, double g, double b) {
+    private void weigh(double r, double g, double b, double u) {
         directionDensity = starts.directionDensity(light, cosine);
-        weighEvenly(r, g, b);
+        weighEvenly(r, g, b, u);
     }
 
-    private void weighEvenly(double r, double g, double b) {
+    private void weighEvenly(double r, double g, double b, double u) {
         double weight = cosine / (probability * pointDensity * directionDensity);
         red = weight * r;
         green = weight * g;
         blue = weight * b;
+        ultraviolet = weight * u;
     }
 
     private void fromPoint(PhysicalLight l, double[] numbers, Ray ray) {
@@ -121,11 +122,11 @@ final class LightSource extends PathSource {
             Sun sun = around.sun;
             sun.sample(numbers[4], numbers[5], direction);
             directionDensity = ofSun * sun.density();
-            weighEvenly(sun.r, sun.g, sun.b);
+            weighEvenly(sun.r, sun.g, sun.b, 0);
         } else {
             directionDensity = (1 - ofSun) * around.sample(numbers[4], numbers[5], direction);
             around.radiance(direction[0], direction[1], direction[2], radiance);
-            weighEvenly(radiance[0], radiance[1], radiance[2]);
+            weighEvenly(radiance[0], radiance[1], radiance[2], 0);
         }
         dx = -direction[0];
         dy = -direction[1];

@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Reradiation;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.LightStarts;
 import enlightenment.compiled.PhysicalLight;
@@ -22,6 +23,7 @@ final class LightSubpath extends Subpath {
     private final LightChoice scratch = new LightChoice();
     private final double[] numbers = new double[PathSource.NUMBERS];
     private final double[] pair = new double[2];
+    private final double[] bands = new double[Reradiation.BANDS];
 
     LightSubpath(CompiledScene scene, LightStarts starts, RayCounters counters) {
         super(
@@ -44,7 +46,7 @@ final class LightSubpath extends Subpath {
         if (!source.emit(numbers, ray)) {
             return false;
         }
-        begin(source.red, source.green, source.blue);
+        begin(source.red, source.green, source.blue, source.ultraviolet);
         startX = ray.ox;
         startY = ray.oy;
         startZ = ray.oz;
@@ -54,7 +56,20 @@ final class LightSubpath extends Subpath {
 
     /** The power that it brings, mean of the bands. */
     double power() {
-        return (source.red + source.green + source.blue) / 3;
+        return source.power(physical.visibleOfUltraviolet) / 3;
+    }
+
+    @Override
+    void reradiate(Reradiation by) {
+        bands[0] = red;
+        bands[1] = green;
+        bands[2] = blue;
+        bands[Reradiation.ULTRAVIOLET] = ultraviolet;
+        by.scatter(color, bands);
+        red = bands[0];
+        green = bands[1];
+        blue = bands[2];
+        ultraviolet = bands[Reradiation.ULTRAVIOLET];
     }
 
     /** Light does not change with the index of refraction, only how it spreads. */

@@ -2,6 +2,7 @@ package enlightenment.shading;
 
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.PhysicalScene;
@@ -41,6 +42,14 @@ abstract class LightWalker extends LightPathTracer {
 
     double green;
     double blue;
+
+    /** That of ultraviolet, which surfaces reflect as blue, and glass lets pass as blue. */
+    private double ultraviolet;
+
+    /** About how much visible light fluorescent surfaces make of ultraviolet; 0 if there is none. */
+    private final double ofUltraviolet;
+
+    private final double[] bands = new double[Reradiation.BANDS];
 
     /** What is faint. */
     private double faint;
@@ -87,6 +96,7 @@ abstract class LightWalker extends LightPathTracer {
         this.source = source;
         this.onlyCaustics = onlyCaustics;
         physical = scene.physical;
+        ofUltraviolet = physical.visibleOfUltraviolet;
     }
 
     @Override
@@ -98,7 +108,8 @@ abstract class LightWalker extends LightPathTracer {
         red = source.red;
         green = source.green;
         blue = source.blue;
-        faint = PathValue.FAINT * Math.max(red, Math.max(green, blue));
+        ultraviolet = source.ultraviolet;
+        faint = PathValue.FAINT * most();
         events = 0;
         pieces = 0;
         counts = !onlyCaustics;
@@ -111,7 +122,7 @@ abstract class LightWalker extends LightPathTracer {
 
     @Override
     double power() {
-        return source.red + source.green + source.blue;
+        return source.power(ofUltraviolet);
     }
 
     /** The numbers of the first ray: each two of them from a sequence that fills their square evenly. */
@@ -168,6 +179,9 @@ abstract class LightWalker extends LightPathTracer {
         }
         counts = true;
         path.color(material, surface);
+        if (material.reradiation != null && !reradiate(material.reradiation)) {
+            return false;
+        }
         Scattering s = path.arrive(ray, surface);
         if (!isDelta) {
             connect(bsdf, s, null);
@@ -238,12 +252,47 @@ abstract class LightWalker extends LightPathTracer {
         red *= r;
         green *= g;
         blue *= b;
+        ultraviolet *= b;
+    }
+
+    /** What counts of the path's light. */
+    private double most() {
+        double most = Math.max(red, Math.max(green, blue));
+        return ofUltraviolet > 0 ? Math.max(most, ofUltraviolet * ultraviolet) : most;
+    }
+
+    /**
+     * A fluorescent surface changes the light; the path goes on as from a grey surface, whose reflectance becomes {@link #surface}. Returns
+     * whether any light is left.
+     */
+    private boolean reradiate(Reradiation by) {
+        double before = most();
+        bands[0] = red;
+        bands[1] = green;
+        bands[2] = blue;
+        bands[Reradiation.ULTRAVIOLET] = ultraviolet;
+        by.scatter(surface, bands);
+        red = bands[0];
+        green = bands[1];
+        blue = bands[2];
+        ultraviolet = bands[Reradiation.ULTRAVIOLET];
+        double after = most();
+        double scale = after < before ? before / after : 1;
+        if (!(after > 0) || !(scale < Double.POSITIVE_INFINITY)) {
+            return false;
+        }
+        red *= scale;
+        green *= scale;
+        blue *= scale;
+        ultraviolet *= scale;
+        Arrays.fill(surface, 1 / scale);
+        return true;
     }
 
     /** Multiplies by the weight of an event, and plays roulette by it as {@link PathValue} does. */
     private boolean filterAndSurvive(double r, double g, double b) {
         filter(r, g, b);
-        double most = Math.max(red, Math.max(green, blue));
+        double most = most();
         if (events + 1 < PathValue.ROULETTE_FROM && most >= faint) {
             return true;
         }
@@ -257,6 +306,7 @@ abstract class LightWalker extends LightPathTracer {
         red /= survival;
         green /= survival;
         blue /= survival;
+        ultraviolet /= survival;
         return true;
     }
 }

@@ -60,6 +60,7 @@ final class MirrorCaustics {
 
     double green;
     double blue;
+    double ultraviolet;
 
     private MirrorCaustics(CompiledScene scene, RayCounters counters, PathFollower path) {
         this.scene = scene;
@@ -94,6 +95,7 @@ final class MirrorCaustics {
         red = 0;
         green = 0;
         blue = 0;
+        ultraviolet = 0;
         // In a medium absorption counts as well: left to chance.
         if (!path.mayScatterTwice() || path.medium() != null) {
             return;
@@ -168,6 +170,7 @@ final class MirrorCaustics {
         red = Math.fma(f * s.valueR * event.valueR, l.r, red);
         green = Math.fma(f * s.valueG * event.valueG, l.g, green);
         blue = Math.fma(f * s.valueB * event.valueB, l.b, blue);
+        ultraviolet = Math.fma(f * s.valueB * event.valueB, l.ultraviolet, ultraviolet);
     }
 
     /** Tells the direction in which the path leaves the vertex that was gathered at, and its density per solid angle. */

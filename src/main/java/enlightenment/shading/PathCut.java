@@ -31,10 +31,10 @@ public final class PathCut {
     /** A path that is yet to be followed. */
     public PathCut() {}
 
-    /** Whether a ray that leaves the surface there cannot meet it again. */
-    private static boolean isOpen(Hit place) {
-        Primitive p = place.primitive;
-        return p.isFlat() || p.isConvex() && place.side == Ray.OUTSIDE;
+    /** Whether a ray that leaves the surface there cannot meet it again; in empty space, and where it coincides with no other. */
+    private static boolean isOpen(PathFollower path) {
+        Primitive p = path.hit.primitive;
+        return path.glass.isPlain() && (p.isFlat() || p.isConvex() && path.hit.side == Ray.OUTSIDE);
     }
 
     /** Makes this a path that shares nothing. */
@@ -44,26 +44,32 @@ public final class PathCut {
     }
 
     /**
-     * Notes the first vertex: others may give to it if it is sure that its path goes on.
+     * Notes a matte vertex if it is the first: others may give to it if it is sure that its path goes on; or cuts the path if it is the
+     * second: from here on it is worth what leaves this. Surfaces are counted with panes, which are no events: what is shared has come
+     * straight.
      *
      * @param color of the surface there
-     * @param isPlain whether it is in empty space and coincides with no other
      */
-    void begin(Hit at, double[] color, boolean isPlain) {
-        takes = isPlain && isOpen(at) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
-        if (takes) {
-            first.set(at);
-            System.arraycopy(color, 0, albedo, 0, 3);
+    void note(PathFollower path, double[] color, PathValue value) {
+        if (path.surfaces == 0) {
+            takes = isOpen(path) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
+            if (takes) {
+                first.set(path.hit);
+                System.arraycopy(color, 0, albedo, 0, 3);
+            }
+        } else {
+            noteLater(path, value);
         }
     }
 
-    /** Notes the second vertex; returns whether it can give light to others. */
-    boolean end(Hit at, boolean isPlain) {
-        gives = takes && isPlain && isOpen(at);
+    /** The same for a vertex that cannot take light from others: what it makes of light is more than its colour says. */
+    void noteLater(PathFollower path, PathValue value) {
+        gives = path.surfaces == 1 && takes && isOpen(path);
         if (gives) {
-            second.set(at);
+            second.set(path.hit);
+            value.get(own);
+            value.beginPart();
         }
-        return gives;
     }
 
     /** Writes what the path brings without what leaves the second vertex. */

@@ -156,9 +156,15 @@ final class PathFollower {
     /**
      * Turns the colour of the surface that the path is at into its reflectance.
      *
-     * @param rgb the colour; receives what share of light that comes along the normal is reflected, by band
+     * @param rgb the colour; receives what share of light that comes along the normal is reflected, by band; of a fluorescent surface, how much
+     *     leaves of light that has the same in all bands that there are
      */
     void reflectance(Ray ray, SurfaceMaterial material, double[] rgb) {
+        if (material.reradiation != null) {
+            double[] light = {1, 1, 1, scene.physical.hasUltraviolet ? 1 : 0};
+            material.reradiation.scatter(rgb, light);
+            System.arraycopy(light, 0, rgb, 0, rgb.length);
+        }
         if (material.bsdf instanceof GlossyReflection metal) {
             metal.reflectAtNormal(arrive(ray, rgb));
             rgb[0] = scattering.valueR;

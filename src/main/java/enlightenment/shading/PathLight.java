@@ -29,6 +29,7 @@ final class PathLight {
     private static final int ALL_AT_FIRST = 4;
 
     private final PhysicalScene physical;
+    private final boolean hasUltraviolet;
     private final PhysicalLight[] lights;
     private final LightPicker picker;
     private final RayCounters counters;
@@ -68,11 +69,15 @@ final class PathLight {
     double green;
     double blue;
 
+    /** The same of ultraviolet, which surfaces reflect as blue; 0 if nothing in the scene shows it. */
+    double ultraviolet;
+
     /** The part of it at a matte vertex that no random number has a part in. */
     double certainRed;
 
     double certainGreen;
     double certainBlue;
+    double certainUltraviolet;
 
     /** What is known of the lights there: a digit to base three for each, hidden, in full view, or a matter of chance. */
     long views;
@@ -82,6 +87,7 @@ final class PathLight {
 
     PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
         physical = scene.physical;
+        hasUltraviolet = physical.hasUltraviolet;
         lights = physical.lights;
         picker = physical.picker;
         this.counters = counters;
@@ -106,8 +112,15 @@ final class PathLight {
         certainRed = 0;
         certainGreen = 0;
         certainBlue = 0;
+        ultraviolet = 0;
+        certainUltraviolet = 0;
         views = 0;
         shadow.begin();
+    }
+
+    /** What was told by {@link #left}. */
+    double pdf() {
+        return pdf;
     }
 
     /** Tells the density per solid angle of the direction in which the path leaves the vertex. */
@@ -149,6 +162,7 @@ final class PathLight {
                 certainRed = Math.fma(f, l.r, certainRed);
                 certainGreen = Math.fma(f, l.g, certainGreen);
                 certainBlue = Math.fma(f, l.b, certainBlue);
+                certainUltraviolet = Math.fma(f, l.ultraviolet, certainUltraviolet);
             }
         }
         views = 3 * views + (isByChance ? 2 : e > 0 ? 1 : 0);
@@ -164,6 +178,9 @@ final class PathLight {
             red = Math.fma(r, l.r, red);
             green = Math.fma(g, l.g, green);
             blue = Math.fma(b, l.b, blue);
+        }
+        if (hasUltraviolet) {
+            ultraviolet = Math.fma(shadow.isFiltered ? b * shadow.rgb[2] : b, l.ultraviolet, ultraviolet);
         }
     }
 

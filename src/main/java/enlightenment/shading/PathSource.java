@@ -26,6 +26,7 @@ abstract class PathSource {
 
     double green;
     double blue;
+    double ultraviolet;
 
     /** The light that the path leaves, by its index. */
     int light;
@@ -42,6 +43,12 @@ abstract class PathSource {
     /** The solids of glass that the path that was started last may begin in. */
     int[] media() {
         return EMPTY_SPACE;
+    }
+
+    /** The sum of the bands, of ultraviolet as much as this. */
+    final double power(double ofUltraviolet) {
+        double visible = red + green + blue;
+        return ofUltraviolet > 0 ? Math.fma(ofUltraviolet, ultraviolet, visible) : visible;
     }
 
     /** Sets the direction to (a, b, c) in a basis of which w is the third vector. */

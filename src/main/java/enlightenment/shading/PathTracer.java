@@ -32,7 +32,7 @@ public final class PathTracer implements Shader {
     /** Light from a picture or a sky around the scene; null if there is none. */
     private final InfiniteLight infinite;
 
-    private final PathValue value = new PathValue();
+    private final PathValue value;
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;
     private final double[] surface = new double[3];
@@ -65,6 +65,7 @@ public final class PathTracer implements Shader {
     }
 
     private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
+        value = new PathValue(BandMixing.of(scene.physical));
         isAlbedo = part == PathPart.ALBEDO;
         endsSoon = part == PathPart.DIRECT || part == PathPart.ALBEDO;
         value.isIndirect = part == PathPart.INDIRECT;
@@ -167,10 +168,11 @@ public final class PathTracer implements Shader {
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
             if (infinite != null && !isAlbedo) {
-                infinite.arrive(ray, history.gathered, hasCausticPass && history.scatteredFirst ? 0 : 1);
+                infinite.arrive(
+                        ray, history.gathered ? light.pdf() : 0, hasCausticPass && history.scatteredFirst ? 0 : 1);
             } else if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
             }
             return false;
         }
@@ -195,7 +197,7 @@ public final class PathTracer implements Shader {
             return value.endsWith(surface);
         }
         if (material.bsdf == Lambert.INSTANCE) {
-            return matte(ray, sampler);
+            return material.reradiation == null ? matte(ray, sampler) : fluorescent(ray, material, sampler);
         }
         return material.isDelta ? reflect(ray, material, sampler) : rough(ray, material, sampler);
     }
@@ -222,8 +224,7 @@ public final class PathTracer implements Shader {
             weight = weightOfCaustic();
         }
         if (weight > 0 && material.glowsTo(path.hit.side)) {
-            value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
-            value.addCertain(material.glowR, material.glowG, material.glowB);
+            value.addEmission(material, weight);
         }
     }
 
@@ -243,19 +244,29 @@ public final class PathTracer implements Shader {
     /** Adds light that balls reflect to the surface. */
     private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
         mirrors.gather(bsdf, s, sampler, address);
-        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue);
+        value.addIndirect(mirrors.red, mirrors.green, mirrors.blue, mirrors.ultraviolet);
     }
 
     /** Lambert's law: direct light has closed forms. */
     private boolean matte(Ray ray, Sampler sampler) {
         if (cut != null && path.surfaces < 2) {
-            cutHere();
+            cut.note(path, surface, value);
         }
+        return lambertian(ray, sampler);
+    }
+
+    /** The same with a dye: a grey surface, and what light is worth from there on changes. */
+    private boolean fluorescent(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        if (cut != null && path.surfaces < 2) {
+            cut.noteLater(path, value);
+        }
+        return value.scatter(material.reradiation, surface) && lambertian(ray, sampler);
+    }
+
+    private boolean lambertian(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !history.scattered);
-        value.add(surface[0] * light.red, surface[1] * light.green, surface[2] * light.blue);
+        value.addReflected(light, surface);
         if (value.certain) {
-            value.addCertain(
-                    surface[0] * light.certainRed, surface[1] * light.certainGreen, surface[2] * light.certainBlue);
             value.leaveToChance(path.key + light.views);
         }
         if (infinite != null) {
@@ -267,21 +278,12 @@ public final class PathTracer implements Shader {
         }
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
-        left(s, seen);
+        light.left(s.pdf);
+        if (seen) {
+            mirrors.left(s);
+        }
         history.leave(false);
         return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
-    }
-
-    /** Notes the first vertex of a path that may be shared, or cuts it at the second: from here on it is worth what leaves this. */
-    private void cutHere() {
-        // Counted with panes, which are no events: what is shared has come straight.
-        boolean isPlain = path.glass.isPlain();
-        if (path.surfaces == 0) {
-            cut.begin(path.hit, surface, isPlain);
-        } else if (cut.end(path.hit, isPlain)) {
-            value.get(cut.own);
-            value.beginPart();
-        }
     }
 
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
@@ -293,23 +295,12 @@ public final class PathTracer implements Shader {
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
-    /** Tells all who gathered light in which direction the path leaves. */
-    private void left(Scattering s, boolean isSeen) {
-        light.left(s.pdf);
-        if (infinite != null) {
-            infinite.left(s.pdf);
-        }
-        if (isSeen) {
-            mirrors.left(s);
-        }
-    }
-
     /** Any other lobes. */
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue);
+        value.add(light.red, light.green, light.blue, light.ultraviolet);
         if (infinite != null) {
             infinite.gather(material.bsdf, s, sampler, address, !history.scattered);
         }
@@ -321,7 +312,10 @@ public final class PathTracer implements Shader {
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
         }
-        left(s, seen);
+        light.left(s.pdf);
+        if (seen) {
+            mirrors.left(s);
+        }
         path.leave(ray, s);
         history.leave(s.delta);
         return survives(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
@@ -361,7 +355,7 @@ public final class PathTracer implements Shader {
         history.leave(true);
         if (isRough) {
             history.gathered = true;
-            left(path.glass.border, false);
+            light.left(path.glass.border.pdf);
         }
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
@@ -393,7 +387,7 @@ public final class PathTracer implements Shader {
         path.filter(surface);
         path.turnTo(0);
         light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue);
+        value.add(light.red, light.green, light.blue, light.ultraviolet);
         if (infinite != null) {
             infinite.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
         }

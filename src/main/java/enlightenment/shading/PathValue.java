@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Reradiation;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
@@ -59,6 +60,24 @@ final class PathValue {
     private double throughputG;
     private double throughputB;
 
+    /** What fluorescent surfaces do with light; null if there are none. */
+    private final BandMixing mixing;
+
+    /** Whether the path has been scattered by one. */
+    private boolean mixes;
+
+    private final double[] mixed = new double[3];
+
+    /** Of a path that meets no fluorescent surfaces. */
+    PathValue() {
+        this(null);
+    }
+
+    /** @param mixing of this path alone; null if there are no fluorescent surfaces */
+    PathValue(BandMixing mixing) {
+        this.mixing = mixing;
+    }
+
     /** @param index of refraction of the medium that the eye is in */
     void begin(double index) {
         beginPart();
@@ -76,6 +95,7 @@ final class PathValue {
 
     /** Forgets what was gathered, for what comes from here on to be worth what it is here. */
     void beginPart() {
+        mixes = false;
         red = 0;
         green = 0;
         blue = 0;
@@ -84,21 +104,73 @@ final class PathValue {
         throughputB = 1;
     }
 
-    /** Adds radiance that leaves what the path is at towards where it came from. */
+    /** Adds visible radiance that leaves what the path is at towards where it came from. */
     void add(double r, double g, double b) {
+        add(r, g, b, 0);
+    }
+
+    /** Adds radiance, that of ultraviolet as well, that leaves what the path is at towards where it came from. */
+    void add(double r, double g, double b, double ultraviolet) {
+        if (mixes) {
+            mix(r, g, b, ultraviolet);
+            red += mixed[0];
+            green += mixed[1];
+            blue += mixed[2];
+            return;
+        }
         red = Math.fma(throughputR * compression, r, red);
         green = Math.fma(throughputG * compression, g, green);
         blue = Math.fma(throughputB * compression, b, blue);
     }
 
-    /** Adds radiance that is indirect although the path is not yet. */
-    void addIndirect(double r, double g, double b) {
-        add(r, g, b);
-        if (isIndirect && !onlyIndirect) {
-            indirectR = Math.fma(throughputR * compression, r, indirectR);
-            indirectG = Math.fma(throughputG * compression, g, indirectG);
-            indirectB = Math.fma(throughputB * compression, b, indirectB);
+    /** Adds what a surface emits. All of it is certain, whatever the weight is. */
+    void addEmission(SurfaceMaterial material, double weight) {
+        add(
+                weight * material.glowR,
+                weight * material.glowG,
+                weight * material.glowB,
+                weight * material.glowUltraviolet);
+        addCertain(material.glowR, material.glowG, material.glowB, material.glowUltraviolet);
+    }
+
+    /** Adds what a Lambertian surface of this colour reflects of the light that was gathered there. */
+    void addReflected(PathLight light, double[] color) {
+        add(color[0] * light.red, color[1] * light.green, color[2] * light.blue, color[2] * light.ultraviolet);
+        if (certain) {
+            addCertain(
+                    color[0] * light.certainRed,
+                    color[1] * light.certainGreen,
+                    color[2] * light.certainBlue,
+                    color[2] * light.certainUltraviolet);
         }
+    }
+
+    /** Finds what light brings to the eye, if fluorescent surfaces have scattered the path. */
+    private void mix(double r, double g, double b, double ultraviolet) {
+        double x = throughputR * compression * r;
+        double y = throughputG * compression * g;
+        double z = throughputB * compression * b;
+        double u = throughputB * compression * ultraviolet;
+        for (int band = 0; band < mixed.length; band++) {
+            mixed[band] = mixing.of(band, x, y, z, u);
+        }
+    }
+
+    /** Adds radiance that is indirect although the path is not yet. */
+    void addIndirect(double r, double g, double b, double ultraviolet) {
+        add(r, g, b, ultraviolet);
+        if (!isIndirect || onlyIndirect) {
+            return;
+        }
+        if (mixes) {
+            indirectR += mixed[0];
+            indirectG += mixed[1];
+            indirectB += mixed[2];
+            return;
+        }
+        indirectR = Math.fma(throughputR * compression, r, indirectR);
+        indirectG = Math.fma(throughputG * compression, g, indirectG);
+        indirectB = Math.fma(throughputB * compression, b, indirectB);
     }
 
     /** From here on the path is indirect. */
@@ -116,8 +188,14 @@ final class PathValue {
     }
 
     /** Notes the part of what is added that no random number has a part in. */
-    void addCertain(double r, double g, double b) {
-        if (certain) {
+    void addCertain(double r, double g, double b, double ultraviolet) {
+        if (certain && mixes) {
+            // Nothing has turned the path: light is what it is at the eye.
+            mix(r, g, b, ultraviolet);
+            certainRed += mixed[0];
+            certainGreen += mixed[1];
+            certainBlue += mixed[2];
+        } else if (certain) {
             certainRed = Math.fma(throughputR, r, certainRed);
             certainGreen = Math.fma(throughputG, g, certainGreen);
             certainBlue = Math.fma(throughputB, b, certainBlue);
@@ -165,6 +243,30 @@ final class PathValue {
         green = throughputG * rgb[1];
         blue = throughputB * rgb[2];
         return false;
+    }
+
+    /**
+     * The path is scattered by a fluorescent surface, and goes on as from a grey one.
+     *
+     * @param surface its colour; receives the reflectance of that
+     * @return whether the path goes on
+     */
+    boolean scatter(Reradiation by, double[] surface) {
+        if (!mixes) {
+            mixing.clear();
+            mixes = true;
+        }
+        // What roulette asks for stays what it was, but for the colour.
+        double most = Math.max(throughputR, Math.max(throughputG, throughputB));
+        if (!(most > 0)) {
+            return false;
+        }
+        mixing.filter(throughputR / most, throughputG / most, throughputB / most);
+        throughputR = most;
+        throughputG = most;
+        throughputB = most;
+        Arrays.fill(surface, mixing.scatterAsGrey(by, surface));
+        return surface[0] > 0;
     }
 
     /** The path is in a medium with this index of refraction now. */

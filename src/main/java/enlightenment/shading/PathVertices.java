@@ -19,7 +19,8 @@ final class PathVertices {
     private static final int EDGE = 16;
     private static final int BEYOND = 17;
     private static final int SURVIVAL = 18;
-    private static final int NUMBERS = 19;
+    private static final int ULTRAVIOLET = 19;
+    private static final int NUMBERS = 20;
 
     private static final int ID = 0;
     private static final int FACE = 1;
@@ -88,8 +89,10 @@ final class PathVertices {
     }
 
     /** Sets the power that the path brought to the vertex that was added last. */
-    void power(double r, double g, double b) {
-        set((size - 1) * NUMBERS + POWER, r, g, b);
+    void power(double r, double g, double b, double ultraviolet) {
+        int k = (size - 1) * NUMBERS;
+        set(k + POWER, r, g, b);
+        numbers[k + ULTRAVIOLET] = ultraviolet;
     }
 
     private void set(int k, double a, double b, double c) {
@@ -153,6 +156,10 @@ final class PathVertices {
 
     double blue(int k) {
         return numbers[k * NUMBERS + POWER + 2];
+    }
+
+    double ultraviolet(int k) {
+        return numbers[k * NUMBERS + ULTRAVIOLET];
     }
 
     double survival(int k) {

@@ -3,6 +3,7 @@ package enlightenment.shading;
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.PhysicalScene;
@@ -64,6 +65,9 @@ abstract class Subpath {
     double green;
     double blue;
 
+    /** The same of ultraviolet, which surfaces reflect as blue. */
+    double ultraviolet;
+
     /** Which numbers of the sampler the path has used. */
     int address;
 
@@ -111,10 +115,11 @@ abstract class Subpath {
         absorbs = physical.hasAbsorption;
     }
 
-    void begin(double r, double g, double b) {
+    void begin(double r, double g, double b, double u) {
         red = r;
         green = g;
         blue = b;
+        ultraviolet = u;
         address = 0;
         isFirst = true;
         lastConnects = false;
@@ -130,6 +135,9 @@ abstract class Subpath {
 
     /** Sets the densities of a path whose first vertex is a delta event. */
     abstract void beginDensitiesOfDelta();
+
+    /** A fluorescent surface of this {@link #color} scatters the path, which goes on as from a white one. */
+    abstract void reradiate(Reradiation by);
 
     /** The path has come into the medium with this index of refraction. */
     abstract void enter(double index);
@@ -153,6 +161,7 @@ abstract class Subpath {
         red *= r;
         green *= g;
         blue *= b;
+        ultraviolet *= b;
     }
 
     private Event surface() {
@@ -164,14 +173,20 @@ abstract class Subpath {
 
     private void opaque(SurfaceMaterial material, Bsdf scatters) {
         path.color(material, color);
+        double most = Math.max(color[0], Math.max(color[1], color[2]));
+        if (material.reradiation != null) {
+            most = material.reradiation.most(color, physical.hasUltraviolet);
+            reradiate(material.reradiation);
+            Arrays.fill(color, 1);
+        }
         s = path.arrive(ray, color);
         bsdf = scatters;
         isBorder = false;
-        survival = survival(color[0], color[1], color[2]);
+        survival = survival(most);
         if (bsdf instanceof GlossyReflection metal) {
             // Along the surface it reflects more.
             metal.reflectAtNormal(s);
-            survival = survival(0.5 + 0.5 * s.valueR, 0.5 + 0.5 * s.valueG, 0.5 + 0.5 * s.valueB);
+            survival = survival(0.5 + 0.5 * Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
         }
         if (material.isBlack) {
             survival = 0;
@@ -182,8 +197,8 @@ abstract class Subpath {
     }
 
     /** The root makes longer paths than the colour itself, which pays: docs/bidirectional.md. */
-    private static double survival(double r, double g, double b) {
-        return Math.min(Math.sqrt(Math.max(r, Math.max(g, b))), PathValue.LARGEST_SURVIVAL);
+    private static double survival(double most) {
+        return Math.min(Math.sqrt(most), PathValue.LARGEST_SURVIVAL);
     }
 
     /** Whether the path may be scattered where it is. */
@@ -211,7 +226,7 @@ abstract class Subpath {
             vertices.addDelta(at, 1);
         } else {
             vertices.add(at, path.id, bsdf, s, color, path.bounces(), densities, survival);
-            vertices.power(red, green, blue);
+            vertices.power(red, green, blue, ultraviolet);
         }
     }
 
@@ -265,7 +280,7 @@ abstract class Subpath {
         Scattering b = path.glass.border;
         passDelta(b.transmitted ? b.eta * b.eta : 1);
         remember(b, false);
-        boolean goes = survives(sampler, survival(weight[0], weight[1], weight[2]));
+        boolean goes = survives(sampler, survival(Math.max(weight[0], Math.max(weight[1], weight[2]))));
         address++;
         return goes && path.goesOn() ? Event.PASSED : Event.ENDED;
     }
@@ -310,7 +325,7 @@ abstract class Subpath {
         weight[2] = s.valueB;
         if (s.delta) {
             counters.mirrorRays++;
-            survival = survival(s.valueR, s.valueG, s.valueB);
+            survival = survival(Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
             densities.beyond = beyondDelta;
             densities.pass(1);
         } else {
@@ -342,6 +357,6 @@ abstract class Subpath {
         }
         double scale = 1 / probability;
         filter(scale * weight[0], scale * weight[1], scale * weight[2]);
-        return red > 0 || green > 0 || blue > 0;
+        return red > 0 || green > 0 || blue > 0 || ultraviolet > 0;
     }
 }

@@ -54,8 +54,12 @@ public final class Daylight {
     private final double[] luminance;
     private final double[] x;
     private final double[] y;
-    private final double zenithX;
-    private final double zenithY;
+
+    /** Luminance and chromaticities at the zenith over what Perez' formula has there. */
+    private final double ofLuminance;
+
+    private final double ofX;
+    private final double ofY;
 
     /**
      * The daylight of a sun.
@@ -70,8 +74,9 @@ public final class Daylight {
         luminance = coefficients(OF_LUMINANCE);
         x = coefficients(OF_X);
         y = coefficients(OF_Y);
-        zenithX = atZenith(ZENITH_X);
-        zenithY = atZenith(ZENITH_Y);
+        ofLuminance = zenithLuminance() / atZenith(luminance);
+        ofX = polynomial(ZENITH_X) / atZenith(x);
+        ofY = polynomial(ZENITH_Y) / atZenith(y);
     }
 
     private double[] coefficients(double[][] table) {
@@ -82,7 +87,11 @@ public final class Daylight {
         return c;
     }
 
-    private double atZenith(double[][] table) {
+    private double atZenith(double[] c) {
+        return perez(c, 1, thetaSun, StrictMath.cos(thetaSun));
+    }
+
+    private double polynomial(double[][] table) {
         double sum = 0;
         for (double[] row : table) {
             double polynomial = 0;
@@ -105,15 +114,10 @@ public final class Daylight {
                 * (1 + c[2] * StrictMath.exp(c[3] * gamma) + c[4] * cosineGamma * cosineGamma);
     }
 
-    private double distribution(double[] c, double cosine, double gamma, double cosineGamma) {
-        double cosineSun = StrictMath.cos(thetaSun);
-        return perez(c, cosine, gamma, cosineGamma) / perez(c, 1, thetaSun, cosineSun);
-    }
-
     /** The luminance of a direction of the sky, in cd/m²: with the same parameters as {@link #sky}. */
     public double luminance(double cosine, double cosineGamma) {
         double gamma = StrictMath.acos(Math.max(-1, Math.min(1, cosineGamma)));
-        return zenithLuminance() * distribution(luminance, cosine, gamma, cosineGamma);
+        return ofLuminance * perez(luminance, cosine, gamma, cosineGamma);
     }
 
     /**
@@ -125,9 +129,9 @@ public final class Daylight {
      */
     public void sky(double cosine, double cosineGamma, double[] rgb) {
         double gamma = StrictMath.acos(Math.max(-1, Math.min(1, cosineGamma)));
-        double chromaX = zenithX * distribution(x, cosine, gamma, cosineGamma);
-        double chromaY = zenithY * distribution(y, cosine, gamma, cosineGamma);
-        double scaled = luminance(cosine, cosineGamma) / chromaY;
+        double chromaX = ofX * perez(x, cosine, gamma, cosineGamma);
+        double chromaY = ofY * perez(y, cosine, gamma, cosineGamma);
+        double scaled = ofLuminance * perez(luminance, cosine, gamma, cosineGamma) / chromaY;
         rgb[0] = scaled * chromaX;
         rgb[1] = scaled * chromaY;
         rgb[2] = scaled * (1 - chromaX - chromaY);

@@ -6,6 +6,7 @@ import static enlightenment.physical.PhysicalScenes.linear;
 import static enlightenment.physical.PhysicalScenes.matte;
 import static enlightenment.physical.PhysicalScenes.shading;
 import static enlightenment.physical.PhysicalScenes.sphereLight;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
@@ -17,12 +18,14 @@ import enlightenment.geometry.Disk;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
+import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import java.util.ArrayList;
@@ -41,6 +44,18 @@ final class ClosedForms {
         @Override
         public String toString() {
             return name;
+        }
+
+        /** Fails unless the picture shows the light: six standard errors of twelve means, a chance of 1e-4 to fail by Student's distribution. */
+        void assertShown(RenderSettings settings) {
+            List<Image> pictures = Rendered.seeds(scene, settings, 1, 12);
+            for (int band = 0; band < radiance.length; band++) {
+                Statistics s = Statistics.of(Rendered.means(pictures, 0, 0, scene.width(), scene.height(), band));
+                double expected = radiance[band];
+                // A pixel is a float; rays are not exactly perpendicular; a table of albedos closes to about 1e-3.
+                double tolerance = 6 * s.error() + 1e-6 * expected + (name.contains("metal") ? 2e-3 : 0);
+                assertTrue(Math.abs(s.mean() - expected) <= tolerance, () -> s + " instead of " + expected);
+            }
         }
     }
 

@@ -1,12 +1,8 @@
 package enlightenment.physical;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
-import enlightenment.image.Image;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -72,25 +68,13 @@ class LightPartnerTest {
     @ParameterizedTest
     @MethodSource("someKnown")
     void thePictureShowsTheRadianceThatIsKnown(ClosedForms.Known known) {
-        assertShown(known);
+        known.assertShown(settings(known.scene(), 8));
     }
 
     @Tag("full")
     @ParameterizedTest
     @MethodSource("known")
     void everyPictureShowsTheRadianceThatIsKnown(ClosedForms.Known known) {
-        assertShown(known);
-    }
-
-    /** As of paths from the eye: six standard errors of twelve means. */
-    private static void assertShown(ClosedForms.Known known) {
-        List<Image> pictures = Rendered.seeds(known.scene(), settings(known.scene(), 8), 1, 12);
-        int side = known.scene().width();
-        for (int band = 0; band < 3; band++) {
-            Statistics s = Statistics.of(Rendered.means(pictures, 0, 0, side, side, band));
-            double expected = known.radiance()[band];
-            double tolerance = 6 * s.error() + 1e-6 * expected + (known.name().contains("metal") ? 2e-3 : 0);
-            assertTrue(Math.abs(s.mean() - expected) <= tolerance, () -> s + " instead of " + expected);
-        }
+        known.assertShown(settings(known.scene(), 8));
     }
 }

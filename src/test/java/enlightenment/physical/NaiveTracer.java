@@ -117,7 +117,7 @@ final class NaiveTracer {
     private double[] radiance(Vec3 o, Vec3 d, int scattered, int events, Path path) {
         NaiveScene.Hit hit = scene.nearest(o, d);
         if (hit == null) {
-            return scene.background;
+            return scene.background(d);
         }
         NaiveScene.Surface s = hit.surface();
         double[] emitted = hit.front() ? s.front() : s.back();

@@ -2,6 +2,8 @@ package enlightenment.method.cluster;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
+import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Hash;
@@ -79,7 +81,7 @@ public final class ClusterCost implements EffortCost {
     }
 
     private List<Block> blocks(int times) {
-        return Block.spread(settings.width(), settings.height(), times * blockCount);
+        return Block.spread(settings.width(), settings.height(), FilmTile.BLOCK_SIDE, times * blockCount);
     }
 
     /**
@@ -145,7 +147,7 @@ public final class ClusterCost implements EffortCost {
 
     /** What the pixels of some blocks need, as {@link SampleDemand} says it. */
     private static final class Needed {
-        private static final int PIXELS = Block.SIDE * Block.SIDE;
+        private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
         private final double[] film;
         private final double[] edge;
@@ -178,10 +180,10 @@ public final class ClusterCost implements EffortCost {
             int n = PIXELS * index;
             for (int j = 0; j < block.height(); j++) {
                 for (int i = 0; i < block.width(); i++) {
-                    film[n] = needs.film[Block.SIDE * j + i];
-                    edge[n] = needs.edge[Block.SIDE * j + i];
+                    film[n] = needs.film[FilmTile.BLOCK_SIDE * j + i];
+                    edge[n] = needs.edge[FilmTile.BLOCK_SIDE * j + i];
                     dither[n] = Dither.at(block.x() + i, block.y() + j);
-                    light[n++] = needs.light[Block.SIDE * j + i];
+                    light[n++] = needs.light[FilmTile.BLOCK_SIDE * j + i];
                 }
             }
             pixels[index] = block.width() * block.height();

@@ -1,6 +1,7 @@
 package enlightenment.method.cluster;
 
 import enlightenment.compiled.RayCounters;
+import enlightenment.film.FilmTile;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Warp;
 import enlightenment.shading.LightGuide;
@@ -48,8 +49,8 @@ final class ClusterGuide implements LightGuide {
 
     /** Sets the film position, in pixels from the block's upper left corner. */
     void at(double i, double j) {
-        x = i - Block.SIDE / 2.0;
-        y = j - Block.SIDE / 2.0;
+        x = i - FilmTile.BLOCK_SIDE / 2.0;
+        y = j - FilmTile.BLOCK_SIDE / 2.0;
     }
 
     /**
@@ -57,8 +58,8 @@ final class ClusterGuide implements LightGuide {
      * within it.
      */
     void pixel(int i, int j) {
-        middleX = i + 0.5 - Block.SIDE / 2.0;
-        middleY = j + 0.5 - Block.SIDE / 2.0;
+        middleX = i + 0.5 - FilmTile.BLOCK_SIDE / 2.0;
+        middleY = j + 0.5 - FilmTile.BLOCK_SIDE / 2.0;
         aimed = null;
     }
 

@@ -5,6 +5,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TilePasses;
+import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.method.TileIntegrator;
 import enlightenment.primitive.Ray;
@@ -39,7 +40,7 @@ public final class ClusterMethod implements TileIntegrator {
     /** Binary logarithm of the largest number of first samples that are kept as evidence; more would tell little more. */
     static final int MOST_FIRST = 2;
 
-    private static final int PIXELS = Block.SIDE * Block.SIDE;
+    private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
@@ -133,7 +134,7 @@ public final class ClusterMethod implements TileIntegrator {
     @Override
     public void render(FilmTile tile, int pass, int passes) {
         TilePasses.checkOne(pass, passes);
-        Block.forEach(tile, settings.width(), settings.height(), block -> render(block, tile));
+        Block.forEach(tile, settings.width(), settings.height(), FilmTile.BLOCK_SIDE, block -> render(block, tile));
     }
 
     private void render(Block block, FilmTile tile) {
@@ -215,7 +216,7 @@ public final class ClusterMethod implements TileIntegrator {
         long points = 0;
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
-                points += 1L << allocation.lightPoints(needs.light[Block.SIDE * j + i]);
+                points += 1L << allocation.lightPoints(needs.light[FilmTile.BLOCK_SIDE * j + i]);
             }
         }
         return points >= LEAST_USE_OF_SECOND_SURVEY * survey.pointsOfMore();
@@ -230,7 +231,7 @@ public final class ClusterMethod implements TileIntegrator {
         evidence.begin();
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
-                int k = Block.SIDE * j + i;
+                int k = FilmTile.BLOCK_SIDE * j + i;
                 int wanted = needs.lightIsSettled ? 0 : allocation.lightPoints(needs.light[k]);
                 points[k] = Math.max(wanted - samples(block, i, j), 0);
                 if (looked) {
@@ -245,7 +246,7 @@ public final class ClusterMethod implements TileIntegrator {
     }
 
     private void look(Block block, int i, int j) {
-        int k = Block.SIDE * j + i;
+        int k = FilmTile.BLOCK_SIDE * j + i;
         int count = 1 << firstSamples;
         long key = survey.commonKey(i, j);
         double sum = 0;
@@ -258,14 +259,14 @@ public final class ClusterMethod implements TileIntegrator {
     }
 
     private int samples(Block block, int i, int j) {
-        int k = Block.SIDE * j + i;
+        int k = FilmTile.BLOCK_SIDE * j + i;
         return allocation.samples(
                 needs.film[k], needs.edge[k], needs.light[k], Dither.at(block.x() + i, block.y() + j));
     }
 
     /** Turns to a pixel. */
     private void turn(Block block, int i, int j, long seed) {
-        shader.lightPoints(1 << points[Block.SIDE * j + i]);
+        shader.lightPoints(1 << points[FilmTile.BLOCK_SIDE * j + i]);
         sampler.pixel(seed, block.x() + i, block.y() + j);
         interpolation.between(survey, i, j);
         if (guided) {
@@ -274,7 +275,7 @@ public final class ClusterMethod implements TileIntegrator {
     }
 
     private void renderPixel(Block block, int i, int j, FilmTile tile) {
-        int k = Block.SIDE * j + i;
+        int k = FilmTile.BLOCK_SIDE * j + i;
         int x = block.x() + i;
         int y = block.y() + j;
         turn(block, i, j, settings.seed());

@@ -1,5 +1,6 @@
 package enlightenment.method.cluster;
 
+import enlightenment.method.Block;
 import enlightenment.primitive.Ray;
 import enlightenment.shading.LightSamples;
 import enlightenment.shading.PathReport;

@@ -1,5 +1,6 @@
 package enlightenment.method.cluster;
 
+import enlightenment.method.Block;
 import enlightenment.sampling.RunningStatistics;
 
 /**

@@ -1,8 +1,10 @@
 package enlightenment.method.cluster;
 
+import enlightenment.film.FilmTile;
+
 /** What rays through the corners of a block's pixels have seen: a colour for each, and a key of what it met. */
 abstract class Corners {
-    static final int SIDE = Block.SIDE + 1;
+    static final int SIDE = FilmTile.BLOCK_SIDE + 1;
 
     static final int NODES = SIDE * SIDE;
 

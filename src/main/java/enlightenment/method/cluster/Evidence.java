@@ -1,5 +1,8 @@
 package enlightenment.method.cluster;
 
+import enlightenment.film.FilmTile;
+import enlightenment.method.Block;
+
 /**
  * What the first samples of a block's pixels met that its corners had not shown: evidence that other pixels hide as much. A
  * pixel's demand is raised by the samples of the others only, so that its own stay unbiased.
@@ -21,8 +24,8 @@ final class Evidence {
     /** How much a sample counts whose path met just what the corners' did: colours that bend are no edges. */
     private static final double OF_SAME_PATH = 0.3;
 
-    private final double[] surprise = new double[Block.SIDE * Block.SIDE];
-    private final boolean[] quiet = new boolean[Block.SIDE * Block.SIDE];
+    private final double[] surprise = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];
+    private final boolean[] quiet = new boolean[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];
 
     /** Sums and numbers of the pixels whose corners differ, and of the others. */
     private final double[] sums = new double[2];
@@ -72,7 +75,7 @@ final class Evidence {
         }
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
-                int k = Block.SIDE * j + i;
+                int k = FilmTile.BLOCK_SIDE * j + i;
                 double others = others(block, i, j);
                 needs.edge[k] =
                         quiet[k] ? needs.edge[k] + OF_QUIET * others : Math.max(needs.edge[k], OF_EDGE * others);
@@ -82,13 +85,13 @@ final class Evidence {
 
     /** The mean surprise of the other pixels of the same kind, those that touch this one counted more. */
     private double others(Block block, int i, int j) {
-        int k = Block.SIDE * j + i;
+        int k = FilmTile.BLOCK_SIDE * j + i;
         int kind = kind(k);
         double near = 0;
         int count = 0;
         for (int y = Math.max(j - 1, 0); y <= Math.min(j + 1, block.height() - 1); y++) {
             for (int x = Math.max(i - 1, 0); x <= Math.min(i + 1, block.width() - 1); x++) {
-                int n = Block.SIDE * y + x;
+                int n = FilmTile.BLOCK_SIDE * y + x;
                 if (n != k && kind(n) == kind) {
                     near += surprise[n];
                     count++;

@@ -1,6 +1,8 @@
 package enlightenment.method.cluster;
 
 import enlightenment.color.DisplayCurve;
+import enlightenment.film.FilmTile;
+import enlightenment.method.Block;
 import java.util.Arrays;
 
 /**
@@ -15,7 +17,7 @@ import java.util.Arrays;
  * where all is white.
  */
 final class PathNoise {
-    private static final int PIXELS = Block.SIDE * Block.SIDE;
+    private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
     private static final int MOST_CLUSTERS = 32;
 
@@ -122,7 +124,7 @@ final class PathNoise {
     }
 
     private static int pixel(int i, int j) {
-        return Block.SIDE * j + i;
+        return FilmTile.BLOCK_SIDE * j + i;
     }
 
     /** Whether all corners of a pixel met the same. */

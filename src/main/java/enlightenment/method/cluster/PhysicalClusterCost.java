@@ -1,6 +1,8 @@
 package enlightenment.method.cluster;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.film.FilmTile;
+import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
@@ -15,7 +17,7 @@ public final class PhysicalClusterCost implements EffortCost {
     /** Keeps the random numbers of what is tried apart from the picture's. */
     private static final long PURPOSE = 0x706879736963L;
 
-    private static final int PIXELS = Block.SIDE * Block.SIDE;
+    private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
@@ -34,7 +36,7 @@ public final class PhysicalClusterCost implements EffortCost {
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
-        this.blocks = Block.spread(settings.width(), settings.height(), blocks);
+        this.blocks = Block.spread(settings.width(), settings.height(), FilmTile.BLOCK_SIDE, blocks);
     }
 
     @Override

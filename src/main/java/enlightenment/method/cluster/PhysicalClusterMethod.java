@@ -5,6 +5,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TilePasses;
+import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.method.TileIntegrator;
 import enlightenment.primitive.Ray;
@@ -24,7 +25,7 @@ import java.util.function.BooleanSupplier;
  * <p>Unbiased, because a pixel's number of samples depends on the corners and on paths of other pixels only.
  */
 public final class PhysicalClusterMethod implements TileIntegrator {
-    private static final int PIXELS = Block.SIDE * Block.SIDE;
+    private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
     /** Groups of a block; and the most members of one: every other pixel of every other row, and those between. */
     private static final int GROUPS = 8;
@@ -135,7 +136,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     @Override
     public void render(FilmTile tile, int pass, int passes) {
         TilePasses.checkOne(pass, passes);
-        Block.forEach(tile, settings.width(), settings.height(), block -> render(block, tile));
+        Block.forEach(tile, settings.width(), settings.height(), FilmTile.BLOCK_SIDE, block -> render(block, tile));
     }
 
     private void render(Block block, FilmTile tile) {
@@ -217,7 +218,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         int at = 0;
         if (s < 1 << firstSamples) {
             from = first;
-            at = 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s);
+            at = 3 * ((FilmTile.BLOCK_SIDE * row[m] + column[m] << firstSamples) + s);
             if (s < 2) {
                 samplers[m].sample(s);
                 spreads[m].at(samplers[m].filmX(), samplers[m].filmY());
@@ -281,7 +282,8 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         for (int s = from; s < to; s++) {
             sample(block, s);
             for (int m = 0; m < members; m++) {
-                System.arraycopy(colors[m], 0, first, 3 * ((Block.SIDE * row[m] + column[m] << firstSamples) + s), 3);
+                System.arraycopy(
+                        colors[m], 0, first, 3 * ((FilmTile.BLOCK_SIDE * row[m] + column[m] << firstSamples) + s), 3);
                 tell(m, s);
             }
         }

@@ -1,5 +1,8 @@
 package enlightenment.method.cluster;
 
+import enlightenment.film.FilmTile;
+import enlightenment.method.Block;
+
 /**
  * How many samples each pixel of a block needs, as the survey shows it: the expected variance of a single sample, once from
  * where in the pixel it lies, once from which light point it takes.
@@ -32,12 +35,12 @@ final class SampleDemand {
     private final double[] second = new double[Survey.SIDE * Survey.SIDE];
 
     /** Per pixel of the block, row by row of 8. */
-    final double[] film = new double[Block.SIDE * Block.SIDE];
+    final double[] film = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];
 
     /** The same for what an edge makes it vary that passes through the pixel, or may pass through it unseen. */
-    final double[] edge = new double[Block.SIDE * Block.SIDE];
+    final double[] edge = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];
 
-    final double[] light = new double[Block.SIDE * Block.SIDE];
+    final double[] light = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];
 
     /** Whether no pixel has variance from its light points. */
     boolean lightIsSettled;
@@ -48,7 +51,7 @@ final class SampleDemand {
         lightIsSettled = !survey.hasDoubtfulLight();
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
-                int k = Block.SIDE * j + i;
+                int k = FilmTile.BLOCK_SIDE * j + i;
                 film[k] = OF_BLOCK * mean;
                 edge[k] = survey.isEmpty() ? 0 : UNSEEN;
                 addCorners(survey, i, j, k);

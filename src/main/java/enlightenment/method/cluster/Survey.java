@@ -1,6 +1,7 @@
 package enlightenment.method.cluster;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.method.Block;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.SobolSampler;

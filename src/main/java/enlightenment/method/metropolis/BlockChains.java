@@ -1,6 +1,7 @@
 package enlightenment.method.metropolis;
 
 import enlightenment.compiled.RayCounters;
+import enlightenment.method.Block;
 import enlightenment.sampling.ChainSampler;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;

@@ -4,6 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.TilePasses;
+import enlightenment.method.Block;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.TileIntegrator;
 import enlightenment.scene.MetropolisSettings;
@@ -104,7 +105,7 @@ public final class MetropolisMethod implements TileIntegrator {
             direct.render(seen, quarter, QUARTERS);
             tile.addLostSamples(seen.lostSamples());
         }
-        Block.forEach(tile, settings.width(), settings.height(), block -> {
+        Block.forEach(tile, settings.width(), settings.height(), MetropolisSettings.BLOCK_SIDE, block -> {
             chains.render(block, quarter, spending, settings.seed());
             tile.addSurveyRays(Math.max(chains.taken() + put(block, seen, tile), 0));
             tile.addLostSamples(chains.lost());

@@ -1,6 +1,7 @@
 package enlightenment.method.metropolis;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.method.Block;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.scene.RenderSettings;

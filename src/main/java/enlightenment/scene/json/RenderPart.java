@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.scene.Animation;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
@@ -66,18 +67,30 @@ final class RenderPart {
                 : f.word(setting.key(), ((MethodSetting.Word) setting).words(), null);
     }
 
-    /** What was chosen, and all whole numbers of our own methods: a track of an animation may lead to them. */
-    static JsonValue write(RenderDefaults r, JsonObjectBuilder p) {
+    /**
+     * What was chosen; and the whole numbers that the method looks at, or that a track of the animation leads to, whatever they are.
+     *
+     * @param animation null if there is none
+     */
+    static JsonValue write(RenderDefaults r, Animation animation, JsonObjectBuilder p) {
         p.text("method", r.method().word()).whole("antialias", r.antialias());
         Map<String, Object> chosen = new TreeMap<>(r.chosen().values());
+        List<MethodSetting> own = Method.influences(r.method());
         for (MethodSetting setting : Method.settings(BuiltInMethod.ALL)) {
-            if (setting instanceof MethodSetting.Whole || chosen.containsKey(setting.key())) {
+            boolean isSaid = own.contains(setting) || isMoved(setting, animation);
+            if (chosen.containsKey(setting.key()) || isSaid && setting instanceof MethodSetting.Whole) {
                 put(p, setting.key(), r.chosen().value(setting));
                 chosen.remove(setting.key());
             }
         }
         chosen.forEach((key, value) -> put(p, key, value));
         return p.wholeUnless(0, "seed", r.seed()).json();
+    }
+
+    private static boolean isMoved(MethodSetting setting, Animation animation) {
+        String place = JsonPointer.ROOT.child("render").child(setting.key()).toString();
+        return animation != null
+                && animation.tracks().stream().anyMatch(track -> track.target().equals(place));
     }
 
     private static void put(JsonObjectBuilder p, String key, Object value) {

@@ -48,7 +48,7 @@ final class SceneToJson {
         List<JsonValue> objects = new ArrayList<>(scene.objects().size());
         scene.objects().forEach(o -> objects.add(object(o, root.child("objects", objects.size()))));
         root.put("objects", JsonValue.Arr.of(objects));
-        root.put("render", RenderPart.write(scene.render(), root.child("render")));
+        root.put("render", RenderPart.write(scene.render(), scene.animation().orElse(null), root.child("render")));
         scene.animation().ifPresent(a -> root.put("animation", animation(a, root.child("animation"))));
         return root.json();
     }

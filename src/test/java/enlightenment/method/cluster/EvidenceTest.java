@@ -3,6 +3,8 @@ package enlightenment.method.cluster;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.film.FilmTile;
+import enlightenment.method.Block;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
@@ -17,7 +19,7 @@ class EvidenceTest {
         evidence.begin();
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
-                int k = Block.SIDE * j + i;
+                int k = FilmTile.BLOCK_SIDE * j + i;
                 needs.edge[k] = before;
                 evidence.tell(k, i >= 2, surprise[k]);
             }

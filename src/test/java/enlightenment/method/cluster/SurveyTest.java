@@ -12,6 +12,7 @@ import enlightenment.compiled.SceneCompiler;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.method.Block;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;

@@ -106,7 +106,7 @@ class SceneWriterTest {
                       "material": { "type": "mirror", "color": [0.1, 0.2, 0.3] }
                     }
                   ],
-                  "render": { "method": "raytrace", "antialias": 4, "shadowSamples": 10, "largeSteps": 5, "mutations": 250 }
+                  "render": { "method": "raytrace", "antialias": 4, "shadowSamples": 10 }
                 }
                 """,
                 json);

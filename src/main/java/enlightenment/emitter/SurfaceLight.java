@@ -1,0 +1,45 @@
+package enlightenment.emitter;
+
+import enlightenment.math.Vec3;
+
+/** A light with an area of its own that may shine from one of its sides or from both, inside of a ball. */
+abstract sealed class SurfaceLight implements AreaLight permits FlatLight, CurvedLight {
+    /** The centre of the ball. */
+    private final Vec3 ballCenter;
+
+    private final double ballRadius;
+    final double area;
+    final boolean twoSided;
+
+    SurfaceLight(Vec3 ballCenter, double ballRadius, double area, boolean twoSided) {
+        this.ballCenter = ballCenter;
+        this.ballRadius = ballRadius;
+        this.area = area;
+        this.twoSided = twoSided;
+    }
+
+    @Override
+    public void aim(LightSample s, double x, double y, double z) {
+        s.aim(ballCenter.x(), ballCenter.y(), ballCenter.z(), ballRadius, x, y, z);
+    }
+
+    @Override
+    public final double area() {
+        return area;
+    }
+
+    @Override
+    public final boolean isTwoSided() {
+        return twoSided;
+    }
+
+    @Override
+    public final Vec3 ballCenter() {
+        return ballCenter;
+    }
+
+    @Override
+    public final double ballRadius() {
+        return ballRadius;
+    }
+}

@@ -118,7 +118,9 @@ public final class CompiledScene {
         this.camera = camera;
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
-        physical = shading instanceof PhysicalShading p ? new PhysicalScene(p, surroundings, compiled, points) : null;
+        physical = shading instanceof PhysicalShading p
+                ? new PhysicalScene(p, frame, surroundings, compiled, points)
+                : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
         this.materials = compiled.materials();

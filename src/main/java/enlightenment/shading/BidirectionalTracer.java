@@ -27,13 +27,12 @@ public final class BidirectionalTracer implements Shader {
     private final BidirectionalLights lights;
     private final SegmentRays segments;
 
-    /** Light from a picture or a sky around the scene; null if there is none. It is added there first. */
+    /** Light from a picture or a sky around the scene; null if there is none. */
     private final InfiniteLight infinite;
 
     /** The density per solid angle with which the path from the eye left its last vertex. */
     private double pdf;
 
-    private final PathValue fromInfinity = new PathValue();
     private final Scattering there = new Scattering();
     private final ReverseDensity reverse = new ReverseDensity();
 
@@ -51,8 +50,7 @@ public final class BidirectionalTracer implements Shader {
         eye = new EyeSubpath(scene, counters, LIGHT_PATHS_PER_SAMPLE);
         light = new LightSubpath(scene, starts, counters);
         lights = new BidirectionalLights(scene, starts, counters, eye);
-        infinite = InfiniteLight.of(scene, counters, eye.path, fromInfinity);
-        fromInfinity.begin(1);
+        infinite = InfiniteLight.of(scene, counters, eye.path);
         segments = new SegmentRays(scene, counters, eye.path);
     }
 
@@ -122,7 +120,7 @@ public final class BidirectionalTracer implements Shader {
                 if (infinite == null) {
                     add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
                 } else {
-                    infinite.arrive(eye.ray, eye.lastConnects ? pdf : 0, 1);
+                    infinite.arrive(eye.ray, eye.lastConnects ? pdf : 0, true);
                     addInfinite();
                 }
                 return false;
@@ -151,11 +149,8 @@ public final class BidirectionalTracer implements Shader {
      */
     private boolean gatherInfinite(Sampler sampler) {
         if (!eye.bsdf.isDelta()) {
-            if (eye.isBorder) {
-                infinite.gatherAtBorder(eye.bsdf, eye.s, eye.color, sampler, eye.address, eye.isFirst);
-            } else {
-                infinite.gather(eye.bsdf, eye.s, sampler, eye.address, eye.isFirst);
-            }
+            double[] tint = eye.isBorder ? eye.color : null;
+            infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.address, eye.isFirst);
             addInfinite();
         }
         boolean goes = eye.leave(sampler);
@@ -164,8 +159,7 @@ public final class BidirectionalTracer implements Shader {
     }
 
     private void addInfinite() {
-        add(1, fromInfinity.red, fromInfinity.green, fromInfinity.blue, 0);
-        fromInfinity.beginPart();
+        add(1, infinite.red, infinite.green, infinite.blue, 0);
     }
 
     /** Adds light that comes to the last vertex of the path from the eye. */

@@ -2,6 +2,7 @@ package enlightenment.shading;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
@@ -14,6 +15,7 @@ final class DistantRays {
     private static final double ENDLESS = Double.MAX_VALUE;
 
     private final PathFollower path;
+    private final boolean absorbs;
     private final Ray ray = new Ray();
 
     /** Follows rays through glass that does not turn them; null if there is none. */
@@ -25,6 +27,7 @@ final class DistantRays {
     /** From the vertex that a path is at. */
     DistantRays(CompiledScene scene, RayCounters counters, PathFollower path) {
         this.path = path;
+        absorbs = scene.physical.hasAbsorption;
         walk = scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
     }
 
@@ -39,6 +42,11 @@ final class DistantRays {
         start(dx, dy, dz, atBorder, through);
         Arrays.fill(rgb, 1);
         if (!path.tracer.occluded(ray, ENDLESS)) {
+            // In a medium without end nothing comes through but where nothing is lost.
+            SurfaceMaterial medium = absorbs ? path.medium(through) : null;
+            if (medium != null && medium.absorbs) {
+                medium.absorb(ENDLESS, rgb);
+            }
             return true;
         }
         if (walk == null) {

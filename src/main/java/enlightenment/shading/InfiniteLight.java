@@ -1,6 +1,7 @@
 package enlightenment.shading;
 
 import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
@@ -20,13 +21,13 @@ final class InfiniteLight {
     private final RayCounters counters;
     private final DistantRays rays;
     private final PathFollower path;
-    private final PathValue value;
 
     /** Numbers of points of lights are asked for by the indices after those of all other lights. */
     private final int firstIndex;
 
     private final double[] direction = new double[3];
     private final double[] rgb = new double[3];
+    private final Scattering white = new Scattering();
 
     /** The normal of the last vertex that scattered light other than into single directions; (0, 0, 0) at a rough border. */
     private double nx;
@@ -40,52 +41,54 @@ final class InfiniteLight {
     /** The tint of what passes, at a rough border; null elsewhere. */
     private double[] through;
 
-    private InfiniteLight(CompiledScene scene, RayCounters counters, PathFollower path, PathValue value) {
-        this.value = value;
+    /** What was gathered, or came to the path's end. */
+    double red;
+
+    double green;
+    double blue;
+
+    private InfiniteLight(CompiledScene scene, RayCounters counters, PathFollower path) {
         around = scene.physical.surroundings;
         sun = around.sun;
         firstIndex = scene.physical.lights.length + 1;
         this.counters = counters;
         this.path = path;
         rays = new DistantRays(scene, counters, path);
+        white.red = 1;
+        white.green = 1;
+        white.blue = 1;
     }
 
-    /** What gathers for a thread and adds it to the value of its path; null if the scene has no such surroundings. */
-    static InfiniteLight of(CompiledScene scene, RayCounters counters, PathFollower path, PathValue value) {
-        return scene.physical.surroundings == null ? null : new InfiniteLight(scene, counters, path, value);
+    /** What gathers for a thread; null if the scene has no such surroundings. */
+    static InfiniteLight of(CompiledScene scene, RayCounters counters, PathFollower path) {
+        return scene.physical.surroundings == null ? null : new InfiniteLight(scene, counters, path);
+    }
+
+    /** Gathers the light at a white Lambertian surface in the place of the one that the path is at. */
+    void gatherMatte(Sampler sampler, int address, boolean isFirst) {
+        double facing = path.hit.side;
+        white.nx = facing * path.hit.nx;
+        white.ny = facing * path.hit.ny;
+        white.nz = facing * path.hit.nz;
+        gather(Lambert.INSTANCE, white, null, sampler, address, isFirst);
     }
 
     /**
-     * Gathers the light at the surface that the path is at.
+     * Gathers the light at the surface that the path is at, or the point of a medium.
      *
+     * @param tint of what passes, at a rough border of two media: then light is gathered on both sides; null elsewhere
      * @param isFirst whether the path came here from the eye by delta events only
      */
-    void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
-        double facing = path.hit.side;
-        begin(facing * path.hit.nx, facing * path.hit.ny, facing * path.hit.nz, isFirst);
-        through = null;
-        gather(bsdf, s, sampler, address);
-    }
-
-    /**
-     * Gathers the light on both sides of the rough border of two media that the path is at.
-     *
-     * @param tint of what passes, by band
-     */
-    void gatherAtBorder(Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst) {
-        begin(0, 0, 0, isFirst);
+    void gather(Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst) {
+        double facing = tint == null ? path.hit.side : 0;
+        nx = facing * path.hit.nx;
+        ny = facing * path.hit.ny;
+        nz = facing * path.hit.nz;
         through = tint;
-        gather(bsdf, s, sampler, address);
-    }
-
-    private void begin(double x, double y, double z, boolean isFirst) {
-        nx = x;
-        ny = y;
-        nz = z;
         tookBoth = isFirst || sun == null;
-    }
-
-    private void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address) {
+        red = 0;
+        green = 0;
+        blue = 0;
         boolean toSun = sun != null;
         boolean toSky = !around.isBlack();
         if (!tookBoth) {
@@ -130,7 +133,7 @@ final class InfiniteLight {
         s.ix = direction[0];
         s.iy = direction[1];
         s.iz = direction[2];
-        if (!(density > 0) || through == null && !(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz > 0)) {
+        if (!(density > 0) || !bsdf.transmits() && !(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz > 0)) {
             return;
         }
         bsdf.evaluate(s);
@@ -138,10 +141,9 @@ final class InfiniteLight {
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0)
                 && rays.escapes(direction[0], direction[1], direction[2], through != null, passes)) {
             double f = PowerHeuristic.weight(s.pdf, density) / density;
-            value.add(
-                    f * s.valueR * rays.rgb[0] * rgb[0],
-                    f * s.valueG * rays.rgb[1] * rgb[1],
-                    f * s.valueB * rays.rgb[2] * rgb[2]);
+            red = Math.fma(f * s.valueR * rays.rgb[0], rgb[0], red);
+            green = Math.fma(f * s.valueG * rays.rgb[1], rgb[1], green);
+            blue = Math.fma(f * s.valueB * rays.rgb[2], rgb[2], blue);
         }
     }
 
@@ -149,9 +151,9 @@ final class InfiniteLight {
      * What comes to the path from where its ray leads to, beyond everything.
      *
      * @param pdf the density per solid angle with which the path left its last vertex, if light was gathered there; else 0
-     * @param sunWeight of the sun's disk if light was not gathered
+     * @param countsSun whether the sun's disk counts if light was not gathered
      */
-    void arrive(Ray ray, double pdf, double sunWeight) {
+    void arrive(Ray ray, double pdf, boolean countsSun) {
         boolean isWeighted = pdf > 0;
         double scale = 1 / Math.sqrt(ray.dd);
         double dx = ray.dx * scale;
@@ -162,16 +164,15 @@ final class InfiniteLight {
         if (isWeighted && !around.isBlack()) {
             weight = PowerHeuristic.weight(probabilityOfSky() * around.density(dx, dy, dz), pdf);
         }
-        double r = weight * rgb[0];
-        double g = weight * rgb[1];
-        double b = weight * rgb[2];
+        red = weight * rgb[0];
+        green = weight * rgb[1];
+        blue = weight * rgb[2];
         if (sun != null && sun.contains(dx, dy, dz)) {
-            double ofSun = isWeighted ? PowerHeuristic.weight(probabilityOfSun() * sun.density(), pdf) : sunWeight;
-            r = Math.fma(ofSun, sun.r, r);
-            g = Math.fma(ofSun, sun.g, g);
-            b = Math.fma(ofSun, sun.b, b);
+            double ofSun =
+                    isWeighted ? PowerHeuristic.weight(probabilityOfSun() * sun.density(), pdf) : countsSun ? 1 : 0;
+            red = Math.fma(ofSun, sun.r, red);
+            green = Math.fma(ofSun, sun.g, green);
+            blue = Math.fma(ofSun, sun.b, blue);
         }
-        value.add(r, g, b);
-        value.addCertain(r, g, b, 0);
     }
 }

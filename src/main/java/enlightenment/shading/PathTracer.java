@@ -29,9 +29,6 @@ public final class PathTracer implements Shader {
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
-    /** Light from a picture or a sky around the scene; null if there is none. */
-    private final InfiniteLight infinite;
-
     private final PathValue value;
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;
@@ -39,6 +36,9 @@ public final class PathTracer implements Shader {
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
     private final boolean isAlbedo;
+
+    /** Follows paths through media that scatter light; null if there are none. */
+    private final RandomWalk walk;
 
     /** Whether a path ends where light has come to its first vertex straight. */
     private final boolean endsSoon;
@@ -73,10 +73,10 @@ public final class PathTracer implements Shader {
         path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
-        infinite = InfiniteLight.of(scene, counters, path, value);
         connections = new PathConnections(path.tracer);
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
+        walk = RandomWalk.of(physical, path, value, isAlbedo);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
@@ -87,7 +87,7 @@ public final class PathTracer implements Shader {
 
     @Override
     public boolean seesNothing() {
-        return path.tracer.seesNothing();
+        return path.tracer.seesNothing() && physical.around == null;
     }
 
     @Override
@@ -155,31 +155,45 @@ public final class PathTracer implements Shader {
     private void begin(Ray ray) {
         history.begin();
         address = 0;
+        forgetMirrors();
+        path.begin(ray);
+        value.begin(path.glass.indexOfRefraction());
+    }
+
+    private void forgetMirrors() {
         if (mirrors != null) {
             mirrors.begin();
         }
-        path.begin(ray);
-        value.begin(path.glass.indexOfRefraction());
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
         SurfaceMaterial medium = absorbs ? path.medium() : null;
-        PathFollower.Event event = path.next(ray);
+        PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, sampler);
+        if (event == null) {
+            return inMedium(ray, sampler);
+        }
         if (event == PathFollower.Event.NOTHING) {
-            if (infinite != null && !isAlbedo) {
-                infinite.arrive(
-                        ray, history.gathered ? light.pdf() : 0, hasCausticPass && history.scatteredFirst ? 0 : 1);
-            } else if (!isAlbedo) {
-                value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+            if (!isAlbedo) {
+                light.escape(ray, history.gathered, !(hasCausticPass && history.scatteredFirst));
+                value.add(light.red, light.green, light.blue);
+                value.addCertain(light.red, light.green, light.blue, 0);
             }
             return false;
         }
-        if (medium != null && medium.absorbs) {
+        if (medium != null && medium.absorbs && medium.medium == null) {
             value.absorb(medium, path.distance(ray));
         }
         return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
+    }
+
+    /** Where a medium scatters the path. */
+    private boolean inMedium(Ray ray, Sampler sampler) {
+        if (!mayScatter()) {
+            return false;
+        }
+        forgetMirrors();
+        return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
     }
 
     /** At an opaque surface. */
@@ -217,12 +231,7 @@ public final class PathTracer implements Shader {
 
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
-        double weight = 1;
-        if (history.gathered) {
-            weight = light.weight(ray);
-        } else if (history.scattered) {
-            weight = weightOfCaustic();
-        }
+        double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : 1;
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             value.addEmission(material, weight);
         }
@@ -230,21 +239,17 @@ public final class PathTracer implements Shader {
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        if (hasCausticPass && history.scatteredFirst) {
-            return 0;
+        return hasCausticPass && history.scatteredFirst ? 0 : mirrors == null ? 1 : mirrors.weight();
+    }
+
+    /** Adds light that balls reflect to the surface if the eye sees this, or the first, in a mirror or through glass; returns whether it does. */
+    private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
+        if (mirrors == null || !history.isSeenByMirrors()) {
+            return false;
         }
-        return mirrors == null ? 1 : mirrors.weight();
-    }
-
-    /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
-    private boolean isSeenByMirrors() {
-        return mirrors != null && history.isSeenByMirrors();
-    }
-
-    /** Adds light that balls reflect to the surface. */
-    private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
-        mirrors.gather(bsdf, s, sampler, address);
+        mirrors.gather(bsdf, path.arrive(ray, surface), sampler, address);
         value.addIndirect(mirrors.red, mirrors.green, mirrors.blue, mirrors.ultraviolet);
+        return true;
     }
 
     /** Lambert's law: direct light has closed forms. */
@@ -269,13 +274,7 @@ public final class PathTracer implements Shader {
         if (value.certain) {
             value.leaveToChance(path.key + light.views);
         }
-        if (infinite != null) {
-            infinite.gather(Lambert.INSTANCE, path.arrive(ray, surface), sampler, address, !history.scattered);
-        }
-        boolean seen = isSeenByMirrors();
-        if (seen) {
-            gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
-        }
+        boolean seen = gatherMirrored(Lambert.INSTANCE, ray, sampler);
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
@@ -301,13 +300,7 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
         value.add(light.red, light.green, light.blue, light.ultraviolet);
-        if (infinite != null) {
-            infinite.gather(material.bsdf, s, sampler, address, !history.scattered);
-        }
-        boolean seen = isSeenByMirrors();
-        if (seen) {
-            gatherMirrored(material.bsdf, s, sampler);
-        }
+        boolean seen = gatherMirrored(material.bsdf, ray, sampler);
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
@@ -338,9 +331,7 @@ public final class PathTracer implements Shader {
         address++;
         path.glass.choose(choice, pair);
         cross(ray);
-        if (mirrors != null) {
-            mirrors.begin();
-        }
+        forgetMirrors();
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
             // stays what it was.
@@ -357,7 +348,10 @@ public final class PathTracer implements Shader {
             history.gathered = true;
             light.left(path.glass.border.pdf);
         }
-        return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        boolean survives = walk == null
+                ? survives(surface[0], surface[1], surface[2], sampler)
+                : walk.survives(surface, sampler, history.events);
+        return survives && path.goesOn();
     }
 
     /** Crosses the border or is reflected; the surface's colour becomes the weight of that. */
@@ -388,9 +382,6 @@ public final class PathTracer implements Shader {
         path.turnTo(0);
         light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
         value.add(light.red, light.green, light.blue, light.ultraviolet);
-        if (infinite != null) {
-            infinite.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
-        }
         return true;
     }
 

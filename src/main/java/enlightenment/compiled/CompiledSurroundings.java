@@ -2,7 +2,6 @@ package enlightenment.compiled;
 
 import enlightenment.material.Texture;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.SceneException;
 import enlightenment.surroundings.Surroundings;
 import java.io.IOException;
@@ -19,11 +18,11 @@ final class CompiledSurroundings {
      *
      * @param files returns the content of an image file, or null if it must be read from the disk
      */
-    static Surroundings of(PhysicalShading shading, Function<Path, byte[]> files) {
-        if (shading.background() instanceof Background.Picture p) {
+    static Surroundings of(Background background, Function<Path, byte[]> files) {
+        if (background instanceof Background.Picture p) {
             return picture(p, files.apply(p.picture().file()));
         }
-        if (shading.background() instanceof Background.Sky s) {
+        if (background instanceof Background.Sky s) {
             return Surroundings.sky(
                     s.elevation(), s.azimuth(), s.turbidity(), s.groundAlbedo(), s.hasSun(), s.radiance());
         }

@@ -14,15 +14,15 @@ import java.util.function.BooleanSupplier;
 
 /**
  * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
- * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997).
- *
- * <p>What a path finds twice, by sampling a light and by running into it, is weighted so that both together count once
- * ({@link PathLight}). Nothing is clamped: the mean over paths is the solution. See docs/physical-light.md.
+ * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997). What a path finds
+ * twice, by sampling a light and by running into it, is weighted so that both together count once ({@link PathLight}). Nothing is
+ * clamped: the mean over paths is the solution. See docs/physical-light.md.
  */
 public final class PathTracer implements Shader {
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
+    private final EyeImages images;
     private final boolean absorbs;
     private final boolean hasCausticPass;
 
@@ -78,11 +78,13 @@ public final class PathTracer implements Shader {
         hasCausticPass = leavesOut;
         walk = RandomWalk.of(physical, path, value, isAlbedo);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
+        images = new EyeImages(scene, counters, path, part == PathPart.WHOLE || part == PathPart.DIRECT);
     }
 
     @Override
     public void beginTile(double x0, double y0, double x1, double y1) {
         path.tracer.beginTile(x0, y0, x1, y1);
+        images.beginTile(x0, y0, x1, y1);
     }
 
     @Override
@@ -114,13 +116,11 @@ public final class PathTracer implements Shader {
     }
 
     /**
-     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first
-     * matte surface the light of lamps that nothing can hide there, or that are points. No random number has a part in it but the place
-     * on the film.
+     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first matte
+     * surface the light of lamps that nothing can hide there, or that are points. No random number but the place on the film has a part in it.
      *
      * @param out receives red, green and blue
-     * @return a hash of what was met on the way there, and of which lamps are hidden, in full view, or neither: two paths with the same
-     *     have met the same, but for one case in 2⁶⁴
+     * @return a hash of what was met on the way, and of which lamps are hidden, in full view, or neither: but for one case in 2⁶⁴ tells all
      */
     public long certain(double[] out) {
         return value.certain(out, path.key);
@@ -147,6 +147,7 @@ public final class PathTracer implements Shader {
 
     private void follow(Ray ray, Sampler sampler) {
         begin(ray);
+        images.gather(sampler, value);
         while (step(ray, sampler)) {
             history.events++;
         }
@@ -158,6 +159,7 @@ public final class PathTracer implements Shader {
         forgetMirrors();
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
+        images.begin(ray);
     }
 
     private void forgetMirrors() {
@@ -231,7 +233,7 @@ public final class PathTracer implements Shader {
 
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
-        double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : 1;
+        double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : images.weight();
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             value.addEmission(material, weight);
         }
@@ -289,6 +291,7 @@ public final class PathTracer implements Shader {
         if (mirrors != null) {
             mirrors.reflected(path.id);
         }
+        images.reflected();
         path.scatter(ray, material, surface, 0, 0, 0);
         history.leave(true);
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();

@@ -86,7 +86,8 @@ public final class PhysicalScene {
             CompiledPrimitives compiled,
             List<PhysicalLight> points) {
         this.surroundings = surroundings;
-        Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
+        around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
         backgroundG = background.g();
         backgroundB = background.b();
@@ -122,7 +123,6 @@ public final class PhysicalScene {
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        around = shading.medium().map(m -> around(m, frame)).orElse(null);
         hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
@@ -140,6 +140,18 @@ public final class PhysicalScene {
         caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
+    }
+
+    /** What is left of the surroundings behind a medium that has no end: what it takes nothing of. */
+    private static Rgb seen(Rgb background, SurfaceMaterial around) {
+        if (around == null) {
+            return background;
+        }
+        Rgb lost = around.medium.extinction();
+        return new Rgb(
+                lost.r() > 0 ? 0 : background.r(),
+                lost.g() > 0 ? 0 : background.g(),
+                lost.b() > 0 ? 0 : background.b());
     }
 
     private static SurfaceMaterial around(Medium medium, SceneFrame frame) {

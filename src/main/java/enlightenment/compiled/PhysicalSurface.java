@@ -58,6 +58,7 @@ record PhysicalSurface(
             medium = HomogeneousMedium.of(scattering.medium(), frame);
             absorption = medium.extinction();
             look += " " + scattering.roughness() + " " + medium.look();
+            medium = medium.scatters() ? medium : null;
         } else if (material instanceof Material.Matte matte) {
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {

@@ -51,6 +51,9 @@ final class PathLight {
     private double ny;
     private double nz;
 
+    /** The id of its primitive; -1 in a medium. */
+    private int vertexId;
+
     /** Whether it is Lambertian. */
     private boolean isMatte;
 
@@ -104,6 +107,7 @@ final class PathLight {
         isMatte = matte;
         tookAll = lights.length <= 1 || isFirst && lights.length <= ALL_AT_FIRST;
         double facing = hit.side;
+        vertexId = path.id;
         x = hit.px;
         y = hit.py;
         z = hit.pz;
@@ -174,7 +178,7 @@ final class PathLight {
 
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face)) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -331,7 +335,7 @@ final class PathLight {
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face)) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -369,6 +373,9 @@ final class PathLight {
             return 1;
         }
         PhysicalLight l = lights[index];
+        if (l.isBallOf(vertexId)) {
+            return 1;
+        }
         view.aim(l, x, y, z);
         if (isMatte && isClosed(l)) {
             return 0;

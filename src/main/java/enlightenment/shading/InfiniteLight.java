@@ -141,6 +141,9 @@ final class InfiniteLight {
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0)
                 && rays.escapes(direction[0], direction[1], direction[2], through != null, passes)) {
             double f = PowerHeuristic.weight(s.pdf, density) / density;
+            if (through != null && path.glass.wavelength != null) {
+                path.glass.wavelength.color(s);
+            }
             red = Math.fma(f * s.valueR * rays.rgb[0], rgb[0], red);
             green = Math.fma(f * s.valueG * rays.rgb[1], rgb[1], green);
             blue = Math.fma(f * s.valueB * rays.rgb[2], rgb[2], blue);

@@ -98,7 +98,9 @@ record PhysicalSurface(
         }
         if (material instanceof Material.Glass glass) {
             double alpha = glass.roughness() * glass.roughness();
-            return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha);
+            return Microfacets.isSmooth(alpha)
+                    ? SmoothDielectric.INSTANCE
+                    : new RoughDielectric(alpha, glass.multipleScattering());
         }
         throw new AssertionError("no physical form of the material " + material.type());
     }

@@ -24,12 +24,14 @@ import java.util.Map;
  * java -cp target/enlightenment.jar src/bench/scripts/KeptErrors.java WxH SEEDS SECONDS ERROR[,ERROR...] SCENE...
  * </pre>
  *
- * Every scene is rendered by raytrace and cluster with seeds 1 to SEEDS and each error; a row that has taken SECONDS of processor time gets
- * no more seeds. After each of its seeds a picture with another seed and at least {@code -Dreference=256} samples joins the scene's reference.
+ * Every scene is rendered by {@code -Dmethods=raytrace,cluster} with seeds 1 to SEEDS and each error; a row that has taken SECONDS of processor time gets
+ * no more seeds. After each seed a picture by raytrace with another seed and at least {@code -Dreference=256} samples joins the scene's reference.
  * What is true is the difference, as shown, from the mean of those, less what that mean itself errs by. The table is printed after each seed.
  */
 public final class KeptErrors {
     private static final int LEAST_REFERENCE = Integer.getInteger("reference", 256);
+
+    private static final String METHODS = System.getProperty("methods", "raytrace,cluster");
 
     private static final OperatingSystemMXBean MACHINE =
             (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
@@ -101,8 +103,10 @@ public final class KeptErrors {
         List<Row> rows = new ArrayList<>();
         for (String error : arguments[3].split(",")) {
             for (String name : scenes.keySet()) {
-                rows.add(new Row(name, BuiltInMethod.RAYTRACE, Double.parseDouble(error)));
-                rows.add(new Row(name, BuiltInMethod.CLUSTER, Double.parseDouble(error)));
+                for (String method : METHODS.split(",")) {
+                    rows.add(new Row(
+                            name, BuiltInMethod.valueOf(method.toUpperCase(Locale.ROOT)), Double.parseDouble(error)));
+                }
             }
         }
         for (int seed = 1; seed <= seeds; seed++) {
@@ -118,7 +122,7 @@ public final class KeptErrors {
                         render(scenes.get(row.name), settings.withBudget(Budget.NONE.withError(row.asked)), seed));
                 row.seconds += (MACHINE.getProcessCpuTime() - before) / 1e9;
                 Reference reference = references.get(row.name);
-                if (row.method == BuiltInMethod.RAYTRACE && reference.seconds < cap) {
+                if (row.method == rows.get(0).method && reference.seconds < cap) {
                     if (reference.samples == 0) {
                         reference.samples = Math.max(
                                 LEAST_REFERENCE,
@@ -127,7 +131,8 @@ public final class KeptErrors {
                     before = MACHINE.getProcessCpuTime();
                     reference.add(render(
                                     scenes.get(row.name),
-                                    settings.withBudget(Budget.NONE.withSamples(reference.samples)),
+                                    settings.withMethod(BuiltInMethod.RAYTRACE)
+                                            .withBudget(Budget.NONE.withSamples(reference.samples)),
                                     1_000_000L + 1000 * reference.pictures)
                             .image());
                     reference.seconds += (MACHINE.getProcessCpuTime() - before) / 1e9;

@@ -8,7 +8,8 @@ package enlightenment.bsdf;
  * directions: no direction that somebody else chose is ever one of them, so their value and density are 0, and only {@link #sample}
  * finds them, with a probability in place of the density. Which of the two an event is says its flag, never the size of a number.
  */
-public sealed interface Bsdf permits DeltaBsdf, Lambert, RoughDiffuse, GlossyReflection, RoughDielectric {
+public sealed interface Bsdf
+        permits DeltaBsdf, Lambert, RoughDiffuse, GlossyReflection, RoughDielectric, HenyeyGreenstein {
     /** Whether all lobes are delta lobes: then {@link #evaluate} and {@link #pdf} are 0 for all directions. */
     boolean isDelta();
 

@@ -1,19 +1,19 @@
 package enlightenment.bsdf;
 
 /** Gauss and Legendre's quadrature on 0..1. Not for hot code: every call works its number out. */
-final class GaussLegendre {
+public final class GaussLegendre {
     /** Newton's method doubles the digits of a first guess that has two. */
     private static final int STEPS = 8;
 
     private GaussLegendre() {}
 
     /** The i-th of n points. */
-    static double node(int n, int i) {
+    public static double node(int n, int i) {
         return 0.5 - 0.5 * root(n, i);
     }
 
     /** Its weight; all of them add up to 1. */
-    static double weight(int n, int i) {
+    public static double weight(int n, int i) {
         double x = root(n, i);
         double slope = slope(n, x);
         return 1 / ((1 - x) * (1 + x) * slope * slope);

@@ -121,6 +121,15 @@ public final class Scattering {
                 Math.fma(x, basis.az, Math.fma(y, basis.bz, z * nz)));
     }
 
+    /** Sets the direction i to that of a vector of a basis in which the direction of travel, −o, is z. */
+    void directFrom(double x, double y, double z) {
+        basis.around(-ox, -oy, -oz);
+        direct(
+                Math.fma(x, basis.ax, Math.fma(y, basis.bx, -z * ox)),
+                Math.fma(x, basis.ay, Math.fma(y, basis.by, -z * oy)),
+                Math.fma(x, basis.az, Math.fma(y, basis.bz, -z * oz)));
+    }
+
     /** Takes the unit square to the unit disk. */
     void toDisk(double u, double v) {
         Warp.toDisk(u, v, disk);

@@ -24,8 +24,23 @@ public final class CompiledCamera {
     final Vec3 directionY;
     final double tMin;
 
+    /** The picture's width and height in pixels. */
+    public final int columns;
+
+    public final int rows;
+
     private CompiledCamera(
-            Vec3 origin, Vec3 originX, Vec3 originY, Vec3 direction, Vec3 directionX, Vec3 directionY, double tMin) {
+            Vec3 origin,
+            Vec3 originX,
+            Vec3 originY,
+            Vec3 direction,
+            Vec3 directionX,
+            Vec3 directionY,
+            double tMin,
+            int columns,
+            int rows) {
+        this.columns = columns;
+        this.rows = rows;
         this.origin = origin;
         this.originX = originX;
         this.originY = originY;
@@ -43,46 +58,54 @@ public final class CompiledCamera {
      */
     static CompiledCamera of(Camera camera, SceneFrame frame, int width, int height) {
         if (camera instanceof Camera.Window w) {
-            return window(w, frame);
+            return window(w, frame, width, height);
         }
-        double aspect = (double) width / height;
         if (camera instanceof Camera.Perspective p) {
-            return perspective(p, aspect);
+            return perspective(p, width, height);
         }
         if (camera instanceof Camera.Orthographic o) {
-            return parallel(
-                    new View(o.eye().directionTo(o.lookAt()), o.up()), frame.toFrame(o.height()) / 2, aspect, 0);
+            View view = new View(o.eye().directionTo(o.lookAt()), o.up());
+            return parallel(view, frame.toFrame(o.height()) / 2, 0, width, height);
         }
         if (camera instanceof Camera.Isometric i) {
             // Seen along (1, -1, 1), an upright edge of length 1 is √(2/3) high; in units of the drawing it is 1.
             double half = frame.toFrame(i.height()) / 2 * Math.sqrt(2.0 / 3);
-            return parallel(new View(new Vec3(1, -1, 1), Vec3.Y), half, aspect, BEHIND_EVERYTHING);
+            return parallel(new View(new Vec3(1, -1, 1), Vec3.Y), half, BEHIND_EVERYTHING, width, height);
         }
         throw new AssertionError("no compiled form of the camera " + camera.type());
     }
 
-    private static CompiledCamera window(Camera.Window w, SceneFrame frame) {
+    private static CompiledCamera window(Camera.Window w, SceneFrame frame, int width, int height) {
         Vec3 upperLeft = frame.toFrame(w.upperLeft());
         Vec3 right = frame.toFrame(w.upperRight()).minus(upperLeft);
         Vec3 down = frame.toFrame(w.lowerLeft()).minus(upperLeft);
         // The eye is the frame's origin; t = 1 is the window, and what lies before it is not seen.
-        return new CompiledCamera(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, upperLeft, right, down, 1);
+        return new CompiledCamera(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, upperLeft, right, down, 1, width, height);
     }
 
-    private static CompiledCamera perspective(Camera.Perspective p, double aspect) {
+    private static CompiledCamera perspective(Camera.Perspective p, int width, int height) {
         View v = new View(p.eye().directionTo(p.lookAt()), p.up());
         double half = Rotation.sin(p.fieldOfView() / 2) / Rotation.cos(p.fieldOfView() / 2);
-        Vec3 toRight = v.right.times(half * aspect);
+        Vec3 toRight = v.right.times(half * ((double) width / height));
         Vec3 toTop = v.up.times(half);
         Vec3 corner = v.forward.plus(toTop).minus(toRight);
-        return new CompiledCamera(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, corner, toRight.times(2), toTop.times(-2), 0);
+        return new CompiledCamera(
+                Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, corner, toRight.times(2), toTop.times(-2), 0, width, height);
     }
 
-    private static CompiledCamera parallel(View v, double halfHeight, double aspect, double from) {
-        Vec3 toRight = v.right.times(halfHeight * aspect);
+    private static CompiledCamera parallel(View v, double halfHeight, double from, int width, int height) {
+        Vec3 toRight = v.right.times(halfHeight * ((double) width / height));
         Vec3 toTop = v.up.times(halfHeight);
         return new CompiledCamera(
-                toTop.minus(toRight), toRight.times(2), toTop.times(-2), v.forward, Vec3.ZERO, Vec3.ZERO, from);
+                toTop.minus(toRight),
+                toRight.times(2),
+                toTop.times(-2),
+                v.forward,
+                Vec3.ZERO,
+                Vec3.ZERO,
+                from,
+                width,
+                height);
     }
 
     /** A box around the places where rays start. */

@@ -116,7 +116,7 @@ public final class CompiledScene {
         this.camera = camera;
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
-        physical = shading instanceof PhysicalShading p ? new PhysicalScene(p, compiled, points) : null;
+        physical = shading instanceof PhysicalShading p ? new PhysicalScene(p, frame, compiled, points) : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
         this.materials = compiled.materials();

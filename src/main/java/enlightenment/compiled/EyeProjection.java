@@ -92,6 +92,27 @@ public final class EyeProjection {
         return true;
     }
 
+    /**
+     * Where a point of the frame appears, in the picture or beside it, whether it can be seen or not.
+     *
+     * @return whether it lies before the eye; parallel rays have no eye, and everything is before them
+     */
+    public boolean place(double px, double py, double pz) {
+        double qx = px - start.x();
+        double qy = py - start.y();
+        double qz = pz - start.z();
+        double depth = dot(along, qx, qy, qz);
+        double scale = isParallel ? determinant : depth;
+        x = dot(across, qx, qy, qz) / scale;
+        y = dot(down, qx, qy, qz) / scale;
+        return isParallel || depth / determinant > 0;
+    }
+
+    /** Whether all rays have the same direction. */
+    public boolean isParallel() {
+        return isParallel;
+    }
+
     /** The {@link #importance} of a point that the camera is known to see. */
     public double importanceOf(double px, double py, double pz) {
         if (isParallel) {

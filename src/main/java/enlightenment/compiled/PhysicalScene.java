@@ -3,6 +3,9 @@ package enlightenment.compiled;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.LightPicker;
+import enlightenment.frame.SceneFrame;
+import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
@@ -33,7 +36,16 @@ public final class PhysicalScene {
     /** What paths from lights look for caustics with; null if there is no pass of them. */
     public final CausticPass caustics;
 
-    /** Whether a medium absorbs. */
+    /** The material of what fills the whole scene outside of its solids, which has no end; null if nothing does. */
+    public final SurfaceMaterial around;
+
+    /** Whether a medium scatters light. */
+    public final boolean hasScattering;
+
+    /** Whether there may be a point of a light inside of a solid that is a medium. */
+    public final boolean lightsLieInGlass;
+
+    /** Whether a medium takes light away on a straight way. */
     public final boolean hasAbsorption;
 
     /** Whether borders of media may be rough. */
@@ -62,7 +74,7 @@ public final class PhysicalScene {
 
     private final int[] lightOfFace;
 
-    PhysicalScene(PhysicalShading shading, CompiledPrimitives compiled, List<PhysicalLight> points) {
+    PhysicalScene(PhysicalShading shading, SceneFrame frame, CompiledPrimitives compiled, List<PhysicalLight> points) {
         Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
         backgroundR = background.r();
         backgroundG = background.g();
@@ -99,17 +111,28 @@ public final class PhysicalScene {
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        hasAbsorption = Arrays.stream(compiled.glassSolids())
-                .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
+        around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
+        hasAbsorption = around != null
+                || Arrays.stream(compiled.glassSolids())
+                        .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
         hasStraightGlass = hasPanes(compiled) || hasEqualIndices(compiled);
         showsMirrored = compiled.materials().any(m -> !m.isGlass && m.isDelta && !m.isBlack)
                 || hasClearGlass(compiled)
                 || hasPanes(compiled);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
+        lightsLieInGlass = hasScattering
+                && Arrays.stream(lights)
+                        .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
         caustics = CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
+    }
+
+    private static SurfaceMaterial around(Medium medium, SceneFrame frame) {
+        Material material = Material.Scattering.of(medium);
+        return new SurfaceMaterial(material, null, PhysicalSurface.of(material, frame, null));
     }
 
     /** By how much of a light is seen, straight or from fluorescent surfaces, it is chosen among others. */

@@ -24,9 +24,10 @@ import enlightenment.numeric.Scale;
  * @param pane how a pane of it does; null unless it is glass
  * @param glow the radiance that it emits
  * @param glowsInside whether it emits from the inside as well
- * @param absorption how much a solid of it absorbs, per unit of length of the frame
- * @param ultraviolet the same of ultraviolet
+ * @param absorption how much of light a solid of it takes away on a straight way, per unit of length of the frame
+ * @param ultraviolet the radiance of ultraviolet that it emits
  * @param reradiation what a dye in it does; null if there is none
+ * @param medium what fills a solid of it if that scatters light; else null
  * @param look all this as a text that is equal for materials that look the same
  */
 record PhysicalSurface(
@@ -37,19 +38,26 @@ record PhysicalSurface(
         Rgb absorption,
         double ultraviolet,
         Reradiation reradiation,
+        HomogeneousMedium medium,
         String look) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, null, "");
+    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, null, null, "");
 
     static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes) {
         Rgb absorption = Rgb.BLACK;
         ThinDielectric pane = null;
         Reradiation reradiation = null;
+        HomogeneousMedium medium = null;
         String look = text(material.radiance(), material.ultraviolet());
         if (material instanceof Material.Glass glass) {
             pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
+        } else if (material instanceof Material.Scattering scattering) {
+            pane = new ThinDielectric(scattering.indexOfRefraction());
+            medium = HomogeneousMedium.of(scattering.medium(), frame);
+            absorption = medium.extinction();
+            look += " " + scattering.roughness() + " " + medium.look();
         } else if (material instanceof Material.Matte matte) {
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {
@@ -59,13 +67,22 @@ record PhysicalSurface(
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
         return new PhysicalSurface(
-                bsdf(material), pane, material.radiance(), true, absorption, material.ultraviolet(), reradiation, look);
+                bsdf(material),
+                pane,
+                material.radiance(),
+                true,
+                absorption,
+                material.ultraviolet(),
+                reradiation,
+                medium,
+                look);
     }
 
     /** The surface of a light: black, and opaque. */
     static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
         String look = text(radiance, ultraviolet) + " " + isTwoSided;
-        return new PhysicalSurface(Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, ultraviolet, null, look);
+        return new PhysicalSurface(
+                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, ultraviolet, null, null, look);
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */
@@ -97,12 +114,17 @@ record PhysicalSurface(
                     : new GlossyReflection(alpha, fresnel, glossy.multipleScattering());
         }
         if (material instanceof Material.Glass glass) {
-            double alpha = glass.roughness() * glass.roughness();
-            return Microfacets.isSmooth(alpha)
-                    ? SmoothDielectric.INSTANCE
-                    : new RoughDielectric(alpha, glass.multipleScattering());
+            return border(glass.roughness(), glass.multipleScattering());
+        }
+        if (material instanceof Material.Scattering scattering) {
+            return border(scattering.roughness(), true);
         }
         throw new AssertionError("no physical form of the material " + material.type());
+    }
+
+    private static Bsdf border(double roughness, boolean losesNothing) {
+        double alpha = roughness * roughness;
+        return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha, losesNothing);
     }
 
     private static Rgb scaled(Rgb c, int exponent) {

@@ -50,11 +50,12 @@ final class SpecularThings {
         return new SpecularThings(groups);
     }
 
-    /** Whether any of its faces is of glass, or scatters light into single directions only. */
+    /** Whether any of its faces is of glass, or scatters light into single directions only; not borders that turn no ray. */
     private static boolean isSpecular(CompiledPrimitives compiled, int id) {
         for (int face = 0; face < compiled.primitives()[id].faceCount(); face++) {
             SurfaceMaterial material = compiled.materials().of(id, face);
-            if (material.isGlass || material.isDelta && !material.isBlack) {
+            boolean turns = material.medium == null || material.indexOfRefraction != 1;
+            if (material.isGlass && turns || !material.isGlass && material.isDelta && !material.isBlack) {
                 return true;
             }
         }

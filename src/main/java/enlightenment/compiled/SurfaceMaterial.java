@@ -58,10 +58,10 @@ public final class SurfaceMaterial {
     /** What a dye makes of light that is not reflected; null unless there is one that light in the scene makes shine. */
     public final Reradiation reradiation;
 
-    /** Whether a solid of it absorbs light. */
+    /** Whether a solid of it takes light away on a straight way. */
     public final boolean absorbs;
 
-    /** How much it absorbs per unit of length of the frame, by band. */
+    /** How much of it per unit of length of the frame, by band: what it absorbs, and what it scatters. */
     private final double absorptionR;
 
     private final double absorptionG;
@@ -69,6 +69,9 @@ public final class SurfaceMaterial {
 
     /** What a pane of it, which encloses no volume, does with light; null unless it is glass of physical shading. */
     public final ThinDielectric pane;
+
+    /** What fills a solid of it, if that scatters light; else null. */
+    public final HomogeneousMedium medium;
 
     private final Material description;
 
@@ -98,6 +101,11 @@ public final class SurfaceMaterial {
             indexOfRefraction = glass.indexOfRefraction();
             transparency = glass.transparency();
             priority = glass.priority();
+        } else if (material instanceof Material.Scattering scattering && physical != null) {
+            bsdf = physical.bsdf();
+            indexOfRefraction = scattering.indexOfRefraction();
+            transparency = 1;
+            priority = scattering.priority();
         } else {
             bsdf = physical == null ? opaque(material) : physical.bsdf();
             indexOfRefraction = 1;
@@ -133,6 +141,7 @@ public final class SurfaceMaterial {
         isBlack = texture instanceof Texture.Solid && r == 0 && g == 0 && b == 0 && reradiation == null;
         look = physical == null ? "" : p.look() + " ";
         pane = p.pane();
+        medium = p.medium();
         glowR = p.glow().r();
         glowG = p.glow().g();
         glowB = p.glow().b();
@@ -197,7 +206,7 @@ public final class SurfaceMaterial {
     }
 
     /**
-     * Multiplies light by what is left of it after a way through a solid of this material: Beer's law.
+     * Multiplies light by what is left of it after a straight way through a solid of this material: Beer's law.
      *
      * @param length of the way, in units of the frame
      * @param rgb light by band

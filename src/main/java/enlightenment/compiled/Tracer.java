@@ -65,6 +65,9 @@ public final class Tracer {
     private final CoincidentHits coincident;
     private final Hit end = new Hit();
 
+    /** What is farther than this, in lengths of a ray's direction, is not met by {@link #trace} and {@link #traceCamera}. */
+    public double limit = Double.MAX_VALUE;
+
     /** The light that the last {@link #trace} met, or null. */
     public CompiledLight light;
 
@@ -129,7 +132,7 @@ public final class Tracer {
 
     /** One method for all rays, so that the just-in-time compiler has only one to compile. */
     private boolean search(Ray ray, Hit hit, RaySearch among, int[] lights, int lightCount) {
-        closest.reset(Double.MAX_VALUE);
+        closest.reset(limit);
         among.search(ray, closest);
         id = closest.id();
         double t = closest.t();

@@ -29,13 +29,13 @@ public final class ChainSampler implements Sampler {
     private static final int BITS = 53;
     private static final long MASK = (1L << BITS) - 1;
 
-    /** Addresses: of the film, of what is asked for at bounces; those of light points are hashes. */
+    /** Addresses: of the film, of what is asked for at bounces; those of light points and of flights are hashes. */
     private static final long FILM_X = 0;
 
     private static final long FILM_Y = 1;
     private static final long FIRST_PURPOSE = 2;
     private static final int PER_PURPOSE = 3;
-    private static final int PER_BOUNCE = PER_PURPOSE * Purpose.values().length;
+    private static final int PER_BOUNCE = PER_PURPOSE * Purpose.FLIGHT.ordinal();
 
     /** Instead of an address: for whether a step is large, and for whether it is made. */
     private static final long SIZE_OF_STEP = -1;
@@ -189,7 +189,10 @@ public final class ChainSampler implements Sampler {
     }
 
     private static long place(int bounce, Purpose purpose) {
-        return FIRST_PURPOSE + (long) PER_BOUNCE * bounce + PER_PURPOSE * purpose.ordinal();
+        // What few scenes ask for has a place of its own, so that it moves no other numbers.
+        return purpose.ordinal() < Purpose.FLIGHT.ordinal()
+                ? FIRST_PURPOSE + (long) PER_BOUNCE * bounce + PER_PURPOSE * purpose.ordinal()
+                : Hash.of(-purpose.ordinal(), bounce);
     }
 
     @Override

@@ -27,7 +27,9 @@ public interface Sampler {
         /** {@link #CHOICE} of a path from a light. */
         LIGHT_CHOICE,
         /** {@link #ROULETTE} of a path from a light. */
-        LIGHT_ROULETTE
+        LIGHT_ROULETTE,
+        /** How far a path goes in a medium that scatters light; counted by such ways, not by bounces. */
+        FLIGHT
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

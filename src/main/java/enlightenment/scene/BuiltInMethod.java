@@ -99,8 +99,7 @@ public enum BuiltInMethod implements Method {
     @Override
     public boolean canRender(LightFeature feature) {
         return switch (feature) {
-            // No method follows light inside of media yet.
-            case SCATTERING -> false;
+            case SCATTERING -> this == RAYTRACE || this == CLUSTER || this == METROPOLIS;
             case FLUORESCENCE -> true;
             // No method follows single wavelengths yet.
             case DISPERSION -> false;

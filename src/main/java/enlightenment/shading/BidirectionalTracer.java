@@ -26,6 +26,7 @@ public final class BidirectionalTracer implements Shader {
     private final LightSubpath light;
     private final BidirectionalLights lights;
     private final SegmentRays segments;
+    private final EyeImages images;
     private final Scattering there = new Scattering();
     private final ReverseDensity reverse = new ReverseDensity();
 
@@ -44,6 +45,7 @@ public final class BidirectionalTracer implements Shader {
         light = new LightSubpath(scene, starts, counters);
         lights = new BidirectionalLights(scene, starts, counters, eye);
         segments = new SegmentRays(scene, counters, eye.path);
+        images = new EyeImages(scene, counters, eye.path, true);
     }
 
     /** Lets somebody look at what is found. */
@@ -69,6 +71,7 @@ public final class BidirectionalTracer implements Shader {
     @Override
     public void beginTile(double x0, double y0, double x1, double y1) {
         eye.path.tracer.beginTile(x0, y0, x1, y1);
+        images.beginTile(x0, y0, x1, y1);
     }
 
     @Override
@@ -89,6 +92,10 @@ public final class BidirectionalTracer implements Shader {
         blue = 0;
         followLight(sampler);
         eye.begin(ray);
+        images.begin(ray);
+        if (images.gather(sampler)) {
+            add(1, images.red, images.green, images.blue, 0);
+        }
         while (step(sampler)) {}
         out[0] = red;
         out[1] = green;
@@ -125,7 +132,9 @@ public final class BidirectionalTracer implements Shader {
         if (!eye.mayScatter()) {
             return false;
         }
-        if (!eye.bsdf.isDelta()) {
+        if (eye.bsdf.isDelta()) {
+            images.reflected();
+        } else {
             gather(sampler);
         }
         return eye.leave(sampler);
@@ -158,6 +167,7 @@ public final class BidirectionalTracer implements Shader {
         if (eye.glowing != null && eye.glowing.glowsTo(eye.path.hit.side)) {
             // Light that is seen straight is found in this way alone.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
+            weight *= images.weight();
             add(weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB, eye.glowing.glowUltraviolet);
         }
     }

@@ -98,6 +98,11 @@ final class GlassTracer {
         return coincident.size() == 0 && inside.size() == 0;
     }
 
+    /** The ray is at no surface now. */
+    void leaveSurfaces() {
+        coincident.clear();
+    }
+
     /** Starts a ray in the medium that another one is in, or behind the rough border that that came to. */
     void begin(GlassTracer other, boolean isBeyond) {
         next = NONE;

@@ -7,7 +7,6 @@ import enlightenment.compiled.MirrorBalls;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
@@ -32,17 +31,13 @@ final class MirrorCaustics {
     /** And a mirror after it. */
     private static final int REFLECTED = 2;
 
-    private final CompiledScene scene;
     private final PhysicalScene physical;
     private final MirrorBalls balls;
-    private final RayCounters counters;
     private final PathFollower path;
     private final MirrorImage[] images;
     private final Ray ray = new Ray();
-    private final Hit met = new Hit();
-    private final Scattering event = new Scattering();
+    private final MirroredLight mirrored;
     private final double[] pair = new double[2];
-    private final double[] color = new double[3];
 
     private int state;
     private boolean found;
@@ -63,8 +58,7 @@ final class MirrorCaustics {
     double ultraviolet;
 
     private MirrorCaustics(CompiledScene scene, RayCounters counters, PathFollower path) {
-        this.scene = scene;
-        this.counters = counters;
+        mirrored = new MirroredLight(scene, counters, path.tracer);
         this.path = path;
         physical = scene.physical;
         balls = scene.mirrorBalls;
@@ -142,35 +136,15 @@ final class MirrorCaustics {
         MirrorImage image = images[k];
         ray.set(at.px, at.py, at.pz, image.dx, image.dy, image.dz, 0).from(at.primitive, at.side);
         path.glass.reflectFromAll(ray);
-        if (!path.tracer.trace(ray, met) || path.tracer.id != balls.id[k]) {
-            return false;
-        }
-        SurfaceMaterial material = scene.material(balls.id[k], met.face);
-        Optics.arrive(event, ray, met);
-        if (material.isTextured()) {
-            met.primitive.textureCoordinates(met);
-        }
-        material.color(met.u, met.v, true, color);
-        event.red = color[0];
-        event.green = color[1];
-        event.blue = color[2];
-        if (!material.bsdf.sample(event, 0, 0, 0)) {
-            return false;
-        }
-        counters.mirrorRays++;
-        Optics.leave(ray, met, event);
-        if (!path.tracer.trace(ray, met) || physical.lightOf(path.tracer.id, met.face) != balls.light[k]) {
-            return false;
-        }
-        return scene.material(path.tracer.id, met.face).glowsTo(met.side);
+        return mirrored.isMetBy(ray, balls.id[k], SmallImage.ANY_FACE, balls.light[k]);
     }
 
     private void add(Scattering s, double density, PhysicalLight l) {
         double f = PowerHeuristic.weight(s.pdf, density) / density;
-        red = Math.fma(f * s.valueR * event.valueR, l.r, red);
-        green = Math.fma(f * s.valueG * event.valueG, l.g, green);
-        blue = Math.fma(f * s.valueB * event.valueB, l.b, blue);
-        ultraviolet = Math.fma(f * s.valueB * event.valueB, l.ultraviolet, ultraviolet);
+        red = Math.fma(f * s.valueR * mirrored.red, l.r, red);
+        green = Math.fma(f * s.valueG * mirrored.green, l.g, green);
+        blue = Math.fma(f * s.valueB * mirrored.blue, l.b, blue);
+        ultraviolet = Math.fma(f * s.valueB * mirrored.blue, l.ultraviolet, ultraviolet);
     }
 
     /** Tells the direction in which the path leaves the vertex that was gathered at, and its density per solid angle. */

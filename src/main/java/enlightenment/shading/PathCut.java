@@ -34,7 +34,9 @@ public final class PathCut {
     /** Whether a ray that leaves the surface there cannot meet it again; in empty space, and where it coincides with no other. */
     private static boolean isOpen(PathFollower path) {
         Primitive p = path.hit.primitive;
-        return path.glass.isPlain() && (p.isFlat() || p.isConvex() && path.hit.side == Ray.OUTSIDE);
+        return path.glass.isPlain()
+                && path.medium() == null
+                && (p.isFlat() || p.isConvex() && path.hit.side == Ray.OUTSIDE);
     }
 
     /** Makes this a path that shares nothing. */

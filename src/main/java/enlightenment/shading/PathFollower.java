@@ -21,6 +21,9 @@ final class PathFollower {
     /** A line meets a primitive at most this often: a torus is of the fourth degree. */
     private static final int MAX_CROSSINGS = 4;
 
+    /** The id of no primitive. */
+    private static final int NOWHERE = -1;
+
     /** What a path comes to. */
     enum Event {
         /** It leaves the scene. */
@@ -53,6 +56,10 @@ final class PathFollower {
     int surfaces;
 
     private final CompiledScene scene;
+
+    /** The material of what fills the whole scene outside of solids, or null. */
+    private final SurfaceMaterial around;
+
     private final RayCounters counters;
     private final Scattering scattering = new Scattering();
     private final double[] tint = new double[3];
@@ -72,6 +79,7 @@ final class PathFollower {
 
     PathFollower(CompiledScene scene, RayCounters counters, int maxBounces) {
         this.scene = scene;
+        around = scene.physical == null ? null : scene.physical.around;
         this.counters = counters;
         this.maxBounces = maxBounces;
         maxStraight = MAX_CROSSINGS * scene.primitives.length;
@@ -228,6 +236,38 @@ final class PathFollower {
         return tookNext ? 0 : hit.t * Math.sqrt(ray.dd);
     }
 
+    /**
+     * The same for a ray that goes no further than this, in lengths of the frame: {@link Event#NOTHING} if it meets nothing on that way.
+     */
+    Event next(Ray ray, double length) {
+        tracer.limit = Math.min(length / Math.sqrt(ray.dd), Double.MAX_VALUE);
+        Event event = next(ray);
+        tracer.limit = Double.MAX_VALUE;
+        return event;
+    }
+
+    /**
+     * Stops on the way, after a length, in the medium that the ray is in: the path is at no surface then.
+     *
+     * @param s receives the direction that the path came from
+     */
+    void stopAt(Ray ray, double length, Scattering s) {
+        double scale = 1 / Math.sqrt(ray.dd);
+        s.ox = -ray.dx * scale;
+        s.oy = -ray.dy * scale;
+        s.oz = -ray.dz * scale;
+        hit.px = Math.fma(-length, s.ox, ray.ox);
+        hit.py = Math.fma(-length, s.oy, ray.oy);
+        hit.pz = Math.fma(-length, s.oz, ray.oz);
+        hit.nx = 0;
+        hit.ny = 0;
+        hit.nz = 0;
+        hit.side = Ray.OUTSIDE;
+        hit.primitive = null;
+        id = NOWHERE;
+        glass.leaveSurfaces();
+    }
+
     /** The material of the medium that the ray is in, or null in empty space. */
     SurfaceMaterial medium() {
         return medium(false);
@@ -236,7 +276,7 @@ final class PathFollower {
     /** The same, or that behind the rough border that the path is at. */
     SurfaceMaterial medium(boolean isBeyond) {
         int solid = glass.medium(isBeyond);
-        return solid < 0 ? null : scene.material(solid, 0);
+        return solid < 0 ? around : scene.material(solid, 0);
     }
 
     /** How glass scatters where the path is at a rough border of two media, and where; null elsewhere. */

@@ -8,7 +8,7 @@ final class PathHistory {
     /** Whether a direction was sampled from a lobe that is not a delta lobe. */
     boolean scattered;
 
-    /** Whether that was the first event of the path. */
+    /** Whether that was the first event of the path, and surfaces have been the only places to scatter it. */
     boolean scatteredFirst;
 
     /** Whether there were events of delta lobes before. */
@@ -33,6 +33,18 @@ final class PathHistory {
         }
         deltaFirst |= !scattered;
         gathered = !isDelta;
+    }
+
+    /**
+     * Notes that a medium scattered the path. Paths from lights that look for caustics are scattered by surfaces only: from here on the path
+     * leaves nothing to them.
+     *
+     * @param hasGathered whether light was gathered there
+     */
+    void leaveInMedium(boolean hasGathered) {
+        scattered = true;
+        scatteredFirst = false;
+        gathered = hasGathered;
     }
 
     /** Notes surfaces that the path passed straight: no event, and the last vertex stays what it was. */

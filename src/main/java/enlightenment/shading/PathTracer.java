@@ -14,15 +14,15 @@ import java.util.function.BooleanSupplier;
 
 /**
  * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
- * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997).
- *
- * <p>What a path finds twice, by sampling a light and by running into it, is weighted so that both together count once
- * ({@link PathLight}). Nothing is clamped: the mean over paths is the solution. See docs/physical-light.md.
+ * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997). What a path finds
+ * twice, by sampling a light and by running into it, is weighted so that both together count once ({@link PathLight}). Nothing is
+ * clamped: the mean over paths is the solution. See docs/physical-light.md.
  */
 public final class PathTracer implements Shader {
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathLight light;
+    private final EyeImages images;
     private final boolean absorbs;
     private final boolean hasCausticPass;
 
@@ -36,6 +36,9 @@ public final class PathTracer implements Shader {
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
     private final boolean isAlbedo;
+
+    /** Follows paths through media that scatter light; null if there are none. */
+    private final RandomWalk walk;
 
     /** Whether a path ends where light has come to its first vertex straight. */
     private final boolean endsSoon;
@@ -73,17 +76,20 @@ public final class PathTracer implements Shader {
         connections = new PathConnections(path.tracer);
         absorbs = physical.hasAbsorption;
         hasCausticPass = leavesOut;
+        walk = RandomWalk.of(physical, path, value, isAlbedo);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
+        images = new EyeImages(scene, counters, path, part == PathPart.WHOLE || part == PathPart.DIRECT);
     }
 
     @Override
     public void beginTile(double x0, double y0, double x1, double y1) {
         path.tracer.beginTile(x0, y0, x1, y1);
+        images.beginTile(x0, y0, x1, y1);
     }
 
     @Override
     public boolean seesNothing() {
-        return path.tracer.seesNothing();
+        return path.tracer.seesNothing() && physical.around == null;
     }
 
     @Override
@@ -110,13 +116,11 @@ public final class PathTracer implements Shader {
     }
 
     /**
-     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first
-     * matte surface the light of lamps that nothing can hide there, or that are points. No random number has a part in it but the place
-     * on the film.
+     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first matte
+     * surface the light of lamps that nothing can hide there, or that are points. No random number but the place on the film has a part in it.
      *
      * @param out receives red, green and blue
-     * @return a hash of what was met on the way there, and of which lamps are hidden, in full view, or neither: two paths with the same
-     *     have met the same, but for one case in 2⁶⁴
+     * @return a hash of what was met on the way, and of which lamps are hidden, in full view, or neither: but for one case in 2⁶⁴ tells all
      */
     public long certain(double[] out) {
         return value.certain(out, path.key);
@@ -143,6 +147,7 @@ public final class PathTracer implements Shader {
 
     private void follow(Ray ray, Sampler sampler) {
         begin(ray);
+        images.gather(sampler, value);
         while (step(ray, sampler)) {
             history.events++;
         }
@@ -151,17 +156,25 @@ public final class PathTracer implements Shader {
     private void begin(Ray ray) {
         history.begin();
         address = 0;
+        forgetMirrors();
+        path.begin(ray);
+        value.begin(path.glass.indexOfRefraction());
+        images.begin(ray);
+    }
+
+    private void forgetMirrors() {
         if (mirrors != null) {
             mirrors.begin();
         }
-        path.begin(ray);
-        value.begin(path.glass.indexOfRefraction());
     }
 
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
         SurfaceMaterial medium = absorbs ? path.medium() : null;
-        PathFollower.Event event = path.next(ray);
+        PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, sampler);
+        if (event == null) {
+            return inMedium(ray, sampler);
+        }
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
@@ -169,10 +182,19 @@ public final class PathTracer implements Shader {
             }
             return false;
         }
-        if (medium != null && medium.absorbs) {
+        if (medium != null && medium.absorbs && medium.medium == null) {
             value.absorb(medium, path.distance(ray));
         }
         return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
+    }
+
+    /** Where a medium scatters the path. */
+    private boolean inMedium(Ray ray, Sampler sampler) {
+        if (!mayScatter()) {
+            return false;
+        }
+        forgetMirrors();
+        return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
     }
 
     /** At an opaque surface. */
@@ -210,12 +232,7 @@ public final class PathTracer implements Shader {
 
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
-        double weight = 1;
-        if (history.gathered) {
-            weight = light.weight(ray);
-        } else if (history.scattered) {
-            weight = weightOfCaustic();
-        }
+        double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : images.weight();
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             value.addEmission(material, weight);
         }
@@ -223,21 +240,17 @@ public final class PathTracer implements Shader {
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
     private double weightOfCaustic() {
-        if (hasCausticPass && history.scatteredFirst) {
-            return 0;
+        return hasCausticPass && history.scatteredFirst ? 0 : mirrors == null ? 1 : mirrors.weight();
+    }
+
+    /** Adds light that balls reflect to the surface if the eye sees this, or the first, in a mirror or through glass; returns whether it does. */
+    private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
+        if (mirrors == null || !history.isSeenByMirrors()) {
+            return false;
         }
-        return mirrors == null ? 1 : mirrors.weight();
-    }
-
-    /** Whether the eye sees the surface that the path is at, or that from which it came, in a mirror or through glass. */
-    private boolean isSeenByMirrors() {
-        return mirrors != null && history.isSeenByMirrors();
-    }
-
-    /** Adds light that balls reflect to the surface. */
-    private void gatherMirrored(Bsdf bsdf, Scattering s, Sampler sampler) {
-        mirrors.gather(bsdf, s, sampler, address);
+        mirrors.gather(bsdf, path.arrive(ray, surface), sampler, address);
         value.addIndirect(mirrors.red, mirrors.green, mirrors.blue, mirrors.ultraviolet);
+        return true;
     }
 
     /** Lambert's law: direct light has closed forms. */
@@ -262,10 +275,7 @@ public final class PathTracer implements Shader {
         if (value.certain) {
             value.leaveToChance(path.key + light.views);
         }
-        boolean seen = isSeenByMirrors();
-        if (seen) {
-            gatherMirrored(Lambert.INSTANCE, path.arrive(ray, surface), sampler);
-        }
+        boolean seen = gatherMirrored(Lambert.INSTANCE, ray, sampler);
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         light.left(s.pdf);
@@ -280,6 +290,7 @@ public final class PathTracer implements Shader {
         if (mirrors != null) {
             mirrors.reflected(path.id);
         }
+        images.reflected();
         path.scatter(ray, material, surface, 0, 0, 0);
         history.leave(true);
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
@@ -291,10 +302,7 @@ public final class PathTracer implements Shader {
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
         value.add(light.red, light.green, light.blue, light.ultraviolet);
-        boolean seen = isSeenByMirrors();
-        if (seen) {
-            gatherMirrored(material.bsdf, s, sampler);
-        }
+        boolean seen = gatherMirrored(material.bsdf, ray, sampler);
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
@@ -325,9 +333,7 @@ public final class PathTracer implements Shader {
         address++;
         path.glass.choose(choice, pair);
         cross(ray);
-        if (mirrors != null) {
-            mirrors.begin();
-        }
+        forgetMirrors();
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
             // stays what it was.
@@ -344,7 +350,10 @@ public final class PathTracer implements Shader {
             history.gathered = true;
             light.left(path.glass.border.pdf);
         }
-        return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        boolean survives = walk == null
+                ? survives(surface[0], surface[1], surface[2], sampler)
+                : walk.survives(surface, sampler, history.events);
+        return survives && path.goesOn();
     }
 
     /** Crosses the border or is reflected; the surface's colour becomes the weight of that. */

@@ -56,9 +56,9 @@ final class PathValue {
     /** What the path came to until then. */
     private long certainKey;
 
-    private double throughputR;
-    private double throughputG;
-    private double throughputB;
+    double throughputR;
+    double throughputG;
+    double throughputB;
 
     /** What fluorescent surfaces do with light; null if there are none. */
     private final BandMixing mixing;
@@ -288,6 +288,11 @@ final class PathValue {
         filter(transmittance[0], transmittance[1], transmittance[2]);
     }
 
+    /** The throughput, summed over the bands. */
+    double throughput() {
+        return Math.abs(throughputR) + Math.abs(throughputG) + Math.abs(throughputB);
+    }
+
     /** Whether a path that has had so many events goes on without roulette. */
     boolean isSafe(int events) {
         return events < ROULETTE_FROM && Math.max(throughputR, Math.max(throughputG, throughputB)) >= FAINT;
@@ -303,7 +308,11 @@ final class PathValue {
         if (!(Math.max(throughputR, Math.max(throughputG, throughputB)) > 0)) {
             return false;
         }
-        double survival = survival(r, g, b);
+        return survives(survival(r, g, b), sampler, event);
+    }
+
+    /** Plays roulette with a probability of survival. */
+    boolean survives(double survival, Sampler sampler, int event) {
         if (!(sampler.unit(event, Sampler.Purpose.ROULETTE) < survival)) {
             return false;
         }

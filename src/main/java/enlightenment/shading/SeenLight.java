@@ -17,6 +17,7 @@ import java.util.function.BooleanSupplier;
 public final class SeenLight implements Shader {
     private final PhysicalScene physical;
     private final PathFollower path;
+    private final EyeImages images;
     private final PathValue value = new PathValue();
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
@@ -36,11 +37,13 @@ public final class SeenLight implements Shader {
     public SeenLight(CompiledScene scene, RayCounters counters) {
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
+        images = new EyeImages(scene, counters, path, true);
     }
 
     @Override
     public void beginTile(double x0, double y0, double x1, double y1) {
         path.tracer.beginTile(x0, y0, x1, y1);
+        images.beginTile(x0, y0, x1, y1);
     }
 
     @Override
@@ -59,6 +62,8 @@ public final class SeenLight implements Shader {
         events = 0;
         path.begin(ray);
         value.begin(path.glass.indexOfRefraction());
+        images.begin(ray);
+        images.gather(sampler, value);
         while (step(ray, sampler)) {
             events++;
         }
@@ -82,12 +87,14 @@ public final class SeenLight implements Shader {
     private boolean surface(Ray ray, Sampler sampler) {
         SurfaceMaterial material = path.material();
         if (material.glows && material.glowsTo(path.hit.side)) {
-            value.add(material.glowR, material.glowG, material.glowB);
+            double weight = images.weight();
+            value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
         }
         if (material.isBlack || !material.isDelta || !path.mayScatter()) {
             return false;
         }
         path.color(material, surface);
+        images.reflected();
         path.scatter(ray, material, surface, 0, 0, 0);
         return survives(sampler) && path.goesOn();
     }

@@ -104,10 +104,10 @@ final class ShadowRays {
         startCount = count;
     }
 
-    /** Whether a ray that leaves the surface on a side cannot meet it again. */
+    /** Whether a ray that leaves the surface on a side cannot meet it again; there may be none. */
     private static boolean neverReturnsTo(Hit place, int side) {
         Primitive p = place.primitive;
-        return p.isFlat() || p.isConvex() && side == Ray.OUTSIDE;
+        return p != null && (p.isFlat() || p.isConvex() && side == Ray.OUTSIDE);
     }
 
     /** What is known without a ray, of all of the light. Comes before {@link #isBlocked}. */

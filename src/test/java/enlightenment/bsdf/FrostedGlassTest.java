@@ -49,6 +49,7 @@ class FrostedGlassTest {
                     for (double cosine : new double[] {1, 0.8, 0.5, 0.2, 0.05}) {
                         double loss = lost.loss(LostLight.place(eta), eta > 1, cosine);
                         assertEquals(normals.meanLoss(cosine), loss, 3e-3, alpha + " " + eta + " from " + cosine);
+                    }
                 }
             }
         }

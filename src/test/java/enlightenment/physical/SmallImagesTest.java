@@ -1,0 +1,146 @@
+package enlightenment.physical;
+
+import static enlightenment.physical.PhysicalScenes.at;
+import static enlightenment.physical.PhysicalScenes.ball;
+import static enlightenment.physical.PhysicalScenes.matte;
+import static enlightenment.physical.PhysicalScenes.shading;
+import static enlightenment.physical.PhysicalScenes.sphereLight;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.Rgb;
+import enlightenment.image.Image;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.Vec3;
+import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Lamps whose images are smaller than a pixel, straight and in mirrors: no picture may miss them, and none may see them twice. */
+class SmallImagesTest {
+    private static final int SMALL = 4;
+    private static final int ZOOM = 128;
+    private static final Camera EYE = new Camera.Perspective(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 40);
+    private static final Camera FAR = new Camera.Orthographic(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 16);
+
+    /** A lamp before the eye, half of it hidden, and one behind it, which a flat mirror and a ball show. */
+    private static Scene lamps() {
+        return withLamps(EYE)
+                .object(TestScenes.rectangle(1.0 / 6, -1, 5, 1.0 / 6, 1, 5, 0.5, 1, 5, 0.5, -1, 5), matte(0, 0, 0))
+                .object(ball(-5, 4, 20, 3), mirror())
+                .build();
+    }
+
+    private static SceneBuilder withLamps(Camera camera) {
+        return Scene.builder()
+                .size(SMALL, SMALL)
+                .shading(shading(0))
+                .camera(camera)
+                .object(TestScenes.rectangle(0.5, -4, 15, 0.5, -0.5, 15, 4, -0.5, 15, 4, -4, 15), mirror())
+                .light(sphereLight(1, 1, 30, 0.5, 900))
+                .light(sphereLight(3, -2.5, -10, 1, 700));
+    }
+
+    private static Material mirror() {
+        return Material.Mirror.of(Texture.of(new Rgb(0.9, 0.7, 0.5)));
+    }
+
+    private static Image render(Scene scene, int zoom, double samples, BuiltInMethod method, long seed) {
+        return Renderer.render(
+                scene,
+                RenderSettings.of(scene)
+                        .withSize(SMALL * zoom, SMALL * zoom)
+                        .withMethod(method)
+                        .withSeed(seed)
+                        .withBudget(Budget.NONE.withSamples(samples)));
+    }
+
+    /** The mean over the pixels that another picture has for one. */
+    private static double mean(Image image, int zoom, int column, int row, int band) {
+        double sum = 0;
+        for (int y = zoom * row; y < zoom * (row + 1); y++) {
+            for (int x = zoom * column; x < zoom * (column + 1); x++) {
+                sum += image.component(x, y, band);
+            }
+        }
+        return sum / (zoom * zoom);
+    }
+
+    private static void assertSame(Image large, Image small, double tolerance) {
+        int lit = 0;
+        for (int k = 0; k < SMALL * SMALL; k++) {
+            for (int band = 0; band < 3; band++) {
+                double expected = mean(large, ZOOM, k % SMALL, k / SMALL, band);
+                double actual = small.component(k % SMALL, k / SMALL, band);
+                assertEquals(expected, actual, tolerance * Math.max(expected, 1), "pixel " + k + ", band " + band);
+                lit += expected > 1 ? 1 : 0;
+            }
+        }
+        assertTrue(lit >= 3, "of " + lit);
+    }
+
+    /** In the larger picture each image covers many pixels, and camera rays alone find it. */
+    @Test
+    void theMeanOfAPictureIsTheSameHoweverSmallTheImagesOfLampsAre() {
+        Scene scene = lamps();
+        Image large = render(scene, ZOOM, 16, BuiltInMethod.RAYTRACE, 1);
+        for (BuiltInMethod method : BuiltInMethod.values()) {
+            assertSame(large, render(scene, 1, 1 << 13, method, 2), 0.04);
+        }
+    }
+
+    @Test
+    void theSameHoldsForParallelRays() {
+        Scene scene = withLamps(FAR).build();
+        Image large = render(scene, ZOOM, 4, BuiltInMethod.RAYTRACE, 1);
+        assertSame(large, render(scene, 1, 1 << 13, BuiltInMethod.RAYTRACE, 2), 0.04);
+    }
+
+    /** An image smaller than a hundredth of a pixel: four samples of the pixel itself would seldom meet it. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void fewSamplesFindEachLamp(long seed) {
+        Scene scene = lamps();
+        Image exact = render(scene, 1, 1 << 14, BuiltInMethod.RAYTRACE, 2);
+        Image few = render(scene, 1, 8, BuiltInMethod.RAYTRACE, seed);
+        for (int k = 0; k < SMALL * SMALL; k++) {
+            double expected = exact.component(k % SMALL, k / SMALL, 0);
+            double actual = few.component(k % SMALL, k / SMALL, 0);
+            assertTrue(actual >= 0.2 * expected - 0.1 && actual <= 3 * expected + 0.1, actual + " for " + expected);
+        }
+    }
+
+    /** What a pixel's second places are is a function of the pixel, wherever tiles end. */
+    @Test
+    void aCropHasTheBytesOfTheWholePicture() throws Exception {
+        Scene scene = SceneReader.read(Path.of("scenes/fire-and-ice-physical.json"));
+        RenderSettings settings = RenderSettings.of(scene).withSize(48, 24).withBudget(Budget.NONE.withSamples(4));
+        Image whole = Renderer.render(scene, settings);
+        Image part = Renderer.render(scene, settings.withCrop(new RenderSettings.Crop(23, 7, 9, 5)));
+        for (int y = 0; y < 5; y++) {
+            for (int x = 0; x < 9; x++) {
+                assertArrayEquals(
+                        new double[] {
+                            whole.component(23 + x, 7 + y, 0),
+                            whole.component(23 + x, 7 + y, 1),
+                            whole.component(23 + x, 7 + y, 2)
+                        },
+                        new double[] {part.component(x, y, 0), part.component(x, y, 1), part.component(x, y, 2)});
+            }
+        }
+        // The mirror ball shows the lamp there, which is a hundredth of two pixels large.
+        assertTrue(whole.component(23, 9, 0) > 0.8 && whole.component(24, 9, 0) > 0.8);
+    }
+}

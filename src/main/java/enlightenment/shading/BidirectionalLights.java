@@ -75,7 +75,7 @@ final class BidirectionalLights {
     /** The density, per area of the light, with which the last vertex would have chosen this point. */
     private double aimed(int index, Hit hit, double cosine) {
         PhysicalLight l = physical.lights[index];
-        view.aim(l, eye.lastX, eye.lastY, eye.lastZ);
+        view.aim(l, eye.lastId, eye.lastX, eye.lastY, eye.lastZ);
         double x = hit.px - eye.lastX;
         double y = hit.py - eye.lastY;
         double z = hit.pz - eye.lastZ;
@@ -153,7 +153,7 @@ final class BidirectionalLights {
             view.aimAtPoint(l, hit.px, hit.py, hit.pz);
             return view.cone.distance * view.cone.distance;
         }
-        view.aim(l, hit.px, hit.py, hit.pz);
+        view.aim(l, eye.path.id, hit.px, hit.py, hit.pz);
         view.draw(-1, sampler, eye.address);
         view.sample(l.form);
         return sample.pdf;

@@ -105,7 +105,7 @@ final class LightSubpath extends Subpath {
             return d2;
         }
         double d = Math.sqrt(d2);
-        view.aim(l, at.px, at.py, at.pz);
+        view.aim(l, path.id, at.px, at.py, at.pz);
         return l.form.pdf(view.sample, -x / d, -y / d, -z / d, d, source.cosineOutside()) * source.cosine;
     }
 

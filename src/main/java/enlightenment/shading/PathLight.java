@@ -57,6 +57,9 @@ final class PathLight {
     /** Whether it took light from all lights, rather than from one that was chosen. */
     private boolean tookAll;
 
+    /** The id of the surface that the vertex is on. */
+    private int vertex;
+
     /** The density per solid angle with which the path left it. */
     private double pdf;
 
@@ -98,6 +101,7 @@ final class PathLight {
 
     private void begin(boolean matte, boolean isFirst) {
         isMatte = matte;
+        vertex = path.id;
         tookAll = lights.length <= 1 || isFirst && lights.length <= ALL_AT_FIRST;
         double facing = hit.side;
         x = hit.px;
@@ -196,7 +200,7 @@ final class PathLight {
         if (l.isBall) {
             return ofBall(l, index, probability, sampler, address);
         }
-        view.aim(l, x, y, z);
+        view.aim(l, vertex, x, y, z);
         // A closed form costs more than to know that it is of no use here.
         double e = view.isWhole(l.form, nx, ny, nz) ? 1 : view.irradiance(l.form, nx, ny, nz);
         if (e == 0) {
@@ -223,6 +227,7 @@ final class PathLight {
         SphereLight ball = (SphereLight) l.form;
         ball.aim(sample, x, y, z);
         cone.around(l);
+        view.stayInside(l, vertex);
         if (cone.inside) {
             Tracer.Visibility known = shadow.visibility(l);
             return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
@@ -304,7 +309,7 @@ final class PathLight {
             view.aimAtPoint(l, x, y, z);
             density = cone.distance * cone.distance;
         } else {
-            view.aim(l, x, y, z);
+            view.aim(l, vertex, x, y, z);
             view.draw(tookAll ? index : -1, sampler, address);
             view.sample(l.form);
             density = sample.pdf;
@@ -332,7 +337,7 @@ final class PathLight {
             return 1;
         }
         PhysicalLight l = lights[index];
-        view.aim(l, x, y, z);
+        view.aim(l, vertex, x, y, z);
         if (isMatte && isClosed(l)) {
             return 0;
         }

@@ -51,6 +51,9 @@ public final class PhysicalScene {
     /** Whether borders of media may be rough. */
     public final boolean hasRoughGlass;
 
+    /** Whether indices of refraction depend on the wavelength. */
+    public final boolean hasDispersion;
+
     /** Whether a share of some glass is opaque. */
     public final boolean hasPartialGlass;
 
@@ -111,8 +114,11 @@ public final class PhysicalScene {
             }
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
+        hasDispersion = Arrays.stream(compiled.glassSolids())
+                .anyMatch(id -> compiled.materials().of(id, 0).dispersion != 0);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
+        hasScattering =
+                around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
@@ -135,11 +141,9 @@ public final class PhysicalScene {
         if (around == null) {
             return background;
         }
-        Rgb lost = around.medium.extinction();
-        return new Rgb(
-                lost.r() > 0 ? 0 : background.r(),
-                lost.g() > 0 ? 0 : background.g(),
-                lost.b() > 0 ? 0 : background.b());
+        double[] left = {background.r(), background.g(), background.b()};
+        around.absorb(Double.MAX_VALUE, left);
+        return new Rgb(left[0], left[1], left[2]);
     }
 
     private static SurfaceMaterial around(Medium medium, SceneFrame frame) {

@@ -75,7 +75,10 @@ final class BidirectionalLights {
     /** The density, per area of the light, with which the last vertex would have chosen this point. */
     private double aimed(int index, Hit hit, double cosine) {
         PhysicalLight l = physical.lights[index];
-        view.aim(l, eye.lastId, eye.lastX, eye.lastY, eye.lastZ);
+        if (l.isBallOf(eye.lastId)) {
+            return 0;
+        }
+        view.aim(l, eye.lastX, eye.lastY, eye.lastZ);
         double x = hit.px - eye.lastX;
         double y = hit.py - eye.lastY;
         double z = hit.pz - eye.lastZ;
@@ -111,7 +114,7 @@ final class BidirectionalLights {
             return false;
         }
         PhysicalLight l = physical.lights[choice.light];
-        if (l.isInPlaneWith(eye.path.id, hit.face)) {
+        if (l.isInPlaneWith(eye.path.id, hit.face) || l.isBallOf(eye.path.id)) {
             return false;
         }
         counters.lightSamples++;
@@ -153,7 +156,7 @@ final class BidirectionalLights {
             view.aimAtPoint(l, hit.px, hit.py, hit.pz);
             return view.cone.distance * view.cone.distance;
         }
-        view.aim(l, eye.path.id, hit.px, hit.py, hit.pz);
+        view.aim(l, hit.px, hit.py, hit.pz);
         view.draw(-1, sampler, eye.address);
         view.sample(l.form);
         return sample.pdf;

@@ -50,6 +50,7 @@ final class LightSubpath extends Subpath {
         startX = ray.ox;
         startY = ray.oy;
         startZ = ray.oz;
+        path.drawWavelength(sampler);
         path.beginAtLight(ray, source.media());
         return true;
     }
@@ -105,7 +106,10 @@ final class LightSubpath extends Subpath {
             return d2;
         }
         double d = Math.sqrt(d2);
-        view.aim(l, path.id, at.px, at.py, at.pz);
+        if (l.isBallOf(path.id)) {
+            return 0;
+        }
+        view.aim(l, at.px, at.py, at.pz);
         return l.form.pdf(view.sample, -x / d, -y / d, -z / d, d, source.cosineOutside()) * source.cosine;
     }
 

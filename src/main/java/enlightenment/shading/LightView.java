@@ -16,29 +16,14 @@ final class LightView {
 
     private final double[] pair = new double[2];
 
-    /**
-     * Looks from a vertex at a light with extent.
-     *
-     * @param id of the surface that the vertex is on
-     */
-    void aim(PhysicalLight l, int id, double x, double y, double z) {
+    /** Looks from a vertex at a light with extent. */
+    void aim(PhysicalLight l, double x, double y, double z) {
         if (l.form instanceof SphereLight ball) {
             ball.aim(sample, x, y, z);
         } else {
             l.form.aim(sample, x, y, z);
         }
         cone.around(l);
-        stayInside(l, id);
-    }
-
-    /**
-     * A vertex on the inside of a glowing ball may lie outside of it by a rounding, and the next point of the ball would be the vertex itself: what
-     * hides other places of the ball from it has to count.
-     */
-    void stayInside(PhysicalLight l, int id) {
-        if (l.isBall && l.id == id) {
-            cone.inside = true;
-        }
     }
 
     /** Looks from a vertex at a light that is a point: {@link #sample} leads to it. */

@@ -51,14 +51,14 @@ final class PathLight {
     private double ny;
     private double nz;
 
+    /** The id of its primitive; -1 in a medium. */
+    private int vertexId;
+
     /** Whether it is Lambertian. */
     private boolean isMatte;
 
     /** Whether it took light from all lights, rather than from one that was chosen. */
     private boolean tookAll;
-
-    /** The id of the surface that the vertex is on. */
-    private int vertex;
 
     /** The density per solid angle with which the path left it. */
     private double pdf;
@@ -88,7 +88,11 @@ final class PathLight {
     /** Whether a random number has a part in what the last light gave. */
     private boolean isByChance;
 
+    /** Light from a picture or a sky around the scene; null if there is none. */
+    private final InfiniteLight infinite;
+
     PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
+        infinite = InfiniteLight.of(scene, counters, path);
         physical = scene.physical;
         hasUltraviolet = physical.hasUltraviolet;
         lights = physical.lights;
@@ -101,9 +105,9 @@ final class PathLight {
 
     private void begin(boolean matte, boolean isFirst) {
         isMatte = matte;
-        vertex = path.id;
         tookAll = lights.length <= 1 || isFirst && lights.length <= ALL_AT_FIRST;
         double facing = hit.side;
+        vertexId = path.id;
         x = hit.px;
         y = hit.py;
         z = hit.pz;
@@ -141,11 +145,40 @@ final class PathLight {
         } else if (choose(sampler, address)) {
             addMatte(choice.light, choice.probability, sampler, address);
         }
+        if (infinite != null) {
+            infinite.gatherMatte(sampler, address, isFirst);
+            addInfinite();
+        }
+    }
+
+    private void addInfinite() {
+        red += infinite.red;
+        green += infinite.green;
+        blue += infinite.blue;
+    }
+
+    /**
+     * Sets the light to what comes from where the path leads to, beyond everything.
+     *
+     * @param hasGathered whether light was gathered at the last vertex
+     * @param countsSun whether the sun's disk counts if it was not
+     */
+    void escape(Ray ray, boolean hasGathered, boolean countsSun) {
+        if (infinite == null) {
+            red = physical.backgroundR;
+            green = physical.backgroundG;
+            blue = physical.backgroundB;
+        } else {
+            infinite.arrive(ray, hasGathered ? pdf : 0, countsSun);
+            red = infinite.red;
+            green = infinite.green;
+            blue = infinite.blue;
+        }
     }
 
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face)) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -200,7 +233,7 @@ final class PathLight {
         if (l.isBall) {
             return ofBall(l, index, probability, sampler, address);
         }
-        view.aim(l, vertex, x, y, z);
+        view.aim(l, x, y, z);
         // A closed form costs more than to know that it is of no use here.
         double e = view.isWhole(l.form, nx, ny, nz) ? 1 : view.irradiance(l.form, nx, ny, nz);
         if (e == 0) {
@@ -227,7 +260,6 @@ final class PathLight {
         SphereLight ball = (SphereLight) l.form;
         ball.aim(sample, x, y, z);
         cone.around(l);
-        view.stayInside(l, vertex);
         if (cone.inside) {
             Tracer.Visibility known = shadow.visibility(l);
             return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
@@ -269,7 +301,7 @@ final class PathLight {
     /** Gathers the light at the surface that the path is at, whatever its lobes. */
     void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
         begin(false, isFirst);
-        gather(bsdf, s, sampler, address);
+        gatherAll(bsdf, s, sampler, address, isFirst);
     }
 
     /**
@@ -283,11 +315,11 @@ final class PathLight {
         ny = 0;
         nz = 0;
         through = tint;
-        gather(bsdf, s, sampler, address);
+        gatherAll(bsdf, s, sampler, address, isFirst);
         through = null;
     }
 
-    private void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address) {
+    private void gatherAll(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
         if (tookAll) {
             for (int i = 0; i < lights.length; i++) {
                 add(bsdf, s, i, 1, sampler, address);
@@ -295,11 +327,15 @@ final class PathLight {
         } else if (choose(sampler, address)) {
             add(bsdf, s, choice.light, choice.probability, sampler, address);
         }
+        if (infinite != null) {
+            infinite.gather(bsdf, s, through, sampler, address, isFirst);
+            addInfinite();
+        }
     }
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face)) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -309,7 +345,7 @@ final class PathLight {
             view.aimAtPoint(l, x, y, z);
             density = cone.distance * cone.distance;
         } else {
-            view.aim(l, vertex, x, y, z);
+            view.aim(l, x, y, z);
             view.draw(tookAll ? index : -1, sampler, address);
             view.sample(l.form);
             density = sample.pdf;
@@ -326,6 +362,9 @@ final class PathLight {
         }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double f = (l.isPoint ? 1 : PowerHeuristic.weight(s.pdf, probability * density)) / (probability * density);
+            if (through != null && path.glass.wavelength != null) {
+                path.glass.wavelength.color(s);
+            }
             add(l, f * s.valueR, f * s.valueG, f * s.valueB);
         }
     }
@@ -337,7 +376,10 @@ final class PathLight {
             return 1;
         }
         PhysicalLight l = lights[index];
-        view.aim(l, vertex, x, y, z);
+        if (l.isBallOf(vertexId)) {
+            return 1;
+        }
+        view.aim(l, x, y, z);
         if (isMatte && isClosed(l)) {
             return 0;
         }

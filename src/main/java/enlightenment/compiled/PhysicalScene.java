@@ -44,7 +44,7 @@ public final class PhysicalScene {
     /** The material of what fills the whole scene outside of its solids, which has no end; null if nothing does. */
     public final SurfaceMaterial around;
 
-    /** Whether a medium scatters light. */
+    /** Whether a medium scatters light, or something fills the whole scene. */
     public final boolean hasScattering;
 
     /** Whether there may be a point of a light inside of a solid that is a medium. */
@@ -128,8 +128,7 @@ public final class PhysicalScene {
         hasDispersion = Arrays.stream(compiled.glassSolids())
                 .anyMatch(id -> compiled.materials().of(id, 0).dispersion != 0);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        hasScattering =
-                around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);
+        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().of(id, 0).absorbs);

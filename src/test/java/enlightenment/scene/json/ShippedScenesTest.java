@@ -221,6 +221,8 @@ class ShippedScenesTest {
                 "door-ajar",
                 "fluorescent-poster",
                 "prism",
+                "wax",
+                "milk-and-glass",
                 "fire-and-ice-physical")) {
             assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
         }

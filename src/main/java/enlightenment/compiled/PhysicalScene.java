@@ -51,6 +51,9 @@ public final class PhysicalScene {
     /** Whether borders of media may be rough. */
     public final boolean hasRoughGlass;
 
+    /** Whether indices of refraction depend on the wavelength. */
+    public final boolean hasDispersion;
+
     /** Whether a share of some glass is opaque. */
     public final boolean hasPartialGlass;
 
@@ -111,6 +114,8 @@ public final class PhysicalScene {
             }
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
+        hasDispersion = Arrays.stream(compiled.glassSolids())
+                .anyMatch(id -> compiled.materials().of(id, 0).dispersion != 0);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
         hasScattering =
                 around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);

@@ -101,8 +101,7 @@ public enum BuiltInMethod implements Method {
         return switch (feature) {
             case SCATTERING -> this != BIDIRECTIONAL;
             case FLUORESCENCE -> true;
-            // No method follows single wavelengths yet.
-            case DISPERSION -> false;
+            case DISPERSION -> true;
             // No method knows other surroundings than constant ones yet.
             case SURROUNDINGS -> false;
         };

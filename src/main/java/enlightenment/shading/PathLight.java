@@ -325,6 +325,9 @@ final class PathLight {
         }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double f = (l.isPoint ? 1 : PowerHeuristic.weight(s.pdf, probability * density)) / (probability * density);
+            if (through != null && path.glass.wavelength != null) {
+                path.glass.wavelength.color(s);
+            }
             add(l, f * s.valueR, f * s.valueG, f * s.valueB);
         }
     }

@@ -8,6 +8,7 @@ import static enlightenment.physical.PhysicalScenes.shading;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import enlightenment.bsdf.Reradiation;
 import enlightenment.camera.Camera;
@@ -17,12 +18,14 @@ import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -181,6 +184,22 @@ class FluorescenceTest {
                 dye.color(), dye.absorption(), dye.emission(), dye.yield(), new Rgb(0.1, 0.2, 0.3), 2);
         double[] expected = closed(matrix(dye), color, new double[] {0.1, 0.2, 0.3, 2});
         assertShown(glowing(wall).build(), method, expected);
+    }
+
+    /** A cloud that loses no light changes nothing in light that is the same from everywhere. */
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void aCloudInAClosedRoomCannotBeSeen(BuiltInMethod method) {
+        Material.Fluorescent dye = dye(linear(0.6, 0.5, 0.3), 0.9);
+        Material wall = new Material.Fluorescent(
+                dye.color(), dye.absorption(), dye.emission(), dye.yield(), new Rgb(0.1, 0.2, 0.3), 2);
+        Medium cloud = new Medium.Coefficients(new Rgb(1, 2, 3), Rgb.BLACK, 0.3);
+        Scene scene = glowing(wall)
+                .object(ball(0.05, 0.15, 0.5, 0.35), Material.Scattering.of(cloud))
+                .build();
+        assumeTrue(Method.supports(method, scene));
+        double[] color = {0.6, 0.5, 0.3};
+        assertShown(scene, method, closed(matrix(dye), color, new double[] {0.1, 0.2, 0.3, 2}));
     }
 
     /** White but for ultraviolet, which all becomes green: what is missing is what Stokes' law takes. */

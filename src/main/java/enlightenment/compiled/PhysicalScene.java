@@ -10,6 +10,8 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
+import enlightenment.surroundings.Sun;
+import enlightenment.surroundings.Surroundings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -30,6 +32,9 @@ public final class PhysicalScene {
     public final double backgroundG;
     public final double backgroundB;
 
+    /** Light from infinity that is not the same from everywhere: then that which is the same is 0; else null. */
+    public final Surroundings surroundings;
+
     /** The most scattering events of a path. */
     public final int maxBounces;
 
@@ -39,7 +44,7 @@ public final class PhysicalScene {
     /** The material of what fills the whole scene outside of its solids, which has no end; null if nothing does. */
     public final SurfaceMaterial around;
 
-    /** Whether a medium scatters light. */
+    /** Whether a medium scatters light, or something fills the whole scene. */
     public final boolean hasScattering;
 
     /** Whether there may be a point of a light inside of a solid that is a medium. */
@@ -77,7 +82,13 @@ public final class PhysicalScene {
 
     private final int[] lightOfFace;
 
-    PhysicalScene(PhysicalShading shading, SceneFrame frame, CompiledPrimitives compiled, List<PhysicalLight> points) {
+    PhysicalScene(
+            PhysicalShading shading,
+            SceneFrame frame,
+            Surroundings surroundings,
+            CompiledPrimitives compiled,
+            List<PhysicalLight> points) {
+        this.surroundings = surroundings;
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
@@ -117,8 +128,7 @@ public final class PhysicalScene {
         hasDispersion = Arrays.stream(compiled.glassSolids())
                 .anyMatch(id -> compiled.materials().of(id, 0).dispersion != 0);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        hasScattering =
-                around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);
+        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
@@ -131,7 +141,8 @@ public final class PhysicalScene {
         lightsLieInGlass = hasScattering
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
-        caustics = CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces);
+        Sun sun = surroundings == null ? null : surroundings.sun;
+        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }

@@ -102,8 +102,7 @@ public enum BuiltInMethod implements Method {
             case SCATTERING -> this != BIDIRECTIONAL;
             case FLUORESCENCE -> true;
             case DISPERSION -> true;
-            // No method knows other surroundings than constant ones yet.
-            case SURROUNDINGS -> false;
+            case SURROUNDINGS -> true;
         };
     }
 

@@ -74,7 +74,13 @@ public final class PhysicalScene {
 
     private final int[] lightOfFace;
 
-    PhysicalScene(PhysicalShading shading, SceneFrame frame, CompiledPrimitives compiled, List<PhysicalLight> points) {
+    /** @param mayHavePass whether caustics may be the business of a pass of their own */
+    PhysicalScene(
+            PhysicalShading shading,
+            SceneFrame frame,
+            CompiledPrimitives compiled,
+            List<PhysicalLight> points,
+            boolean mayHavePass) {
         Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
         backgroundR = background.r();
         backgroundG = background.g();
@@ -125,7 +131,7 @@ public final class PhysicalScene {
         lightsLieInGlass = hasScattering
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
-        caustics = CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces);
+        caustics = mayHavePass ? CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces) : null;
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }

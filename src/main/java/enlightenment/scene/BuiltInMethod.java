@@ -104,6 +104,7 @@ public enum BuiltInMethod implements Method {
             // No method follows single wavelengths yet.
             case DISPERSION -> false;
             // No method knows other surroundings than constant ones yet.
+            case MOTION -> this == RAYTRACE;
             case SURROUNDINGS -> false;
         };
     }

@@ -196,7 +196,13 @@ final class RandomScenes {
                         "/objects/" + i + "/material/color/" + (linear ? "linear/2" : "2"), keys()));
             }
         }
-        return new Animation(1 + random.nextInt(1000), positive(), tracks);
+        List<Animation.Track> eased = new ArrayList<>();
+        Animation.Easing[] easings = Animation.Easing.values();
+        tracks.forEach(
+                t -> eased.add(new Animation.Track(t.target(), t.keys(), easings[random.nextInt(easings.length)])));
+        double shutter = random.nextBoolean() ? 0 : (1 + random.nextInt(1000)) / 1000.0;
+        return new Animation(
+                1 + random.nextInt(1000), positive(), eased, shutter, 1 + random.nextInt(Animation.MOST_INSTANTS));
     }
 
     /** Where a shading's background has a number. */

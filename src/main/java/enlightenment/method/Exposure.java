@@ -18,7 +18,7 @@ final class Exposure {
     private static final long PURPOSE = 0x5348555454455221L;
 
     /** What neighbours in a block are apart: the golden section leaves the most even gaps, however many there are. */
-    private static final double STEP = 0.6180339887498949;
+    private static final double STEP = (Math.sqrt(5) - 1) / 2;
 
     private final CompiledScene[] moments;
     private final Shader[] shaders;

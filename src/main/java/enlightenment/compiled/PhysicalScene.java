@@ -51,6 +51,9 @@ public final class PhysicalScene {
     /** Whether borders of media may be rough. */
     public final boolean hasRoughGlass;
 
+    /** Whether indices of refraction depend on the wavelength. */
+    public final boolean hasDispersion;
+
     /** Whether a share of some glass is opaque. */
     public final boolean hasPartialGlass;
 
@@ -81,7 +84,8 @@ public final class PhysicalScene {
             CompiledPrimitives compiled,
             List<PhysicalLight> points,
             boolean mayHavePass) {
-        Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
+        around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
         backgroundG = background.g();
         backgroundB = background.b();
@@ -116,9 +120,11 @@ public final class PhysicalScene {
             }
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
+        hasDispersion = Arrays.stream(compiled.glassSolids())
+                .anyMatch(id -> compiled.materials().of(id, 0).dispersion != 0);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        around = shading.medium().map(m -> around(m, frame)).orElse(null);
-        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
+        hasScattering =
+                around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
@@ -134,6 +140,16 @@ public final class PhysicalScene {
         caustics = mayHavePass ? CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces) : null;
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
+    }
+
+    /** What is left of the surroundings behind a medium that has no end: what it takes nothing of. */
+    private static Rgb seen(Rgb background, SurfaceMaterial around) {
+        if (around == null) {
+            return background;
+        }
+        double[] left = {background.r(), background.g(), background.b()};
+        around.absorb(Double.MAX_VALUE, left);
+        return new Rgb(left[0], left[1], left[2]);
     }
 
     private static SurfaceMaterial around(Medium medium, SceneFrame frame) {

@@ -99,10 +99,9 @@ public enum BuiltInMethod implements Method {
     @Override
     public boolean canRender(LightFeature feature) {
         return switch (feature) {
-            case SCATTERING -> this == RAYTRACE || this == CLUSTER || this == METROPOLIS;
+            case SCATTERING -> this != BIDIRECTIONAL;
             case FLUORESCENCE -> true;
-            // No method follows single wavelengths yet.
-            case DISPERSION -> false;
+            case DISPERSION -> true;
             // No method knows other surroundings than constant ones yet.
             case MOTION -> this == RAYTRACE;
             case SURROUNDINGS -> false;

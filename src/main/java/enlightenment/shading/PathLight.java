@@ -51,6 +51,9 @@ final class PathLight {
     private double ny;
     private double nz;
 
+    /** The id of its primitive; -1 in a medium. */
+    private int vertexId;
+
     /** Whether it is Lambertian. */
     private boolean isMatte;
 
@@ -100,6 +103,7 @@ final class PathLight {
         isMatte = matte;
         tookAll = lights.length <= 1 || isFirst && lights.length <= ALL_AT_FIRST;
         double facing = hit.side;
+        vertexId = path.id;
         x = hit.px;
         y = hit.py;
         z = hit.pz;
@@ -141,7 +145,7 @@ final class PathLight {
 
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face)) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -294,7 +298,7 @@ final class PathLight {
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face)) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -321,6 +325,9 @@ final class PathLight {
         }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double f = (l.isPoint ? 1 : PowerHeuristic.weight(s.pdf, probability * density)) / (probability * density);
+            if (through != null && path.glass.wavelength != null) {
+                path.glass.wavelength.color(s);
+            }
             add(l, f * s.valueR, f * s.valueG, f * s.valueB);
         }
     }
@@ -332,6 +339,9 @@ final class PathLight {
             return 1;
         }
         PhysicalLight l = lights[index];
+        if (l.isBallOf(vertexId)) {
+            return 1;
+        }
         view.aim(l, x, y, z);
         if (isMatte && isClosed(l)) {
             return 0;

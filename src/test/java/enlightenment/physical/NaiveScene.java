@@ -29,7 +29,7 @@ final class NaiveScene {
      */
     record Surface(NaiveShape shape, Material material, double[] front, double[] back) {
         boolean isGlass() {
-            return material instanceof Material.Glass;
+            return material instanceof Material.Glass || material instanceof Material.Scattering;
         }
 
         boolean isSolid() {
@@ -120,8 +120,8 @@ final class NaiveScene {
     }
 
     private static boolean isBefore(Surface a, Surface b) {
-        int p = ((Material.Glass) a.material).priority();
-        int q = ((Material.Glass) b.material).priority();
+        int p = NaiveMedium.border(a.material).priority();
+        int q = NaiveMedium.border(b.material).priority();
         return p != q ? p > q : a.shape.volume() < b.shape.volume();
     }
 
@@ -132,7 +132,7 @@ final class NaiveScene {
 
     /** Index of refraction of a medium. */
     static double index(Surface medium) {
-        return medium == null ? 1 : ((Material.Glass) medium.material).indexOfRefraction();
+        return medium == null ? 1 : NaiveMedium.border(medium.material).indexOfRefraction();
     }
 
     /** Origin and unit direction of the ray through a place of the picture, 0..1 from its upper left corner. */
@@ -152,6 +152,17 @@ final class NaiveScene {
         double aspect = (double) scene.width() / scene.height();
         Vec3 d = forward.plus(right.times((2 * x - 1) * half * aspect)).plus(up.times((1 - 2 * y) * half));
         return new Vec3[] {eye, d.normalized()};
+    }
+
+    /** What fills a point: glass, a medium of a solid, or that of the whole scene. */
+    NaiveMedium fills(Vec3 p) {
+        Surface s = medium(p);
+        return s == null
+                ? ((PhysicalShading) scene.shading())
+                        .medium()
+                        .map(NaiveMedium::of)
+                        .orElse(NaiveMedium.EMPTY)
+                : NaiveMedium.of(s.material());
     }
 
     int width() {

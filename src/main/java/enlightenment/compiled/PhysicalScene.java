@@ -10,6 +10,8 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
+import enlightenment.surroundings.Sun;
+import enlightenment.surroundings.Surroundings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -29,6 +31,9 @@ public final class PhysicalScene {
 
     public final double backgroundG;
     public final double backgroundB;
+
+    /** Light from infinity that is not the same from everywhere: then that which is the same is 0; else null. */
+    public final Surroundings surroundings;
 
     /** The most scattering events of a path. */
     public final int maxBounces;
@@ -81,9 +86,11 @@ public final class PhysicalScene {
     PhysicalScene(
             PhysicalShading shading,
             SceneFrame frame,
+            Surroundings surroundings,
             CompiledPrimitives compiled,
             List<PhysicalLight> points,
             boolean mayHavePass) {
+        this.surroundings = surroundings;
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
@@ -137,7 +144,8 @@ public final class PhysicalScene {
         lightsLieInGlass = hasScattering
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
-        caustics = mayHavePass ? CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces) : null;
+        Sun sun = surroundings == null ? null : surroundings.sun;
+        caustics = mayHavePass ? CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces) : null;
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }

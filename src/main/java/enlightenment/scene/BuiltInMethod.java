@@ -102,9 +102,8 @@ public enum BuiltInMethod implements Method {
             case SCATTERING -> this != BIDIRECTIONAL;
             case FLUORESCENCE -> true;
             case DISPERSION -> true;
-            // No method knows other surroundings than constant ones yet.
             case MOTION -> this == RAYTRACE;
-            case SURROUNDINGS -> false;
+            case SURROUNDINGS -> true;
         };
     }
 

@@ -31,6 +31,13 @@ public final class BidirectionalTracer implements Shader {
     private final BidirectionalLights lights;
     private final SegmentRays segments;
     private final EyeImages images;
+
+    /** Light from a picture or a sky around the scene; null if there is none. */
+    private final InfiniteLight infinite;
+
+    /** The density per solid angle with which the path from the eye left its last vertex. */
+    private double pdf;
+
     private final Scattering there = new Scattering();
     private final ReverseDensity reverse = new ReverseDensity();
 
@@ -49,6 +56,7 @@ public final class BidirectionalTracer implements Shader {
         wavelength = eye.path.glass.wavelength;
         light = new LightSubpath(scene, starts, counters);
         lights = new BidirectionalLights(scene, starts, counters, eye);
+        infinite = InfiniteLight.of(scene, counters, eye.path);
         segments = new SegmentRays(scene, counters, eye.path);
         images = new EyeImages(scene, counters, eye.path, true);
     }
@@ -121,7 +129,12 @@ public final class BidirectionalTracer implements Shader {
     private boolean step(Sampler sampler) {
         switch (eye.next(sampler)) {
             case NOTHING:
-                add(common(false), 1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+                if (infinite == null) {
+                    add(common(false), 1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+                } else {
+                    infinite.arrive(eye.ray, eye.lastConnects ? pdf : 0, true);
+                    addInfinite();
+                }
                 return false;
             case PASSED:
                 return true;
@@ -142,7 +155,25 @@ public final class BidirectionalTracer implements Shader {
         } else {
             gather(sampler);
         }
-        return eye.leave(sampler);
+        return infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
+    }
+
+    /**
+     * Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). Leaves the surface, too.
+     */
+    private boolean gatherInfinite(Sampler sampler) {
+        if (!eye.bsdf.isDelta()) {
+            double[] tint = eye.isBorder ? eye.color : null;
+            infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.address, eye.isFirst);
+            addInfinite();
+        }
+        boolean goes = eye.leave(sampler);
+        pdf = eye.isBorder ? eye.path.glass.border.pdf : eye.s.pdf;
+        return goes;
+    }
+
+    private void addInfinite() {
+        add(common(false), 1, infinite.red, infinite.green, infinite.blue, 0);
     }
 
     /** Adds light of which all wavelengths have a share in common. */

@@ -88,7 +88,11 @@ final class PathLight {
     /** Whether a random number has a part in what the last light gave. */
     private boolean isByChance;
 
+    /** Light from a picture or a sky around the scene; null if there is none. */
+    private final InfiniteLight infinite;
+
     PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
+        infinite = InfiniteLight.of(scene, counters, path);
         physical = scene.physical;
         hasUltraviolet = physical.hasUltraviolet;
         lights = physical.lights;
@@ -140,6 +144,35 @@ final class PathLight {
             }
         } else if (choose(sampler, address)) {
             addMatte(choice.light, choice.probability, sampler, address);
+        }
+        if (infinite != null) {
+            infinite.gatherMatte(sampler, address, isFirst);
+            addInfinite();
+        }
+    }
+
+    private void addInfinite() {
+        red += infinite.red;
+        green += infinite.green;
+        blue += infinite.blue;
+    }
+
+    /**
+     * Sets the light to what comes from where the path leads to, beyond everything.
+     *
+     * @param hasGathered whether light was gathered at the last vertex
+     * @param countsSun whether the sun's disk counts if it was not
+     */
+    void escape(Ray ray, boolean hasGathered, boolean countsSun) {
+        if (infinite == null) {
+            red = physical.backgroundR;
+            green = physical.backgroundG;
+            blue = physical.backgroundB;
+        } else {
+            infinite.arrive(ray, hasGathered ? pdf : 0, countsSun);
+            red = infinite.red;
+            green = infinite.green;
+            blue = infinite.blue;
         }
     }
 
@@ -268,7 +301,7 @@ final class PathLight {
     /** Gathers the light at the surface that the path is at, whatever its lobes. */
     void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
         begin(false, isFirst);
-        gather(bsdf, s, sampler, address);
+        gatherAll(bsdf, s, sampler, address, isFirst);
     }
 
     /**
@@ -282,17 +315,21 @@ final class PathLight {
         ny = 0;
         nz = 0;
         through = tint;
-        gather(bsdf, s, sampler, address);
+        gatherAll(bsdf, s, sampler, address, isFirst);
         through = null;
     }
 
-    private void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address) {
+    private void gatherAll(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
         if (tookAll) {
             for (int i = 0; i < lights.length; i++) {
                 add(bsdf, s, i, 1, sampler, address);
             }
         } else if (choose(sampler, address)) {
             add(bsdf, s, choice.light, choice.probability, sampler, address);
+        }
+        if (infinite != null) {
+            infinite.gather(bsdf, s, through, sampler, address, isFirst);
+            addInfinite();
         }
     }
 

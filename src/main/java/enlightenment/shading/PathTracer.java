@@ -177,8 +177,9 @@ public final class PathTracer implements Shader {
         }
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
-                value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+                light.escape(ray, history.gathered, !(hasCausticPass && history.scatteredFirst));
+                value.add(light.red, light.green, light.blue);
+                value.addCertain(light.red, light.green, light.blue, 0);
             }
             return false;
         }

@@ -77,7 +77,13 @@ public final class SeenLight implements Shader {
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
-            value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            if (physical.surroundings == null) {
+                value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            } else {
+                double scale = 1 / Math.sqrt(ray.dd);
+                physical.surroundings.all(scale * ray.dx, scale * ray.dy, scale * ray.dz, surface);
+                value.add(surface[0], surface[1], surface[2]);
+            }
             return false;
         }
         if (medium != null && medium.absorbs) {

@@ -5,7 +5,6 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -45,14 +44,14 @@ final class NaiveScene {
 
     final List<Surface> surfaces = new ArrayList<>();
     final List<Point> points = new ArrayList<>();
-    final double[] background;
+    private final NaiveSky background;
     final int maxBounces;
     private final Scene scene;
 
     NaiveScene(Scene scene) {
         this.scene = scene;
         PhysicalShading shading = (PhysicalShading) scene.shading();
-        background = NaiveColors.of(((Background.Constant) shading.background()).radiance());
+        background = NaiveSky.of(shading.background());
         maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
         for (Light light : scene.lights()) {
             add(light);
@@ -61,6 +60,11 @@ final class NaiveScene {
             double[] glow = NaiveColors.of(object.material().radiance());
             surfaces.add(new Surface(NaiveShape.of(object.shape()), object.material(), glow, glow));
         }
+    }
+
+    /** What comes from where nothing is. */
+    double[] background(Vec3 direction) {
+        return background.radiance(direction);
     }
 
     private void add(Light light) {

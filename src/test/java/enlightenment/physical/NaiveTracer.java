@@ -132,7 +132,7 @@ final class NaiveTracer {
     /** What comes from what a ray meets, of which so much is left. */
     private double[] arrive(NaiveScene.Hit hit, double[] kept, Vec3 d, int scattered, int events, Path path) {
         if (hit == null) {
-            return NaiveColors.product(kept, scene.background);
+            return NaiveColors.product(kept, scene.background(d));
         }
         NaiveScene.Surface s = hit.surface();
         double[] emitted = hit.front() ? s.front() : s.back();

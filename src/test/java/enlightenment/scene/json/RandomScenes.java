@@ -348,7 +348,7 @@ final class RandomScenes {
                 return retry(() -> new Material.Fluorescent(
                         color, wavelengths(), wavelengths(), unit(), radiance(), ultraviolet()));
             default:
-                return new Material.Glass(
+                return retry(() -> new Material.Glass(
                         color,
                         positive(),
                         random.nextBoolean() ? 1 : unit(),
@@ -357,7 +357,7 @@ final class RandomScenes {
                         random.nextBoolean() ? 0 : unit(),
                         radiance(),
                         random.nextBoolean(),
-                        hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive()));
+                        hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive())));
         }
     }
 

@@ -88,8 +88,8 @@ public final class PhysicalScene {
             Surroundings surroundings,
             CompiledPrimitives compiled,
             List<PhysicalLight> points) {
-        this.surroundings = surroundings;
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        this.surroundings = seen(Rgb.WHITE, around).max() > 0 ? surroundings : null;
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
         backgroundG = background.g();
@@ -141,7 +141,7 @@ public final class PhysicalScene {
         lightsLieInGlass = hasScattering
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
-        Sun sun = surroundings == null ? null : surroundings.sun;
+        Sun sun = this.surroundings == null ? null : surroundings.sun;
         caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;

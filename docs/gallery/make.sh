@@ -19,6 +19,9 @@ run cornell-box cornell-box --size 300x300 --samples 128
 run caustics caustics --size 400x267 --samples 256
 run prism prism --size 400x267 --samples 1024
 run fluorescent-poster fluorescent-poster --size 400x200 --samples 256
+for scene in wax milk-and-glass; do
+    run "$scene" "$scene" --size 400x267 --time 60 --threads 2
+done
 for scene in metals glass-physical lamp-room fire-and-ice-physical; do
     run "$scene" "$scene" --size 400x200 --samples 128
 done

@@ -220,6 +220,7 @@ class ShippedScenesTest {
                 "lamp-room",
                 "door-ajar",
                 "fluorescent-poster",
+                "sky",
                 "fire-and-ice-physical")) {
             assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
         }

@@ -221,6 +221,8 @@ class ShippedScenesTest {
                 "door-ajar",
                 "fluorescent-poster",
                 "sky",
+                "wax",
+                "milk-and-glass",
                 "fire-and-ice-physical")) {
             assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
         }

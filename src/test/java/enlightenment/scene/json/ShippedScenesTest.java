@@ -221,6 +221,7 @@ class ShippedScenesTest {
                 "door-ajar",
                 "fluorescent-poster",
                 "sky",
+                "prism",
                 "wax",
                 "milk-and-glass",
                 "fire-and-ice-physical")) {

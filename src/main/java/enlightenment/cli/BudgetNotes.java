@@ -13,8 +13,15 @@ final class BudgetNotes implements RenderProgress {
     private final RenderProgress display;
     private final Budget budget;
     private final Terminal terminal;
+    private final String about;
 
     BudgetNotes(RenderProgress display, Budget budget, Terminal terminal) {
+        this(display, budget, terminal, "");
+    }
+
+    /** @param about what is rendered, as messages begin */
+    BudgetNotes(RenderProgress display, Budget budget, Terminal terminal, String about) {
+        this.about = about;
         this.display = display;
         this.budget = budget;
         this.terminal = terminal;
@@ -24,7 +31,8 @@ final class BudgetNotes implements RenderProgress {
     public void planned(double samples, String decidedBy) {
         if (decidedBy.equals("time")) {
             terminal.err()
-                    .println("time " + DecimalNumber.plain(budget.seconds().orElse(0)) + " s: --samples "
+                    .println(about + "time "
+                            + DecimalNumber.plain(budget.seconds().orElse(0)) + " s: --samples "
                             + DecimalNumber.plain(samples) + " makes the same picture");
         }
         display.planned(samples, decidedBy);
@@ -32,7 +40,7 @@ final class BudgetNotes implements RenderProgress {
 
     @Override
     public void note(String text) {
-        terminal.say(text);
+        terminal.say(about + text);
         display.note(text);
     }
 

@@ -22,6 +22,9 @@ final class CommandFiles {
     private final List<Named> inputs = new ArrayList<>();
     private final List<Named> outputs = new ArrayList<>();
 
+    /** Outputs of one folder whose names are known to differ. */
+    private final List<Named> numbered = new ArrayList<>();
+
     /** A file, and what it is to the user: of an output its option, of an input a few words. */
     private record Named(String what, Path file, boolean isChecked) {}
 
@@ -60,6 +63,12 @@ final class CommandFiles {
         return this;
     }
 
+    /** The same for files of one folder that are told apart by numbers in their names. */
+    CommandFiles writesNumbered(String option, List<Path> files) {
+        files.forEach(file -> numbered.add(new Named(option, file, false)));
+        return this;
+    }
+
     private CommandFiles add(String option, Path file, boolean isChecked) {
         boolean isStream = file != null && StandardStreams.isNamed(file) && MAY_BE_STREAMS.contains(option);
         if (file != null && !isStream) {
@@ -74,14 +83,27 @@ final class CommandFiles {
             checkInputs(outputs.get(i));
             checkOutputs(outputs.get(i), outputs.subList(0, i));
         }
+        for (Named output : numbered) {
+            checkOutputs(output, outputs);
+            if (Files.exists(output.file)) {
+                checkInputs(output);
+            }
+        }
         for (Named output : outputs) {
             if (output.isChecked) {
                 checkWritable(output.file);
             }
-            Path folder = FilePlace.of(output.file).getParent();
-            if (folder != null && Files.isDirectory(folder)) {
-                TemporaryFile.clean(folder);
-            }
+            clean(output);
+        }
+        if (!numbered.isEmpty()) {
+            clean(numbered.get(0));
+        }
+    }
+
+    private static void clean(Named output) throws IOException {
+        Path folder = FilePlace.of(output.file).getParent();
+        if (folder != null && Files.isDirectory(folder)) {
+            TemporaryFile.clean(folder);
         }
     }
 

@@ -8,6 +8,7 @@ import picocli.CommandLine;
 final class Commands {
     static final String[] NAMES = {
         "render",
+        "animate",
         "validate",
         "inspect",
         "schema",
@@ -27,6 +28,7 @@ final class Commands {
     static Subcommand create(String name, Terminal terminal) {
         return switch (name) {
             case "render" -> new RenderCommand(terminal);
+            case "animate" -> new AnimateCommand(terminal);
             case "validate" -> new ValidateCommand(terminal);
             case "inspect" -> new InspectCommand(terminal);
             case "schema" -> new SchemaCommand(terminal);

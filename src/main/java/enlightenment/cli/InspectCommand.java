@@ -38,6 +38,9 @@ final class InspectCommand extends Subcommand {
     @Mixin
     private RenderOptions options = new RenderOptions();
 
+    @Mixin
+    private FrameOption frame = new FrameOption();
+
     private SceneInput input;
 
     InspectCommand(Terminal terminal) {
@@ -52,13 +55,13 @@ final class InspectCommand extends Subcommand {
     @Override
     int execute() {
         input = argument.open(terminal);
-        Scene scene = options.read(input);
+        Scene scene = frame.read(input);
         RenderSettings settings = options.settings(scene, input.name());
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);
         list("method", method(settings, scene));
         list("can render it", methods(inspection));
-        line("settings", options.line(settings) + " threads=" + settings.threads());
+        line("settings", SettingsLine.of(settings, frame.number()) + " threads=" + settings.threads());
         list("modelled", inspection.modelled());
         list("not modelled", inspection.notModelled());
         line("primitives", Integer.toString(inspection.primitives()));

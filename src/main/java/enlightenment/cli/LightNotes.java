@@ -6,6 +6,7 @@ import enlightenment.picture.Exposure;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
 import java.util.Locale;
+import java.util.function.Consumer;
 
 /** What is to be said of a picture of linear light beside its figures. */
 final class LightNotes {
@@ -22,14 +23,14 @@ final class LightNotes {
      *
      * @param shown the picture as it was written
      */
-    static void tell(RenderResult result, Image shown, Terminal terminal) {
+    static void tell(RenderResult result, Image shown, Consumer<String> say) {
         RenderReport report = result.report();
         if (report.sampling().light().map(RenderReport.Light::heavyTail).orElse(false)) {
-            terminal.say("warning: " + HEAVY_TAIL);
+            say.accept("warning: " + HEAVY_TAIL);
         }
         double mean = shown.encoding() == Encoding.LINEAR ? Exposure.meanDisplayed(shown) : 1;
         if (mean < DARK) {
-            terminal.say(String.format(
+            say.accept(String.format(
                     Locale.ROOT,
                     "hint: the picture is dark, %.4f in the mean: --exposure auto shows more of it",
                     mean));

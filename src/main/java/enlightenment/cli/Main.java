@@ -8,7 +8,7 @@ import picocli.CommandLine;
 /** The entry point of the command line. */
 public final class Main {
     /** Commands that end well when they are asked to end. */
-    private static final Set<String> STOPPABLE = Set.of("render", "trade", "bench", "server", "worker");
+    private static final Set<String> STOPPABLE = Set.of("render", "animate", "trade", "bench", "server", "worker");
 
     private Main() {}
 

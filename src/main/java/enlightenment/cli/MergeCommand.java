@@ -60,7 +60,7 @@ final class MergeCommand extends Subcommand {
         if (!isWhole) {
             throw CliException.failed(inWords(merged.missing()));
         }
-        LightNotes.tell(result, shown, terminal);
+        LightNotes.tell(result, shown, terminal::say);
         LightNotes.require(result);
         RequestedError.require(result);
         return ExitCode.DONE;

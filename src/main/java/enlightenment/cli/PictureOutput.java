@@ -11,7 +11,7 @@ import picocli.CommandLine.Option;
 
 /** The options that say where a picture goes and in which format. */
 final class PictureOutput {
-    private static final int USUAL_DEPTH = 8;
+    static final int USUAL_DEPTH = 8;
 
     @Option(
             names = {"-o", "--output"},

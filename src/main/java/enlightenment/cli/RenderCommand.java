@@ -37,6 +37,9 @@ final class RenderCommand extends Subcommand {
     private RenderOptions options = new RenderOptions();
 
     @Mixin
+    private FrameOption frame = new FrameOption();
+
+    @Mixin
     private ReportOutput report = new ReportOutput();
 
     @Option(
@@ -100,7 +103,7 @@ final class RenderCommand extends Subcommand {
         checkOptions();
         aovFiles = new AovFiles(aov, output.file());
         input = argument.open(terminal);
-        Scene scene = options.read(input);
+        Scene scene = frame.read(input);
         RenderSettings settings = PictureOutput.withRounding(
                 options.settings(scene, input.name()), part == null ? output.writtenDepth() : output.depth());
         view.check(scene);
@@ -173,7 +176,7 @@ final class RenderCommand extends Subcommand {
                     settings,
                     part.index(),
                     part.count(),
-                    samples -> PictureText.of(scene, options.replayableLine(settings, samples)),
+                    samples -> PictureText.of(scene, SettingsLine.replayable(settings, samples, frame.number())),
                     output.file(),
                     new BudgetNotes(display, settings.budget(), terminal),
                     terminal.stop());
@@ -194,8 +197,8 @@ final class RenderCommand extends Subcommand {
         if (result.shownPixels() == 0) {
             throw CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
         }
-        String line =
-                options.replayableLine(settings, result.report().sampling().plannedSamples());
+        double samples = result.report().sampling().plannedSamples();
+        String line = SettingsLine.replayable(settings, samples, frame.number());
         PngOptions png = new PngOptions(output.depth(), PictureText.of(scene, line));
         Image shown = view.view(result.image(), terminal);
         output.write(shown, png, terminal);
@@ -212,7 +215,7 @@ final class RenderCommand extends Subcommand {
             throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
-        LightNotes.tell(result, shown, terminal);
+        LightNotes.tell(result, shown, terminal::say);
         LightNotes.require(result);
         RequestedError.require(result);
     }
@@ -243,7 +246,8 @@ final class RenderCommand extends Subcommand {
     }
 
     private PreviewWriter previewWriter(Scene scene, RenderSettings settings, RenderProgress display) {
-        PngOptions png = new PngOptions(output.depth(), PictureText.of(scene, options.line(settings)))
+        PngOptions png = new PngOptions(
+                        output.depth(), PictureText.of(scene, SettingsLine.of(settings, frame.number())))
                 .withText("Comment", "preview");
         return new PreviewWriter(
                 display, preview, image -> ImageFiles.write(view.view(image), output.file(), png), terminal, clock);

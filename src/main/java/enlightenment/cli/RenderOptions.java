@@ -61,11 +61,6 @@ final class RenderOptions {
         return error != null;
     }
 
-    /** The scene at the frame that was asked for. */
-    Scene read(SceneInput input) {
-        return settings.read(input);
-    }
-
     /** Says that {@code --size} stretches the picture, if it does. */
     void warnOfStretch(Scene scene, RenderSettings rendered, Terminal terminal) {
         settings.warnOfStretch(scene, rendered, terminal);
@@ -93,16 +88,6 @@ final class RenderOptions {
         return e.key().equals("error")
                 ? CliException.wrongUsage("--error " + e.problem() + "; more bits (--depth 16) or a .pfm file can")
                 : settings.blame(e, sceneFile);
-    }
-
-    /** The settings in one line. */
-    String line(RenderSettings s) {
-        return SettingsLine.of(s, settings.frame());
-    }
-
-    /** The same for a picture whose number of samples was planned: with this line the same bytes can be made again. */
-    String replayableLine(RenderSettings s, double plannedSamples) {
-        return SettingsLine.replayable(s, plannedSamples, settings.frame());
     }
 
     static final class Methods extends WordOption<Method> {

@@ -8,15 +8,24 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
 
 /** Tells a scene from all others. */
 final class SceneFingerprint {
-    private SceneFingerprint() {}
+    /** What image files hold, each read once. */
+    private final Map<Path, String> images = new HashMap<>();
 
     /** The SHA-256, in hexadecimal digits, of all that the scene holds, with the contents of its image files. */
     static String of(Scene scene) throws IOException {
+        return new SceneFingerprint().hash(scene);
+    }
+
+    /** The same, for scenes that share image files. */
+    String hash(Scene scene) throws IOException {
         try {
-            String json = SceneWriter.toJson(scene.withoutAnimation(), SceneFingerprint::hashOf);
+            String json = SceneWriter.toJson(
+                    scene.withoutAnimation(), file -> images.computeIfAbsent(file, SceneFingerprint::hashOf));
             return ContentHash.of(json.getBytes(StandardCharsets.UTF_8)).toString();
         } catch (UncheckedIOException e) {
             throw e.getCause();

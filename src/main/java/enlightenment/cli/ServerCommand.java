@@ -34,6 +34,9 @@ final class ServerCommand extends Subcommand {
     private RenderOptions options = new RenderOptions();
 
     @Mixin
+    private FrameOption frame = new FrameOption();
+
+    @Mixin
     private ReportOutput report = new ReportOutput();
 
     @Mixin
@@ -60,7 +63,7 @@ final class ServerCommand extends Subcommand {
         }
         ServerOptions serverOptions = serving.options(terminal);
         input = argument.open(terminal);
-        Scene scene = options.read(input);
+        Scene scene = frame.read(input);
         RenderSettings settings =
                 PictureOutput.withRounding(options.settings(scene, input.name()), output.writtenDepth());
         view.check(scene);
@@ -97,8 +100,8 @@ final class ServerCommand extends Subcommand {
         if (result.report().pixels() == 0) {
             throw CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
         }
-        String line =
-                options.replayableLine(settings, result.report().sampling().plannedSamples());
+        double samples = result.report().sampling().plannedSamples();
+        String line = SettingsLine.replayable(settings, samples, frame.number());
         Image shown = view.view(result.image(), terminal);
         output.write(shown, new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
         report.write(result, output, terminal);
@@ -106,7 +109,7 @@ final class ServerCommand extends Subcommand {
             throw StoppedRender.after(result, output, "");
         }
         UniformImageHint.tell(scene, settings, result, terminal);
-        LightNotes.tell(result, shown, terminal);
+        LightNotes.tell(result, shown, terminal::say);
         LightNotes.require(result);
         RequestedError.require(result);
     }

@@ -6,7 +6,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -54,23 +53,11 @@ final class SettingsOptions {
             description = "render only this part of the picture; 0,0 is the upper left corner")
     private RenderSettings.Crop crop;
 
-    @Option(
-            names = "--frame",
-            paramLabel = "N",
-            converter = Frame.class,
-            description = "frame of an animation, counted from 0")
-    private Integer frame;
-
     SettingsOptions() {}
 
     /** The options of methods among these. */
     MethodOptions methods() {
         return methods;
-    }
-
-    /** The frame that was asked for, or null. */
-    Integer frame() {
-        return frame;
     }
 
     /** Says that {@code --size} stretches the picture, if it does. */
@@ -112,7 +99,6 @@ final class SettingsOptions {
         add(words, "--seed", seed);
         add(words, "--threads", threads);
         add(words, "--crop", crop == null ? null : CropConverter.typed(crop));
-        add(words, "--frame", frame);
         return words;
     }
 
@@ -132,20 +118,9 @@ final class SettingsOptions {
                 : SceneFailures.inFile(sceneFile, new InvalidValueException("image", e.problem()));
     }
 
-    /** The scene at the frame that was asked for. */
-    Scene read(SceneInput input) {
-        return input.read(Optional.ofNullable(frame));
-    }
-
     static final class Antialias extends WholeNumber {
         Antialias() {
             super(1, RenderDefaults.MAX_ANTIALIAS);
-        }
-    }
-
-    static final class Frame extends WholeNumber {
-        Frame() {
-            super(0, Integer.MAX_VALUE);
         }
     }
 

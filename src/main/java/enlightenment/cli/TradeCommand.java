@@ -89,6 +89,9 @@ final class TradeCommand extends Subcommand {
     private SettingsOptions options = new SettingsOptions();
 
     @Mixin
+    private FrameOption frame = new FrameOption();
+
+    @Mixin
     private ProgressOption progress = new ProgressOption();
 
     // Known only to say what to use instead.
@@ -116,14 +119,16 @@ final class TradeCommand extends Subcommand {
     @Override
     int execute() throws IOException {
         checkOptions();
-        Scene scene = options.read(new SceneInput(sceneFile, terminal));
+        Scene scene = frame.read(new SceneInput(sceneFile, terminal));
         TradeSettings settings = settings(scene);
         new CommandFiles()
                 .reads(sceneFile, scene)
                 .reads("the file of --reference", reference.equals(AUTO) ? null : reference)
                 .writes("-o", folder, TradeOutput.names(settings))
                 .check();
-        TradeOutput output = new TradeOutput(terminal, folder, sceneFile, options.given(), scene.name());
+        List<String> given = new ArrayList<>(options.given());
+        given.addAll(frame.given());
+        TradeOutput output = new TradeOutput(terminal, folder, sceneFile, given, scene.name());
         if (evaluate) {
             evaluate(scene, settings, output);
         } else {
@@ -162,8 +167,8 @@ final class TradeCommand extends Subcommand {
         }
         List<String> words = compared.stream().map(Method::word).toList();
         Optional<Image> given = reference.equals(AUTO) ? Optional.empty() : Optional.of(readReference(scene));
-        String frame = options.frame() == null ? "" : ", frame " + options.frame();
-        String sceneKey = sceneFile.getFileName() + ", SHA-256 " + SceneFingerprint.of(scene) + frame;
+        String ofFrame = frame.number() == null ? "" : ", frame " + frame.number();
+        String sceneKey = sceneFile.getFileName() + ", SHA-256 " + SceneFingerprint.of(scene) + ofFrame;
         try {
             double seconds = budget == null ? TradeSettings.budgetSeconds(words.size()) : budget;
             return new TradeSettings(scene.shading().model(), base, words, seconds, seeds, sweeps, given, sceneKey);

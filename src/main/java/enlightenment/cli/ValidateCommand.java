@@ -67,7 +67,7 @@ final class ValidateCommand extends Subcommand {
         List<Integer> bad = new ArrayList<>();
         for (int frame : choice.frames()) {
             try {
-                checkFrame(input, frame);
+                FrameCheck.check(input, frame);
             } catch (SceneException e) {
                 bad.add(frame);
                 List<SceneException.Problem> fresh = e.problems().stream()
@@ -85,19 +85,5 @@ final class ValidateCommand extends Subcommand {
                     + FrameChoice.ranges(bad));
         }
         return bad.isEmpty();
-    }
-
-    private static void checkFrame(SceneInput input, int frame) {
-        Scene scene = input.read(Optional.of(frame));
-        String inFrame = " (in frame " + frame + ")";
-        try {
-            Renderer.checkShapes(scene);
-        } catch (InvalidValueException e) {
-            throw SceneFailures.inFile(input.name(), new InvalidValueException(e.key(), e.problem() + inFrame));
-        } catch (SceneException e) {
-            throw new SceneException(e.problems().stream()
-                    .map(p -> new SceneException.Problem(input.name(), 0, 0, p.pointer(), p.message() + inFrame))
-                    .toList());
-        }
     }
 }

@@ -30,6 +30,15 @@ final class ViewOption {
         return exposure != null;
     }
 
+    /** As it was given; empty if it was not. */
+    String typed() {
+        return !isGiven()
+                ? ""
+                : exposure.stops().isPresent()
+                        ? DecimalNumber.plain(exposure.stops().getAsDouble())
+                        : "auto";
+    }
+
     /** Fails where the option can have no meaning. */
     void check(PictureOutput output) {
         if (isGiven() && output.writtenDepth() == 0) {

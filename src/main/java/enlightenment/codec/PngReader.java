@@ -2,10 +2,8 @@ package enlightenment.codec;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.zip.CRC32;
 
 /**
  * Reads the structure of PNG files of all kinds (W3C PNG specification, second edition): chunks, checksums, header. What is
@@ -22,7 +20,7 @@ final class PngReader {
     /** No DEFLATE stream grows by more than this when it is unpacked. */
     private static final int MAXIMUM_EXPANSION = 1032;
 
-    private final ByteBuffer file;
+    private final PngChunks chunks;
     private final List<ByteBuffer> data = new ArrayList<>();
 
     int width;
@@ -34,7 +32,7 @@ final class PngReader {
     int[] palette;
 
     private PngReader(byte[] file) {
-        this.file = ByteBuffer.wrap(file);
+        chunks = new PngChunks(file);
     }
 
     /** Decodes a whole file, signature included. */
@@ -67,11 +65,10 @@ final class PngReader {
     }
 
     private void readChunks() throws IOException {
-        file.position(8);
         String type = "";
         for (boolean first = true; !type.equals("IEND"); first = false) {
-            ByteBuffer content = nextChunk();
-            type = typeBefore(content);
+            ByteBuffer content = chunks.next();
+            type = chunks.type();
             if (first != type.equals("IHDR")) {
                 throw new IOException(first ? "its header is missing" : "it has two headers");
             }
@@ -94,30 +91,6 @@ final class PngReader {
             }
         }
         checkComplete();
-    }
-
-    /** The content of the next chunk, after its checksum has been compared. */
-    private ByteBuffer nextChunk() throws IOException {
-        if (file.remaining() < 12) {
-            throw new IOException("it ends too early");
-        }
-        int length = file.getInt();
-        int start = file.position();
-        if (length < 0 || length > file.remaining() - 8) {
-            throw new IOException("it ends too early");
-        }
-        CRC32 crc = new CRC32();
-        crc.update(file.array(), start, length + 4);
-        file.position(start + 4 + length);
-        ByteBuffer content = file.duplicate().position(start + 4).limit(start + 4 + length);
-        if (file.getInt() != (int) crc.getValue()) {
-            throw new IOException("it is damaged: a checksum does not match in chunk \"" + typeBefore(content) + "\"");
-        }
-        return content;
-    }
-
-    private static String typeBefore(ByteBuffer content) {
-        return new String(content.array(), content.position() - 4, 4, StandardCharsets.ISO_8859_1);
     }
 
     private void readHeader(ByteBuffer content) throws IOException {

@@ -4,9 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.Map;
-import java.util.zip.CRC32;
 
 /**
  * Writes PNG files (W3C PNG specification, second edition): RGB with 8 or 16 bits, an sRGB chunk, comments. The bytes
@@ -15,7 +13,7 @@ import java.util.zip.CRC32;
 public final class PngWriter {
     static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-    private final DataOutputStream out;
+    private final PngChunkWriter out;
 
     private final int width;
     private final int height;
@@ -28,7 +26,7 @@ public final class PngWriter {
      * @param depth bits per component: 8 or 16
      */
     public PngWriter(OutputStream out, int width, int height, int depth) {
-        this.out = new DataOutputStream(out);
+        this.out = new PngChunkWriter(out);
         this.width = width;
         this.height = height;
         this.depth = depth;
@@ -41,14 +39,14 @@ public final class PngWriter {
      * @param text comments by their keywords, both as the specification allows them (11.3.4)
      */
     public void write(Components picture, Map<String, String> text) throws IOException {
-        out.write(SIGNATURE);
-        chunk("IHDR", header());
-        chunk("sRGB", new byte[] {0}); // rendering intent: perceptual
+        out.signature();
+        out.chunk("IHDR", header());
+        out.chunk("sRGB", new byte[] {0}); // rendering intent: perceptual
         for (Map.Entry<String, String> entry : text.entrySet()) {
-            text(entry.getKey(), entry.getValue());
+            out.text(entry.getKey(), entry.getValue());
         }
         pixels(picture);
-        chunk("IEND", new byte[0]);
+        out.chunk("IEND", new byte[0]);
         out.flush();
     }
 
@@ -63,20 +61,6 @@ public final class PngWriter {
         data.writeByte(0); // filters: one of five per row
         data.writeByte(0); // not interlaced
         return bytes.toByteArray();
-    }
-
-    private void text(String keyword, String text) throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        bytes.writeBytes(keyword.getBytes(StandardCharsets.ISO_8859_1));
-        bytes.write(0);
-        if (text.chars().allMatch(c -> c < 256)) {
-            bytes.writeBytes(text.getBytes(StandardCharsets.ISO_8859_1));
-            chunk("tEXt", bytes.toByteArray());
-        } else {
-            bytes.writeBytes(new byte[4]); // not compressed (two bytes), no language, no translated keyword
-            bytes.writeBytes(text.getBytes(StandardCharsets.UTF_8));
-            chunk("iTXt", bytes.toByteArray());
-        }
     }
 
     private void pixels(Components picture) throws IOException {
@@ -127,21 +111,6 @@ public final class PngWriter {
         return scaled >= maximum ? maximum : scaled > 0 ? (int) scaled : 0;
     }
 
-    private void chunk(String type, byte[] data) throws IOException {
-        chunk(type, data, 0, data.length);
-    }
-
-    private void chunk(String type, byte[] data, int from, int length) throws IOException {
-        byte[] name = type.getBytes(StandardCharsets.US_ASCII);
-        CRC32 crc = new CRC32();
-        crc.update(name);
-        crc.update(data, from, length);
-        out.writeInt(length);
-        out.write(name);
-        out.write(data, from, length);
-        out.writeInt((int) crc.getValue());
-    }
-
     /** Makes one IDAT chunk of each array that is written. */
     private final class DataChunks extends OutputStream {
         @Override
@@ -151,7 +120,7 @@ public final class PngWriter {
 
         @Override
         public void write(byte[] data, int from, int length) throws IOException {
-            chunk("IDAT", data, from, length);
+            out.chunk("IDAT", data, from, length);
         }
     }
 }

@@ -75,7 +75,8 @@ public final class PhysicalScene {
     private final int[] lightOfFace;
 
     PhysicalScene(PhysicalShading shading, SceneFrame frame, CompiledPrimitives compiled, List<PhysicalLight> points) {
-        Rgb background = shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
+        around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
         backgroundG = background.g();
         backgroundB = background.b();
@@ -111,7 +112,6 @@ public final class PhysicalScene {
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        around = shading.medium().map(m -> around(m, frame)).orElse(null);
         hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
@@ -128,6 +128,18 @@ public final class PhysicalScene {
         caustics = CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
+    }
+
+    /** What is left of the surroundings behind a medium that has no end: what it takes nothing of. */
+    private static Rgb seen(Rgb background, SurfaceMaterial around) {
+        if (around == null) {
+            return background;
+        }
+        Rgb lost = around.medium.extinction();
+        return new Rgb(
+                lost.r() > 0 ? 0 : background.r(),
+                lost.g() > 0 ? 0 : background.g(),
+                lost.b() > 0 ? 0 : background.b());
     }
 
     private static SurfaceMaterial around(Medium medium, SceneFrame frame) {

@@ -22,11 +22,9 @@ import enlightenment.scene.Method;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
 import enlightenment.texture.ImageTexture;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
@@ -50,7 +48,7 @@ public final class SceneCompiler {
 
     /** The scene, ready for rendering at the size of the settings. */
     public static CompiledScene compile(Scene scene, RenderSettings settings) {
-        return compile(scene, settings, path -> null);
+        return compile(scene, settings, new SceneImages());
     }
 
     /**
@@ -59,7 +57,16 @@ public final class SceneCompiler {
      * @param files returns the content of an image file, or null if it must be read from the disk
      */
     public static CompiledScene compile(Scene scene, RenderSettings settings, Function<Path, byte[]> files) {
-        return compile(scene, settings, LOOP_LIMIT, files, Primitives::placeAll);
+        return compile(scene, settings, new SceneImages(files));
+    }
+
+    /**
+     * As {@link #compile(Scene, RenderSettings)}, with image files that scenes before may have needed too.
+     *
+     * @param images is asked for them
+     */
+    public static CompiledScene compile(Scene scene, RenderSettings settings, SceneImages images) {
+        return compile(scene, settings, LOOP_LIMIT, images, Primitives::placeAll);
     }
 
     /** Places camera, lights and shapes in the frame and discards them: throws where {@link #compile} would, textures aside. */
@@ -72,11 +79,11 @@ public final class SceneCompiler {
 
     /** As {@link #compile(Scene, RenderSettings)}, with or without a hierarchy: the picture is the same. */
     static CompiledScene compile(Scene scene, RenderSettings settings, boolean withBvh) {
-        return compile(scene, settings, withBvh ? -1 : Integer.MAX_VALUE, path -> null, Primitives::placeAll);
+        return compile(scene, settings, withBvh ? -1 : Integer.MAX_VALUE, new SceneImages(), Primitives::placeAll);
     }
 
     /**
-     * As {@link #compile(Scene, RenderSettings, Function)}.
+     * As {@link #compile(Scene, RenderSettings, SceneImages)}.
      *
      * @param loopLimit with more primitives or objects than this there is a hierarchy
      * @param placement what shapes become
@@ -85,7 +92,7 @@ public final class SceneCompiler {
             Scene scene,
             RenderSettings settings,
             int loopLimit,
-            Function<Path, byte[]> files,
+            SceneImages images,
             CompiledPrimitives.Placement placement) {
         Method.requireSupport(settings.method(), scene);
         SceneFrame frame = frameOf(scene);
@@ -95,7 +102,7 @@ public final class SceneCompiler {
         for (int i = 0; i < lights.length; i++) {
             lights[i] = new CompiledLight(scene.lights().get(i), frame);
         }
-        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, physical ? frame : null, files);
+        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, physical ? frame : null, images);
         GlowingObjects glowing = physical ? new GlowingObjects(scene, frame) : null;
         if (physical) {
             surfaces.putAll(glowing.surfaces);
@@ -168,17 +175,15 @@ public final class SceneCompiler {
     }
 
     /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
-    private static Map<Material, SurfaceMaterial> surfaces(
-            Scene scene, SceneFrame physical, Function<Path, byte[]> files) {
-        Map<Texture, ImageTexture> images = new IdentityHashMap<>();
+    private static Map<Material, SurfaceMaterial> surfaces(Scene scene, SceneFrame physical, SceneImages images) {
         Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
         Dyes dyes = new Dyes(scene);
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
-                addSurface(o.material(), physical, dyes, surfaces, images, files);
+                addSurface(o.material(), physical, dyes, surfaces, images);
             }
             for (Material m : o.faces()) {
-                addSurface(m, physical, dyes, surfaces, images, files);
+                addSurface(m, physical, dyes, surfaces, images);
             }
         }
         return surfaces;
@@ -186,40 +191,13 @@ public final class SceneCompiler {
 
     /** @param physical the frame if the shading is physical, else null */
     private static void addSurface(
-            Material m,
-            SceneFrame physical,
-            Dyes dyes,
-            Map<Material, SurfaceMaterial> surfaces,
-            Map<Texture, ImageTexture> images,
-            Function<Path, byte[]> files) {
+            Material m, SceneFrame physical, Dyes dyes, Map<Material, SurfaceMaterial> surfaces, SceneImages images) {
         if (surfaces.containsKey(m)) {
             return;
         }
-        ImageTexture image = null;
-        if (m.color() instanceof Texture.File file) {
-            image = images.get(file);
-            if (image == null) {
-                image = load(file, files.apply(file.file()));
-                image = physical == null ? image : image.decoded();
-                images.put(file, image);
-            }
-        }
+        ImageTexture image = m.color() instanceof Texture.File file ? images.of(file, physical != null) : null;
         PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
         surfaces.put(m, new SurfaceMaterial(m, image, surface));
-    }
-
-    private static ImageTexture load(Texture.File texture, byte[] content) {
-        try {
-            if (content != null) {
-                return ImageTexture.of(content, texture.encoding() == Texture.Encoding.LINEAR);
-            }
-            return texture.encoding() == Texture.Encoding.LINEAR
-                    ? ImageTexture.readLinear(texture.file())
-                    : ImageTexture.read(texture.file());
-        } catch (IOException e) {
-            throw new SceneException(List.of(new SceneException.Problem(
-                    texture.file().toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));
-        }
     }
 
     /** Which features are modelled, and which are not because nothing requires them. */

@@ -3,6 +3,7 @@ package enlightenment.render;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.compiled.SceneHints;
+import enlightenment.compiled.SceneImages;
 import enlightenment.image.Image;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
@@ -100,6 +101,11 @@ public final class Renderer {
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
     public static RenderResult render(RenderRequest request) {
+        return render(request, new SceneImages());
+    }
+
+    /** The same with image files that renders before may have needed too. */
+    static RenderResult render(RenderRequest request, SceneImages files) {
         Stopwatch time = Stopwatch.started();
         RenderSettings settings = request.settings();
         int images = (request.progressive() ? 1 : 0)
@@ -110,7 +116,7 @@ public final class Renderer {
         PictureMemory.check(settings, images);
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         Phases phases = new Phases();
-        CompiledScene scene = phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings));
+        CompiledScene scene = phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings, files));
         AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.auxiliary());
         if (request.auxiliary().stream().anyMatch(Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(cancelled));

@@ -99,7 +99,7 @@ public enum BuiltInMethod implements Method {
     @Override
     public boolean canRender(LightFeature feature) {
         return switch (feature) {
-            case SCATTERING -> this == RAYTRACE || this == CLUSTER || this == METROPOLIS;
+            case SCATTERING -> this != BIDIRECTIONAL;
             case FLUORESCENCE -> true;
             // No method follows single wavelengths yet.
             case DISPERSION -> false;

@@ -5,6 +5,7 @@ import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.HomogeneousMedium;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
@@ -63,6 +64,14 @@ abstract class LightWalker extends LightPathTracer {
     /** How many surfaces it passed straight. */
     private int pieces;
 
+    /** How the path flies through media that scatter light; null if there are none, or if light scattered there is found by others. */
+    private final FreeFlight flight;
+
+    private final WalkEnd end = new WalkEnd();
+
+    /** The medium that scatters the path. */
+    private HomogeneousMedium medium;
+
     /** Whether only light counts that mirrors or smooth glass send to a surface first: the rest is found by others. */
     private final boolean onlyCaustics;
 
@@ -97,6 +106,7 @@ abstract class LightWalker extends LightPathTracer {
         this.onlyCaustics = onlyCaustics;
         physical = scene.physical;
         ofUltraviolet = physical.visibleOfUltraviolet;
+        flight = physical.hasScattering && !onlyCaustics ? new FreeFlight() : null;
     }
 
     @Override
@@ -114,6 +124,7 @@ abstract class LightWalker extends LightPathTracer {
         pieces = 0;
         counts = !onlyCaustics;
         path.beginAtLight(ray, source.media());
+        end.begin();
         while (step()) {
             events++;
         }
@@ -153,14 +164,18 @@ abstract class LightWalker extends LightPathTracer {
      * long to be compiled again into its caller.
      */
     private boolean step() {
-        SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
-        PathFollower.Event event = path.next(ray);
+        SurfaceMaterial in = physical.hasAbsorption ? path.medium() : null;
+        medium = flight == null || in == null ? null : in.medium;
+        PathFollower.Event event = medium == null ? path.next(ray) : fly();
         if (event == PathFollower.Event.NOTHING || !path.mayScatter()) {
             return false;
         }
-        if (medium != null && medium.absorbs) {
+        if (event == null) {
+            return inMedium();
+        }
+        if (medium == null && in != null && in.absorbs) {
             Arrays.fill(surface, 1);
-            medium.absorb(path.distance(ray), surface);
+            in.absorb(path.distance(ray), surface);
             filter(surface[0], surface[1], surface[2]);
         }
         boolean isGlass = event == PathFollower.Event.GLASS;
@@ -193,8 +208,43 @@ abstract class LightWalker extends LightPathTracer {
         return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
     }
 
+    /** Follows the ray to what it meets next; null if the medium that it is in scatters it first: then the path is there. */
+    private PathFollower.Event fly() {
+        double invisible = ofUltraviolet * ultraviolet;
+        end.depart(carried());
+        flight.draw(medium, red, green, blue + invisible, unit(6), unit(7));
+        PathFollower.Event event = path.next(ray, flight.length);
+        boolean isNothing = event == PathFollower.Event.NOTHING;
+        if (isNothing && flight.isEndless()) {
+            return event;
+        }
+        if (isNothing) {
+            flight.scatter();
+            path.stopAt(ray, flight.length, border);
+            event = null;
+        } else {
+            flight.pass(path.distance(ray));
+        }
+        filter(flight.weightR, flight.weightG, flight.weightB);
+        return event;
+    }
+
+    /** Where a medium scatters the path. */
+    private boolean inMedium() {
+        connect(medium.phase, border, null);
+        medium.phase.sample(border, unit(1), unit(2), 0);
+        ray.set(path.hit.px, path.hit.py, path.hit.pz, border.ix, border.iy, border.iz, 0);
+        double survival = end.survival(carried(), path.hit.px, path.hit.py, path.hit.pz, isSafe());
+        return survives(survival) && path.goesOn();
+    }
+
+    /** What counts of the path's light, summed over bands. */
+    private double carried() {
+        return Math.abs(red) + Math.abs(green) + Math.abs(blue) + ofUltraviolet * Math.abs(ultraviolet);
+    }
+
     /**
-     * Adds what the eye sees of the path's light at the surface that it is at.
+     * Adds what the eye sees of the path's light at the surface, or at the point of a medium, that it is at.
      *
      * @param tint of what passes, at a rough border; null elsewhere
      */
@@ -235,7 +285,17 @@ abstract class LightWalker extends LightPathTracer {
             return false;
         }
         counts = true;
-        return filterAndSurvive(surface[0], surface[1], surface[2]) && path.goesOn();
+        return crosses() && path.goesOn();
+    }
+
+    /** Multiplies by the weight of an event at a border, and plays roulette. */
+    private boolean crosses() {
+        if (flight == null) {
+            return filterAndSurvive(surface[0], surface[1], surface[2]);
+        }
+        filter(surface[0], surface[1], surface[2]);
+        double survival = end.survivalAtBorder(surface[0], surface[1], surface[2]);
+        return isSafe() || survives(survival);
     }
 
     private void connectAtBorder() {
@@ -292,14 +352,16 @@ abstract class LightWalker extends LightPathTracer {
     /** Multiplies by the weight of an event, and plays roulette by it as {@link PathValue} does. */
     private boolean filterAndSurvive(double r, double g, double b) {
         filter(r, g, b);
-        double most = most();
-        if (events + 1 < PathValue.ROULETTE_FROM && most >= faint) {
-            return true;
-        }
-        if (!(most > 0)) {
-            return false;
-        }
-        double survival = PathValue.survival(r, g, b);
+        return isSafe() || most() > 0 && survives(PathValue.survival(r, g, b));
+    }
+
+    /** Whether nothing asks for an end of the path. */
+    private boolean isSafe() {
+        return events + 1 < PathValue.ROULETTE_FROM && most() >= faint;
+    }
+
+    /** Plays roulette with a probability of survival. */
+    private boolean survives(double survival) {
         if (!(unit(4) < survival)) {
             return false;
         }

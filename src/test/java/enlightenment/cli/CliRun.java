@@ -35,7 +35,8 @@ record CliRun(int code, String out, String err) {
 
     /** On a busy machine a render takes long enough to tell of its progress: no test wants that unless it says so. */
     static String[] quiet(String... args) {
-        boolean tells = args.length > 1 && Set.of("render", "server", "trade").contains(args[0]);
+        boolean tells = args.length > 1
+                && Set.of("render", "animate", "server", "trade").contains(args[0]);
         if (!tells || List.of(args).contains("--progress")) {
             return args;
         }

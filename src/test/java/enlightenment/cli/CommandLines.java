@@ -13,6 +13,8 @@ import java.util.Map;
 /** Command lines of all commands that write files, for tests that put their files into each other's places. */
 enum CommandLines {
     RENDER(List.of("SCENE", "texture"), "-o", "--report", "--aov", "--dump-clusters", "--dump-chains"),
+    /** The files of frames are those of {@link AnimateCommandTest}. */
+    ANIMATE(List.of("SCENE", "texture", "--ffmpeg"), "--video"),
     RENDER_PART(List.of("SCENE", "texture"), "-o"),
     CONVERT(List.of("IN.nff"), "OUT.json"),
     COMPARE(List.of("A", "B"), "--heatmap"),
@@ -61,6 +63,7 @@ enum CommandLines {
             case "-o" -> this == RENDER_PART ? ".film" : ".png";
             case "--aov" -> ".depth.png";
             case "--heatmap" -> ".png";
+            case "--video" -> ".gif";
             case "--dump-clusters", "--dump-chains", "OUT.json" -> ".json";
             default -> "";
         };
@@ -102,7 +105,8 @@ enum CommandLines {
                   "textures": { "used": { "file": "TEXTURE" }, "never used": { "file": "TEXTURE" } },
                   "materials": { "white": { "type": "matte", "color": { "texture": "used" } } },
                   "lights": [ { "type": "sphere", "center": [2, 3, -2], "radius": 0.5, "color": "#ffffff" } ],
-                  "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white" } ]
+                  "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white" } ],
+                  "animation": { "frames": 1, "framesPerSecond": 25, "tracks": [] }
                 }
                 """
                 .replace("TEXTURE", texture);
@@ -125,7 +129,7 @@ enum CommandLines {
                         args.addAll(List.of(input, files.get(input)));
                     }
                 }
-                case "--reference" -> args.addAll(List.of(input, files.get(input)));
+                case "--reference", "--ffmpeg" -> args.addAll(List.of(input, files.get(input)));
                 default -> args.add(files.get(input));
             }
         }
@@ -137,6 +141,9 @@ enum CommandLines {
             if (file != null) {
                 add(args, output, file);
             }
+        }
+        if (this == ANIMATE) {
+            args.addAll(List.of("-o", folder.resolve("frames/%04d.png")));
         }
         if (this == RENDER_PART) {
             args.addAll(List.of("--part", "1/2"));

@@ -1,0 +1,63 @@
+package enlightenment.compiled;
+
+import enlightenment.material.Texture;
+import enlightenment.scene.SceneException;
+import enlightenment.texture.ImageTexture;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+
+/**
+ * The image files of scenes, each read once, for as long as this is kept: what the frames of a film have in common. A file that changes
+ * meanwhile is not read again.
+ */
+public final class SceneImages {
+    private final Function<Path, byte[]> files;
+    private final Map<Key, ImageTexture> images = new HashMap<>();
+
+    private record Key(Path file, Texture.Encoding encoding, boolean isPhysical) {}
+
+    /** Reads the files from the disk. */
+    public SceneImages() {
+        this(path -> null);
+    }
+
+    /** @param files returns the content of an image file, or null if it must be read from the disk */
+    public SceneImages(Function<Path, byte[]> files) {
+        this.files = files;
+    }
+
+    /**
+     * The picture in a file.
+     *
+     * @param isPhysical whether its texels become light
+     * @throws SceneException if the file cannot be used
+     */
+    synchronized ImageTexture of(Texture.File texture, boolean isPhysical) {
+        Key key = new Key(texture.file(), texture.encoding(), isPhysical);
+        ImageTexture image = images.get(key);
+        if (image == null) {
+            ImageTexture loaded = load(texture, files.apply(texture.file()));
+            image = isPhysical ? loaded.decoded() : loaded;
+            images.put(key, image);
+        }
+        return image;
+    }
+
+    private static ImageTexture load(Texture.File texture, byte[] content) {
+        try {
+            if (content != null) {
+                return ImageTexture.of(content, texture.encoding() == Texture.Encoding.LINEAR);
+            }
+            return texture.encoding() == Texture.Encoding.LINEAR
+                    ? ImageTexture.readLinear(texture.file())
+                    : ImageTexture.read(texture.file());
+        } catch (IOException e) {
+            throw new SceneException(List.of(new SceneException.Problem(
+                    texture.file().toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));
+        }
+    }
+}

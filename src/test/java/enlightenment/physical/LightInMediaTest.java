@@ -1,0 +1,155 @@
+package enlightenment.physical;
+
+import static enlightenment.physical.PhysicalScenes.at;
+import static enlightenment.physical.PhysicalScenes.ball;
+import static enlightenment.physical.PhysicalScenes.matte;
+import static enlightenment.physical.PhysicalScenes.panel;
+import static enlightenment.physical.PhysicalScenes.room;
+import static enlightenment.physical.PhysicalScenes.sphereLight;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Box;
+import enlightenment.image.Image;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Medium;
+import enlightenment.render.Renderer;
+import enlightenment.render.Welch;
+import enlightenment.scene.Background;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Light that media scatter, from the lights and from the eye: one picture. */
+class LightInMediaTest {
+    private static final int SEEDS = 12;
+    private static final int PARTS = 12;
+    private static final Map<String, SceneBuilder> SCENES = scenes();
+
+    private static Medium medium(double r, double g, double b, double absorbed, double anisotropy) {
+        return new Medium.Coefficients(new Rgb(r, g, b), Rgb.gray(absorbed), anisotropy);
+    }
+
+    private static SceneBuilder lit() {
+        return room().light(sphereLight(0.2, 1.5, -0.1, 0.3, 6));
+    }
+
+    private static PhysicalShading fog(Medium medium, OptionalInt bounces) {
+        return new PhysicalShading(bounces, Background.Constant.BLACK, Optional.of(medium));
+    }
+
+    private static Map<String, SceneBuilder> scenes() {
+        Map<String, SceneBuilder> all = new LinkedHashMap<>();
+        all.put("wax", lit().object(ball(-0.1, 0.6, -0.3, 0.5), Material.Scattering.of(medium(6, 5, 3, 0.3, 0.3))));
+        all.put(
+                "grey cloud that throws light back",
+                lit().object(ball(-0.1, 0.6, -0.3, 0.5), Material.Scattering.of(medium(4, 4, 4, 0, -0.5))));
+        all.put(
+                "lamp in a cloud",
+                room().light(sphereLight(0.1, 0.9, -0.2, 0.15, 12))
+                        .object(ball(0.1, 0.9, -0.2, 0.6), Material.Scattering.of(medium(1, 3, 5, 0.1, 0.6))));
+        all.put(
+                "fog with a panel",
+                room().light(panel(-0.4, 1.8, 0.2, 0.3, new Rgb(5, 10, 15), false))
+                        .object(ball(-0.35, 0.45, -0.1, 0.42), matte(0.8, 0.5, 0.3))
+                        .shading(fog(medium(0.3, 0.2, 0.1, 0.05, 0.7), OptionalInt.empty())));
+        all.put(
+                "fog by a point, twice scattered at most",
+                room().light(new Light.Point(at(0.1, 1.5, -0.4), Rgb.WHITE, Emission.intensity(new Rgb(5, 4, 2))))
+                        .shading(fog(medium(0.5, 0.5, 0.5, 0, 0), OptionalInt.of(2))));
+        all.put(
+                "cloud within another, under a pane's worth of air",
+                lit().object(
+                                new Box(at(-0.8, 0.1, -0.7), at(0.8, 1.3, 0.4)),
+                                Material.Scattering.of(medium(1, 1, 2, 0.2, 0)))
+                        .object(ball(0.1, 0.7, -0.2, 0.3), new Material.Scattering(medium(9, 6, 3, 0.5, 0.2), 1, 0, 1))
+                        .object(
+                                ball(-0.4, 0.7, -0.4, 0.2),
+                                new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1, 1, 2, true)));
+        return all;
+    }
+
+    static Stream<String> names() {
+        return SCENES.keySet().stream();
+    }
+
+    private static RenderSettings by(BuiltInMethod method, Scene scene) {
+        return RenderSettings.of(scene).withMethod(method).withAntialias(4);
+    }
+
+    /** Welch's test of the quarters at 1 % for all of them and all scenes together. */
+    @ParameterizedTest
+    @MethodSource("names")
+    void pathsFromTheLightsMakeThePictureOfPathsFromTheEye(String name) {
+        Scene scene = SCENES.get(name).build();
+        RenderSettings settings = by(BuiltInMethod.LIGHT, scene);
+        List<Image> light = Rendered.seeds(scene, settings, 1, SEEDS);
+        List<Image> eye = Rendered.seeds(scene, by(BuiltInMethod.RAYTRACE, scene), 1, SEEDS);
+        double level = Welch.sidak(0.01, PARTS * SCENES.size());
+        for (int k = 0; k < PARTS; k++) {
+            int x = k / 3 % 2 * 8;
+            int y = k / 6 * 8;
+            double[] a = Rendered.means(light, x, y, x + 8, y + 8, k % 3);
+            double[] b = Rendered.means(eye, x, y, x + 8, y + 8, k % 3);
+            String what = "part " + k + ": " + Statistics.of(a) + " and " + Statistics.of(b);
+            assertTrue(Welch.of(a, b).probability() >= level, what);
+            assertTrue(Statistics.of(a).error() < 0.2 * Statistics.of(a).mean(), what);
+        }
+    }
+
+    /** A medium that absorbs nothing is not seen where as much light comes from everywhere: paths bring what they take away. */
+    @ParameterizedTest
+    @MethodSource("anisotropies")
+    void aCloudIsNotSeenInAFurnace(double anisotropy) {
+        Scene empty = Scene.builder()
+                .size(16, 16)
+                .camera(room().build().camera())
+                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.gray(0.5)))
+                .object(ball(0, 0.9, -2, 0.5), Material.Scattering.of(medium(8, 4, 2, 0, anisotropy)))
+                .build();
+        List<Image> pictures = Rendered.seeds(empty, by(BuiltInMethod.LIGHT, empty), 1, SEEDS);
+        for (int band = 0; band < 3; band++) {
+            Statistics s = Statistics.of(Rendered.means(pictures, 0, 0, 16, 16, band));
+            assertTrue(Math.abs(s.mean() - 0.5) <= 5 * s.error() + 1e-6, s::toString);
+            assertTrue(s.error() < 0.03, s::toString);
+        }
+    }
+
+    static Stream<Double> anisotropies() {
+        return Stream.of(-0.7, 0.0, 0.6);
+    }
+
+    /** Nothing of the surroundings comes through a fog that has no end, however thin it is and whoever looks for it. */
+    @ParameterizedTest
+    @MethodSource("methods")
+    void theSurroundingsAreNotSeenThroughFog(BuiltInMethod method) {
+        Scene scene = Scene.builder()
+                .size(4, 4)
+                .camera(room().build().camera())
+                .shading(new PhysicalShading(
+                        OptionalInt.empty(),
+                        new Background.Constant(Rgb.gray(0.5)),
+                        Optional.of(medium(0, 0, 0, 1e-9, 0))))
+                .object(ball(0.1, 0.9, -0.2, 0.6), matte(0.5, 0.5, 0.5))
+                .build();
+        assertArrayEquals(
+                new float[3 * 4 * 4], Renderer.render(scene, by(method, scene)).toArray());
+    }
+
+    static Stream<BuiltInMethod> methods() {
+        return Stream.of(BuiltInMethod.RAYTRACE, BuiltInMethod.LIGHT);
+    }
+}

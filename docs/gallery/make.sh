@@ -13,6 +13,7 @@ run cone cone --size 400x200
 run cube cube --size 212x300
 run cornell-box cornell-box --size 300x300 --samples 128
 run caustics caustics --size 400x267 --samples 256
+run fluorescent-poster fluorescent-poster --size 400x200 --samples 256
 for scene in metals glass-physical lamp-room fire-and-ice-physical; do
     run "$scene" "$scene" --size 400x200 --samples 128
 done

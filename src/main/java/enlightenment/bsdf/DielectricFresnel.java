@@ -5,7 +5,7 @@ package enlightenment.bsdf;
  * refraction, (ηc)² − c'² = η² − 1 exactly, so r_s = (η² − 1)/(ηc + c')²; and r_p = −r_s·cos(θ + θ')/cos(θ − θ'). They are 0 where η is 1 and
  * keep their digits next to it.
  */
-final class DielectricFresnel {
+public final class DielectricFresnel {
     private DielectricFresnel() {}
 
     /**
@@ -14,9 +14,33 @@ final class DielectricFresnel {
      * @param c the cosine of arrival, 0..1
      * @param eta the index on the side of arrival over that of the other side
      */
-    static double reflectance(double c, double eta) {
+    public static double reflectance(double c, double eta) {
         double s = perpendicular(c, eta);
         return s < 1 ? 0.5 * (s + s * parallelRatio(c, eta)) : 1;
+    }
+
+    /**
+     * No more than the share that is reflected for any index of a range, and close to the least of it: of each polarisation by itself the least
+     * is at an end of the range, unless there is Brewster's angle or the border vanishes between.
+     *
+     * @param c the cosine of arrival, 0..1
+     * @param first one end of the range of relative indices
+     * @param last the other
+     */
+    public static double leastReflectance(double c, double first, double last) {
+        if ((first - 1) * (last - 1) <= 0) {
+            return 0;
+        }
+        double s = Math.min(perpendicular(c, first), perpendicular(c, last));
+        double sine = Math.sqrt(Math.max((1 - c) * (1 + c), 0));
+        boolean vanishes = (first * sine - c) * (last * sine - c) <= 0;
+        double p = vanishes ? 0 : Math.min(parallel(c, first), parallel(c, last));
+        return 0.5 * (s + p);
+    }
+
+    private static double parallel(double c, double eta) {
+        double s = perpendicular(c, eta);
+        return s < 1 ? s * parallelRatio(c, eta) : 1;
     }
 
     /**

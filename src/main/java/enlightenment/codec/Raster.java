@@ -64,6 +64,18 @@ public record Raster(int width, int height, int[] packed, char[] deep, float[] f
         }
     }
 
+    /**
+     * Keeps a few bytes that claim to be a large picture from taking memory for it.
+     *
+     * @throws IOException if no compression makes so few bytes of so many pixels: one byte of a thousand of them, as DEFLATE's limit is
+     */
+    static void checkPlausible(int width, int height, long bytes) throws IOException {
+        checkSize(width, height);
+        if ((long) width * height > 65_536 + 1024 * bytes) {
+            throw new IOException(bytes + " bytes are too few for " + width + " x " + height + " pixels");
+        }
+    }
+
     /** Makes the array for the pixels; an IOException that names the size if there is no room. */
     public static <T> T allocate(int width, int height, int bytesPerPixel, Supplier<T> array) throws IOException {
         checkSize(width, height);

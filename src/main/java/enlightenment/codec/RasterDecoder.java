@@ -49,6 +49,28 @@ public enum RasterDecoder {
         public Raster read(byte[] file) throws IOException {
             return PfmFormat.read(file);
         }
+    },
+    HDR {
+        @Override
+        public boolean matches(byte[] start) {
+            return HdrReader.matches(start);
+        }
+
+        @Override
+        public Raster read(byte[] file) throws IOException {
+            return HdrReader.read(file);
+        }
+    },
+    EXR {
+        @Override
+        public boolean matches(byte[] start) {
+            return ExrReader.matches(start);
+        }
+
+        @Override
+        public Raster read(byte[] file) throws IOException {
+            return ExrReader.read(file);
+        }
     };
 
     /** The longest start that {@link #matches} looks at, in bytes. */

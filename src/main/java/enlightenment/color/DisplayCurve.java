@@ -78,6 +78,10 @@ public final class DisplayCurve {
         if (encoding == Encoding.DISPLAY) {
             return value;
         }
+        if (value < 0) {
+            // Of a colour that no screen has.
+            return 0;
+        }
         double light = toned(value * factor);
         return light >= 1 ? 1 : light <= 0 ? 0 : TransferCurve.encode(light);
     }

@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.math.Vec3;
+import enlightenment.surroundings.Sun;
 import java.util.Arrays;
 
 /**
@@ -15,6 +16,8 @@ public final class CausticPass {
     private static final int MOST_THINGS = 32;
 
     private static final int MOST_PAIRS = 1 << 20;
+
+    private static final int[] NO_MEDIA = {};
 
     /** Of flat lights that a thing is seen from at an angle, the least cosine that is reckoned with. */
     private static final double LEAST_COSINE = 0.05;
@@ -42,15 +45,27 @@ public final class CausticPass {
     private final double[] cumulative;
 
     private final double ofUltraviolet;
+    /** The disk of the sun, the light after the last; null if there is none. */
+    public final Sun sun;
+
+    /** Centre and radius of a ball around all surfaces, which the sun's light goes through. */
+    public final Vec3 center;
+
+    public final double radius;
+
     private double brightest;
     private final boolean[] isBeam;
     private final boolean[] shinesBothWays;
     private final int[][] media;
 
     private CausticPass(
-            PhysicalLight[] lights, double ofUltraviolet, SpecularThings balls, CompiledPrimitives compiled) {
+            PhysicalLight[] lights, Sun sun, double ofUltraviolet, SpecularThings balls, CompiledPrimitives compiled) {
         this.lights = lights;
+        this.sun = sun;
         this.ofUltraviolet = ofUltraviolet;
+        SceneBall around = SceneBall.around(compiled.primitives());
+        center = around.center();
+        radius = around.radius();
         things = balls.count();
         ballX = balls.x;
         ballY = balls.y;
@@ -60,13 +75,21 @@ public final class CausticPass {
         for (PhysicalLight light : lights) {
             brightest = Math.max(brightest, brightness(light));
         }
+        if (sun != null) {
+            brightest = Math.max(brightest, sun.max());
+        }
         isBeam = new boolean[n];
         shinesBothWays = new boolean[n];
         media = new int[n][];
-        probability = new double[n * things];
-        cumulative = new double[n * things];
+        int pairs = (sun == null ? n : n + 1) * things;
+        probability = new double[pairs];
+        cumulative = new double[pairs];
         for (int l = 0; l < n; l++) {
             prepare(l, compiled);
+        }
+        for (int s = 0; sun != null && s < things && brightest > 0; s++) {
+            probability[n * things + s] =
+                    sun.max() / brightest * sun.solidAngle * Math.PI * ballRadius[s] * ballRadius[s];
         }
         double sum = 0;
         for (int pair = 0; pair < probability.length; pair++) {
@@ -85,16 +108,18 @@ public final class CausticPass {
      *
      * @param ofUltraviolet how much of ultraviolet light is seen
      */
-    static CausticPass of(PhysicalLight[] lights, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
-        if (lights.length == 0 || maxBounces < LEAST_BOUNCES) {
+    static CausticPass of(
+            PhysicalLight[] lights, Sun sun, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
+        int n = sun == null ? lights.length : lights.length + 1;
+        if (n == 0 || maxBounces < LEAST_BOUNCES) {
             return null;
         }
-        int most = Math.max(Math.min(MOST_THINGS, MOST_PAIRS / lights.length), 1);
+        int most = Math.max(Math.min(MOST_THINGS, MOST_PAIRS / n), 1);
         SpecularThings balls = SpecularThings.of(compiled, most);
         if (balls.count() == 0) {
             return null;
         }
-        CausticPass pass = new CausticPass(lights, ofUltraviolet, balls, compiled);
+        CausticPass pass = new CausticPass(lights, sun, ofUltraviolet, balls, compiled);
         return pass.cumulative[pass.cumulative.length - 1] > 0 ? pass : null;
     }
 
@@ -185,6 +210,6 @@ public final class CausticPass {
 
     /** The solids of glass that points of a light may lie in. */
     public int[] mediaAround(int light) {
-        return media[light];
+        return light == lights.length ? NO_MEDIA : media[light];
     }
 }

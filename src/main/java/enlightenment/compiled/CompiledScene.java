@@ -11,6 +11,7 @@ import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
+import enlightenment.surroundings.Surroundings;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -106,6 +107,7 @@ public final class CompiledScene {
             Shading shading,
             CompiledLight[] lights,
             List<PhysicalLight> points,
+            Surroundings surroundings,
             CompiledPrimitives compiled,
             Accelerator accelerator,
             List<String> features,
@@ -116,7 +118,9 @@ public final class CompiledScene {
         this.camera = camera;
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
-        physical = shading instanceof PhysicalShading p ? new PhysicalScene(p, frame, compiled, points) : null;
+        physical = shading instanceof PhysicalShading p
+                ? new PhysicalScene(p, frame, surroundings, compiled, points)
+                : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
         this.materials = compiled.materials();

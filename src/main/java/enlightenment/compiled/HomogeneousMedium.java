@@ -92,6 +92,11 @@ public final class HomogeneousMedium {
         return isotropic / (isotropic + (1 - g) * (1 - isotropic));
     }
 
+    /** Whether it scatters any light; if it only absorbs, what is left of a straight way says all. */
+    boolean scatters() {
+        return scatteringR > 0 || scatteringG > 0 || scatteringB > 0;
+    }
+
     /** How much is lost on a straight way, by band: scattered or absorbed. */
     Rgb extinction() {
         return new Rgb(extinctionR, extinctionG, extinctionB);

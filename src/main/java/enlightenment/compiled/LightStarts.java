@@ -2,12 +2,10 @@ package enlightenment.compiled;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
-import enlightenment.numeric.Scale;
-import enlightenment.primitive.Primitive;
 import java.util.Arrays;
 
 /**
- * Where the light of a scene comes from, for paths that begin there: its lights, and its constant surroundings as a last one that shines
+ * Where the light of a scene comes from, for paths that begin there: its lights, and its surroundings as a last one that shines
  * through a ball around all surfaces. One of them is chosen in proportion to the power that it gives. Immutable.
  */
 public final class LightStarts {
@@ -49,9 +47,9 @@ public final class LightStarts {
         lights = scene.physical.lights;
         int n = lights.length;
         background = n;
-        Bounds box = box(scene.primitives);
-        center = box == null ? Vec3.ZERO : box.center();
-        radius = box == null ? 0 : box.extent().length() / 2 * (1 + Scale.gamma(8));
+        SceneBall ball = SceneBall.around(scene.primitives);
+        center = ball.center();
+        radius = ball.radius();
         media = new int[n][];
         shinesBothWays = new boolean[n];
         probability = new double[n + 1];
@@ -79,15 +77,11 @@ public final class LightStarts {
         }
     }
 
-    private static Bounds box(Primitive[] primitives) {
-        Bounds box = null;
-        for (Primitive p : primitives) {
-            box = box == null ? p.bounds() : box.union(p.bounds());
-        }
-        return box;
-    }
-
+    /** The mean of all directions. */
     private double background() {
+        if (scene.physical.surroundings != null) {
+            return scene.physical.surroundings.power() / (12 * Math.PI);
+        }
         return mean(scene.physical.backgroundR, scene.physical.backgroundG, scene.physical.backgroundB);
     }
 
@@ -173,7 +167,7 @@ public final class LightStarts {
     }
 
     /**
-     * The density, per solid angle, of the direction in which paths leave a point of a light.
+     * The density, per solid angle, of the direction in which paths leave a point of a light; of surroundings only if they are constant.
      *
      * @param cosine between that and the normal on the side that it leaves to; has no influence where there is none
      */

@@ -30,9 +30,13 @@ final class PhysicalFeatures {
                 "multiple importance sampling of lights and directions",
                 "multiple importance sampling (direct light has closed forms)");
         addCaustics(scene.hasCausticPass(), mirrors);
-        add(hasBackground, "constant surroundings", "surroundings");
+        boolean isPlain = scene.surroundings == null;
+        String around = isPlain ? "constant surroundings" : "surroundings, sampled by what comes from each direction";
+        add(hasBackground || !isPlain, around, "surroundings");
+        add(!isPlain && scene.surroundings.sun != null, "the sun's disk, sampled", "the sun's disk");
         add(any(surfaces, m -> !m.isGlass && m.isDelta), "mirrors", "mirrors");
         add(any(surfaces, m -> m.isGlass), "refraction by Fresnel's equations, nested media", "refraction");
+        add(scene.hasDispersion, "dispersion of glass", "dispersion of glass");
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");
         add(scene.hasUltraviolet, "ultraviolet light", "ultraviolet light");
         add(scene.hasAbsorption, "absorption in media", "absorption in media");

@@ -105,6 +105,14 @@ public final class PhysicalLight extends LightBody {
                         || !lyingOn().isEmpty() && lyingOn().has(otherId, otherFace));
     }
 
+    /**
+     * Whether a primitive is the ball that the light is. From inside every direction meets it, and none is sampled; but rounding puts half of
+     * the vertices that lie on it outside, from where light of its other side would seem to come through the near one.
+     */
+    public boolean isBallOf(int otherId) {
+        return isBall && id == otherId;
+    }
+
     /** Luminance of radiance or intensity. */
     double luminance() {
         return 0.2126 * r + 0.7152 * g + 0.0722 * b;

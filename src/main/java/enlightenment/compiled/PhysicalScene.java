@@ -10,6 +10,8 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
+import enlightenment.surroundings.Sun;
+import enlightenment.surroundings.Surroundings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -29,6 +31,9 @@ public final class PhysicalScene {
 
     public final double backgroundG;
     public final double backgroundB;
+
+    /** Light from infinity that is not the same from everywhere: then that which is the same is 0; else null. */
+    public final Surroundings surroundings;
 
     /** The most scattering events of a path. */
     public final int maxBounces;
@@ -50,6 +55,9 @@ public final class PhysicalScene {
 
     /** Whether borders of media may be rough. */
     public final boolean hasRoughGlass;
+
+    /** Whether indices of refraction depend on the wavelength. */
+    public final boolean hasDispersion;
 
     /** Whether a share of some glass is opaque. */
     public final boolean hasPartialGlass;
@@ -74,7 +82,13 @@ public final class PhysicalScene {
 
     private final int[] lightOfFace;
 
-    PhysicalScene(PhysicalShading shading, SceneFrame frame, CompiledPrimitives compiled, List<PhysicalLight> points) {
+    PhysicalScene(
+            PhysicalShading shading,
+            SceneFrame frame,
+            Surroundings surroundings,
+            CompiledPrimitives compiled,
+            List<PhysicalLight> points) {
+        this.surroundings = surroundings;
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
@@ -111,8 +125,11 @@ public final class PhysicalScene {
             }
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
+        hasDispersion = Arrays.stream(compiled.glassSolids())
+                .anyMatch(id -> compiled.materials().of(id, 0).dispersion != 0);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
+        hasScattering =
+                around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
@@ -125,7 +142,8 @@ public final class PhysicalScene {
         lightsLieInGlass = hasScattering
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
-        caustics = CausticPass.of(lights, visibleOfUltraviolet, compiled, maxBounces);
+        Sun sun = surroundings == null ? null : surroundings.sun;
+        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }
@@ -135,11 +153,9 @@ public final class PhysicalScene {
         if (around == null) {
             return background;
         }
-        Rgb lost = around.medium.extinction();
-        return new Rgb(
-                lost.r() > 0 ? 0 : background.r(),
-                lost.g() > 0 ? 0 : background.g(),
-                lost.b() > 0 ? 0 : background.b());
+        double[] left = {background.r(), background.g(), background.b()};
+        around.absorb(Double.MAX_VALUE, left);
+        return new Rgb(left[0], left[1], left[2]);
     }
 
     private static SurfaceMaterial around(Medium medium, SceneFrame frame) {

@@ -12,6 +12,7 @@ import enlightenment.bsdf.SmoothConductor;
 import enlightenment.bsdf.SmoothDielectric;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.bsdf.ThinDielectric;
+import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
@@ -25,6 +26,7 @@ import enlightenment.numeric.Scale;
  * @param glow the radiance that it emits
  * @param glowsInside whether it emits from the inside as well
  * @param absorption how much of light a solid of it takes away on a straight way, per unit of length of the frame
+ * @param dispersion how much its index of refraction grows with the place of the wavelength
  * @param ultraviolet the radiance of ultraviolet that it emits
  * @param reradiation what a dye in it does; null if there is none
  * @param medium what fills a solid of it if that scatters light; else null
@@ -36,16 +38,19 @@ record PhysicalSurface(
         Rgb glow,
         boolean glowsInside,
         Rgb absorption,
+        double dispersion,
         double ultraviolet,
         Reradiation reradiation,
         HomogeneousMedium medium,
         String look) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE = new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, null, null, "");
+    static final PhysicalSurface NONE =
+            new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, 0, null, null, "");
 
     static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes) {
         Rgb absorption = Rgb.BLACK;
         ThinDielectric pane = null;
+        double dispersion = 0;
         Reradiation reradiation = null;
         HomogeneousMedium medium = null;
         String look = text(material.radiance(), material.ultraviolet());
@@ -53,11 +58,17 @@ record PhysicalSurface(
             pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
+            if (glass.dispersion().isPresent()) {
+                dispersion = CauchyFormula.slope(
+                        glass.indexOfRefraction(), glass.dispersion().getAsDouble());
+                look += " " + dispersion;
+            }
         } else if (material instanceof Material.Scattering scattering) {
             pane = new ThinDielectric(scattering.indexOfRefraction());
             medium = HomogeneousMedium.of(scattering.medium(), frame);
             absorption = medium.extinction();
             look += " " + scattering.roughness() + " " + medium.look();
+            medium = medium.scatters() ? medium : null;
         } else if (material instanceof Material.Matte matte) {
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {
@@ -72,6 +83,7 @@ record PhysicalSurface(
                 material.radiance(),
                 true,
                 absorption,
+                dispersion,
                 material.ultraviolet(),
                 reradiation,
                 medium,
@@ -82,7 +94,7 @@ record PhysicalSurface(
     static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
         String look = text(radiance, ultraviolet) + " " + isTwoSided;
         return new PhysicalSurface(
-                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, ultraviolet, null, null, look);
+                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, 0, ultraviolet, null, null, look);
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */

@@ -119,6 +119,7 @@ public final class SceneCompiler {
                 scene.shading(),
                 lights,
                 physical ? glowing.points : List.of(),
+                scene.shading() instanceof PhysicalShading p ? images.around(p.background()) : null,
                 compiled,
                 accelerator,
                 features.present(),

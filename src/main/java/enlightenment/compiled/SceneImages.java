@@ -1,7 +1,9 @@
 package enlightenment.compiled;
 
 import enlightenment.material.Texture;
+import enlightenment.scene.Background;
 import enlightenment.scene.SceneException;
+import enlightenment.surroundings.Surroundings;
 import enlightenment.texture.ImageTexture;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -17,6 +19,11 @@ import java.util.function.Function;
 public final class SceneImages {
     private final Function<Path, byte[]> files;
     private final Map<Key, ImageTexture> images = new HashMap<>();
+
+    /** The last surroundings, and what they were made of. */
+    private Surroundings surroundings;
+
+    private Background background;
 
     private record Key(Path file, Texture.Encoding encoding, boolean isPhysical) {}
 
@@ -45,6 +52,19 @@ public final class SceneImages {
             images.put(key, image);
         }
         return image;
+    }
+
+    /**
+     * What a background becomes; null if the same light comes from everywhere. The last one is kept.
+     *
+     * @throws SceneException if the file of a picture cannot be used
+     */
+    synchronized Surroundings around(Background of) {
+        if (!of.equals(background)) {
+            surroundings = CompiledSurroundings.of(of, files);
+            background = of;
+        }
+        return surroundings;
     }
 
     private static ImageTexture load(Texture.File texture, byte[] content) {

@@ -28,6 +28,9 @@ public final class SurfaceMaterial {
     /** The index of refraction; 1 unless it is glass. */
     public final double indexOfRefraction;
 
+    /** How much the index grows with the place of the wavelength ({@link enlightenment.color.CauchyFormula#slope}); 0 in classic shading. */
+    public final double dispersion;
+
     /** The share of what is seen that comes through, 0..1; 0 unless it is glass. */
     public final double transparency;
 
@@ -112,6 +115,7 @@ public final class SurfaceMaterial {
             transparency = 0;
             priority = 0;
         }
+        dispersion = physical == null ? 0 : physical.dispersion();
         isDelta = bsdf.isDelta();
         isGlass = bsdf.transmits();
         Texture texture = material.color();

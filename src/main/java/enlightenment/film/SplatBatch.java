@@ -51,11 +51,12 @@ public final class SplatBatch {
     /**
      * Adds what a path contributes at a point of the picture: the integrand over the density of arriving there. That density is per area of
      * the whole picture: 1 where all its points are equally likely. So the value of a pixel is the mean over all paths of what each
-     * contributes to it, times the number of pixels of the whole picture.
+     * contributes to it, times the number of pixels of the whole picture. A band may be negative: light of a single wavelength has more
+     * colour than any screen.
      *
      * @param x columns from the left of the whole picture, with fractions; outside of the rectangle that is rendered it is dropped
      * @param y rows from above
-     * @throws ArithmeticException for a contribution that is negative, infinite or NaN, and a place that is NaN: faults of the caller
+     * @throws ArithmeticException for a contribution that is infinite or NaN, and a place that is NaN: faults of the caller
      */
     public void add(double x, double y, double r, double g, double b) {
         if (!(isFinite(r) && isFinite(g) && isFinite(b)) || Double.isNaN(x) || Double.isNaN(y)) {
@@ -77,10 +78,10 @@ public final class SplatBatch {
     }
 
     private static boolean isFinite(double contribution) {
-        return contribution >= 0 && contribution < Double.POSITIVE_INFINITY;
+        return Math.abs(contribution) < Double.POSITIVE_INFINITY;
     }
 
-    /** Whole units, to the nearest; what is beyond the range of a {@code long} is its greatest. */
+    /** Whole units, to the nearest; what is beyond the range of a {@code long} is its end on that side. */
     private long units(double contribution) {
         return (long) Math.rint(contribution * first * second);
     }

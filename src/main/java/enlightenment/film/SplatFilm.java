@@ -83,9 +83,10 @@ public final class SplatFilm {
         for (int i = 0; i < pixels.length; i++) {
             int k = 3 * pixels[i];
             int from = 3 * i;
-            // None is negative: where their sum is, it was too large.
-            if ((to[k] + sums[from] | to[k + 1] + sums[from + 1] | to[k + 2] + sums[from + 2]) < 0) {
-                return pixels[i];
+            for (int c = 0; c < 3; c++) {
+                if (SplatSums.overflows(to[k + c], sums[from + c])) {
+                    return pixels[i];
+                }
             }
         }
         return -1;
@@ -106,17 +107,15 @@ public final class SplatFilm {
      *
      * @param batch what was added for it
      * @return whether it was in; otherwise nothing has changed
-     * @throws IllegalArgumentException if this cannot have been added for it; then nothing has changed
+     * @throws IllegalArgumentException if this has more paths than were added; then nothing has changed
      */
     public synchronized boolean remove(int unit, SplatSums batch) {
         if (!units.get(unit)) {
             return false;
         }
         long[] from = sums[unit % GROUPS];
-        for (int i = 0; i < batch.sums.length; i++) {
-            if (from[3 * batch.pixels[i / 3] + i % 3] < batch.sums[i]) {
-                throw new IllegalArgumentException("unit " + unit + " never added as much");
-            }
+        if (paths[unit % GROUPS] < batch.paths) {
+            throw new IllegalArgumentException("unit " + unit + " never added as much");
         }
         for (int i = 0; i < batch.pixels.length; i++) {
             for (int c = 0; c < 3; c++) {
@@ -184,7 +183,7 @@ public final class SplatFilm {
         long high = 0;
         long low = 0;
         for (long[] group : sums) {
-            high += group[k] >>> 32;
+            high += group[k] >> 32;
             low += group[k] & 0xffffffffL;
         }
         return n == 0 ? 0 : inPicture(high * HIGH + low, n);

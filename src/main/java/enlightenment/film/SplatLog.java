@@ -35,7 +35,7 @@ final class SplatLog {
     private int[] otherPlaces = new int[LEAST];
     private final int[] counts = new int[MASK + 1];
 
-    /** A pixel whose sum was too large, or negative. */
+    /** A pixel whose sum was too large, or a negative number. */
     private int overflow;
 
     /** @param size number of pixels */
@@ -50,7 +50,7 @@ final class SplatLog {
         overflow = -1;
     }
 
-    /** Adds to a pixel; {@code Long.MAX_VALUE} is too much. */
+    /** Adds to a pixel; {@code Long.MAX_VALUE} and {@code Long.MIN_VALUE} are too much. */
     void add(int pixel, long r, long g, long b) {
         if ((r | g | b) == 0) {
             return;
@@ -160,12 +160,12 @@ final class SplatLog {
     private void addTo(long[] toSums, int k, int from, int pixel) {
         for (int c = 0; c < 3; c++) {
             long units = logUnits[from + c];
-            long sum = toSums[k + c] + units;
-            boolean tooLarge = units == Long.MAX_VALUE || sum < 0;
+            boolean tooLarge =
+                    units == Long.MAX_VALUE || units == Long.MIN_VALUE || SplatSums.overflows(toSums[k + c], units);
             if (tooLarge && (overflow < 0 || pixel < overflow)) {
                 overflow = pixel;
             }
-            toSums[k + c] = tooLarge ? Long.MAX_VALUE : sum;
+            toSums[k + c] = tooLarge ? Long.MAX_VALUE : toSums[k + c] + units;
         }
     }
 }

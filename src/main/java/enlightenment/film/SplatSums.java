@@ -8,7 +8,7 @@ public final class SplatSums {
     /** Indices of pixels in the rectangle that is rendered, row by row, ascending. */
     final int[] pixels;
 
-    /** Units of red, green and blue ({@link SplatScale}) of each of these, not negative, not all 0. */
+    /** Units of red, green and blue ({@link SplatScale}) of each of these, not all 0. */
     final long[] sums;
 
     final long paths;
@@ -29,18 +29,25 @@ public final class SplatSums {
         return pixels.length;
     }
 
-    /** The largest of all sums; 0 if no pixel was reached. */
+    /** Whether the sum of two numbers is too large for a {@code long}. */
+    static boolean overflows(long a, long b) {
+        long sum = a + b;
+        return ((a ^ sum) & (b ^ sum)) < 0;
+    }
+
+    /** The largest magnitude of all sums; 0 if no pixel was reached. */
     public long largest() {
         long largest = 0;
         for (long sum : sums) {
-            largest = Math.max(largest, sum);
+            largest = Math.max(largest, Math.abs(sum));
         }
         return largest;
     }
 
     /**
      * As bytes: numbers of 7 bits each, the lowest first, the highest bit set where more follow (as LEB128). First the number of paths
-     * and of pixels; then for each pixel how far it is from the one before, or from −1, and its sums of red, green and blue.
+     * and of pixels; then for each pixel how far it is from the one before, or from −1, and its sums of red, green and blue: each times two,
+     * and of a negative one the magnitude of that less one.
      */
     public byte[] toBytes() {
         VarintWriter out = new VarintWriter(16 + 16 * pixels.length);
@@ -51,7 +58,8 @@ public final class SplatSums {
             out.put(pixels[i] - before);
             before = pixels[i];
             for (int c = 0; c < 3; c++) {
-                out.put(sums[3 * i + c]);
+                long sum = sums[3 * i + c];
+                out.put(sum << 1 ^ sum >> Long.SIZE - 1);
             }
         }
         return out.bytes();
@@ -100,7 +108,8 @@ public final class SplatSums {
             indices[i] = (int) index;
             long all = 0;
             for (int c = 0; c < 3; c++) {
-                sums[3 * i + c] = in.next();
+                long next = in.any();
+                sums[3 * i + c] = next >>> 1 ^ -(next & 1);
                 all |= sums[3 * i + c];
             }
             if (all == 0) {
@@ -113,7 +122,7 @@ public final class SplatSums {
         return new SplatSums(indices, sums, paths);
     }
 
-    /** Writes numbers that are not negative. */
+    /** Writes numbers without sign. */
     private static final class VarintWriter {
         private byte[] bytes;
         private int length;
@@ -123,11 +132,11 @@ public final class SplatSums {
         }
 
         void put(long v) {
-            if (length + 9 > bytes.length) {
-                bytes = Arrays.copyOf(bytes, bytes.length + bytes.length / 2 + 9);
+            if (length + 10 > bytes.length) {
+                bytes = Arrays.copyOf(bytes, bytes.length + bytes.length / 2 + 10);
             }
             long rest = v;
-            while (rest > 0x7f) {
+            while (rest >>> 7 != 0) {
                 bytes[length++] = (byte) (rest | 0x80);
                 rest >>>= 7;
             }
@@ -151,10 +160,19 @@ public final class SplatSums {
             return bytes.length - at;
         }
 
-        /** The next number, below 2^63, in as few bytes as it can have: so there is one form of everything. */
+        /** The next number, below 2^63. */
         long next() {
+            long v = any();
+            if (v < 0) {
+                throw new IllegalArgumentException("a number is too large");
+            }
+            return v;
+        }
+
+        /** The next number, below 2^64, in as few bytes as it can have: so there is one form of everything. */
+        long any() {
             long v = 0;
-            for (int shift = 0; shift < Long.SIZE - 1; shift += 7) {
+            for (int shift = 0; shift < Long.SIZE; shift += 7) {
                 if (at == bytes.length) {
                     throw new IllegalArgumentException("it ends in the middle");
                 }
@@ -163,6 +181,9 @@ public final class SplatSums {
                 if (b >= 0) {
                     if (b == 0 && shift > 0) {
                         throw new IllegalArgumentException("a number with leading zeros");
+                    }
+                    if (shift == Long.SIZE - 1 && b > 1) {
+                        break;
                     }
                     return v;
                 }

@@ -27,7 +27,13 @@ public enum ImageFormat {
     BMP(List.of("bmp"), List.of(8), false, RasterDecoder.BMP),
 
     /** P. Debevec's portable float map: every component bit by bit, for measuring and further work. */
-    PFM(List.of("pfm"), List.of(), true, RasterDecoder.PFM);
+    PFM(List.of("pfm"), List.of(), true, RasterDecoder.PFM),
+
+    /** Radiance pictures (G. Ward): three mantissas of 8 bits with a common exponent. */
+    HDR(List.of("hdr"), List.of(), false, RasterDecoder.HDR),
+
+    /** OpenEXR (Academy Software Foundation): one part of scan lines, uncompressed or RLE, ZIPS or ZIP. */
+    EXR(List.of("exr"), List.of(), false, RasterDecoder.EXR);
 
     /** The number of bytes at the beginning of a file that {@link #ofContent} needs. */
     public static final int SIGNATURE_LENGTH = RasterDecoder.SIGNATURE_LENGTH;

@@ -1,6 +1,8 @@
 package enlightenment.material;
 
 import enlightenment.check.Check;
+import enlightenment.color.BandSensitivities;
+import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import java.util.Objects;
 import java.util.Optional;
@@ -222,7 +224,7 @@ public sealed interface Material
      * @param absorption the share that is lost per scene unit inside the solid, for small shares: light decays by exp(−absorption ·
      *     length) (Beer and Lambert)
      * @param multipleScattering whether light that meets several facets of a rough surface is counted
-     * @param dispersion Abbe's number (n_d − 1) / (n_F − n_C) of the glass, greater than 0, whose n_d is the index of refraction: 60
+     * @param dispersion Abbe's number (n_d − 1) / (n_F − n_C) of the glass, greater than 0 and such that all indices are, whose n_d is the index of refraction: 60
      *     of crown glass, 36 of flint glass; the less, the more colours part (Cauchy's formula of two terms). Empty: it refracts all wavelengths alike
      */
     record Glass(
@@ -244,8 +246,20 @@ public sealed interface Material
             Check.range("roughness", roughness, 0, 1);
             Objects.requireNonNull(absorption, "absorption");
             if (dispersion.isPresent()) {
-                Check.positive("dispersion", dispersion.getAsDouble());
+                checkDispersion(indexOfRefraction, dispersion.getAsDouble());
             }
+        }
+
+        private static void checkDispersion(double index, double abbe) {
+            Check.positive("dispersion", abbe);
+            double slope = CauchyFormula.slope(index, abbe);
+            double violet = CauchyFormula.index(index, slope, CauchyFormula.place(BandSensitivities.SHORTEST));
+            double red = CauchyFormula.index(index, slope, CauchyFormula.place(BandSensitivities.LONGEST));
+            Check.that(
+                    violet > 0 && red > 0 && violet < Double.POSITIVE_INFINITY && red < Double.POSITIVE_INFINITY,
+                    "dispersion",
+                    "is too small: indices of refraction must be positive, but would be " + violet
+                            + " at the violet end and " + red + " at the red end of visible light");
         }
 
         /** Glass that refracts all wavelengths alike. */

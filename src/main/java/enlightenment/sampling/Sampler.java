@@ -29,7 +29,9 @@ public interface Sampler {
         /** {@link #ROULETTE} of a path from a light. */
         LIGHT_ROULETTE,
         /** How far a path goes in a medium that scatters light; counted by such ways, not by bounces. */
-        FLIGHT
+        FLIGHT,
+        /** The wavelength of a path, the first of a pair; at bounce 0. */
+        WAVELENGTH
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

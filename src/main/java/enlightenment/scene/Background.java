@@ -56,22 +56,26 @@ public sealed interface Background permits Background.Constant, Background.Pictu
      *
      * @param elevation of the sun above the horizon, 0..90 degrees
      * @param azimuth of the sun, in degrees
-     * @param turbidity how hazy the air is: from {@link #LEAST_TURBIDITY}, where there is none of it, to {@link #GREATEST_TURBIDITY}; 2 is
+     * @param turbidity how hazy the air is: {@link #LEAST_TURBIDITY} to {@link #GREATEST_TURBIDITY}; 2 is
      *     a very clear day, 3 a clear one, 6 a hazy one
-     * @param groundAlbedo the share of light that the ground under the sky gives back, which brightens the sky: each band at most 1
+     * @param groundAlbedo the share of light that the plain under the sky gives back, which is what is seen below the horizon: each
+     *     band at most 1
      * @param radiance what the radiance of sky and sun is multiplied by, for each band
      * @param hasSun whether the sun's disk shines; without it there is the light of the sky alone
      */
     record Sky(double elevation, double azimuth, double turbidity, Rgb groundAlbedo, Rgb radiance, boolean hasSun)
             implements Background {
-        /** Air without any haze. */
-        public static final double LEAST_TURBIDITY = 1;
+        /** Very clear air; the model makes no sense below. */
+        public static final double LEAST_TURBIDITY = 2;
 
         /** Fog, almost. */
         public static final double GREATEST_TURBIDITY = 10;
 
         /** The turbidity of a sky that says none. */
         public static final double USUAL_TURBIDITY = 3;
+
+        /** What the ground reflects under a sky that says nothing of it. */
+        public static final Rgb USUAL_GROUND = Rgb.gray(0.2);
 
         /** Validates the components, as {@link Background} states. */
         public Sky {
@@ -85,9 +89,9 @@ public sealed interface Background permits Background.Constant, Background.Pictu
             Objects.requireNonNull(radiance, "radiance");
         }
 
-        /** The sky of a clear day over dark ground, with its sun. */
+        /** The sky of a clear day, with its sun. */
         public static Sky of(double elevation, double azimuth) {
-            return new Sky(elevation, azimuth, USUAL_TURBIDITY, Rgb.BLACK, Rgb.WHITE, true);
+            return new Sky(elevation, azimuth, USUAL_TURBIDITY, USUAL_GROUND, Rgb.WHITE, true);
         }
     }
 }

@@ -101,10 +101,8 @@ public enum BuiltInMethod implements Method {
         return switch (feature) {
             case SCATTERING -> this != BIDIRECTIONAL;
             case FLUORESCENCE -> true;
-            // No method follows single wavelengths yet.
-            case DISPERSION -> false;
-            // No method knows other surroundings than constant ones yet.
-            case SURROUNDINGS -> false;
+            case DISPERSION -> true;
+            case SURROUNDINGS -> true;
         };
     }
 

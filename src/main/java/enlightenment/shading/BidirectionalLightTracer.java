@@ -81,6 +81,13 @@ final class BidirectionalLightTracer extends LightPathTracer {
         double weight = weight(Math.abs(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz));
         int vertices = light.vertices.size() + 1;
         double f = eye.importance() * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
+        PathWavelength wavelength = light.path.glass.wavelength;
+        if (wavelength != null) {
+            double common = wavelength.common(s, light.isBorder);
+            s.valueR *= wavelength.red(common);
+            s.valueG *= wavelength.green(common);
+            s.valueB *= wavelength.blue(common);
+        }
         add(
                 f * eye.through[0] * s.valueR * light.red,
                 f * eye.through[1] * s.valueG * light.green,

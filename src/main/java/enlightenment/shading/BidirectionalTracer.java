@@ -23,10 +23,21 @@ public final class BidirectionalTracer implements Shader {
 
     private final PhysicalScene physical;
     private final EyeSubpath eye;
+
+    /** Of both parts of a path; null if no glass of the scene disperses. */
+    private final PathWavelength wavelength;
+
     private final LightSubpath light;
     private final BidirectionalLights lights;
     private final SegmentRays segments;
     private final EyeImages images;
+
+    /** Light from a picture or a sky around the scene; null if there is none. */
+    private final InfiniteLight infinite;
+
+    /** The density per solid angle with which the path from the eye left its last vertex. */
+    private double pdf;
+
     private final Scattering there = new Scattering();
     private final ReverseDensity reverse = new ReverseDensity();
 
@@ -42,8 +53,10 @@ public final class BidirectionalTracer implements Shader {
         physical = scene.physical;
         LightStarts starts = scene.lightStarts(false);
         eye = new EyeSubpath(scene, counters, LIGHT_PATHS_PER_SAMPLE);
+        wavelength = eye.path.glass.wavelength;
         light = new LightSubpath(scene, starts, counters);
         lights = new BidirectionalLights(scene, starts, counters, eye);
+        infinite = InfiniteLight.of(scene, counters, eye.path);
         segments = new SegmentRays(scene, counters, eye.path);
         images = new EyeImages(scene, counters, eye.path, true);
     }
@@ -91,7 +104,7 @@ public final class BidirectionalTracer implements Shader {
         green = 0;
         blue = 0;
         followLight(sampler);
-        eye.begin(ray);
+        eye.begin(ray, sampler);
         images.begin(ray);
         if (images.gather(sampler)) {
             add(1, images.red, images.green, images.blue, 0);
@@ -116,7 +129,12 @@ public final class BidirectionalTracer implements Shader {
     private boolean step(Sampler sampler) {
         switch (eye.next(sampler)) {
             case NOTHING:
-                add(1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+                if (infinite == null) {
+                    add(common(false), 1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+                } else {
+                    infinite.arrive(eye.ray, eye.lastConnects ? pdf : 0, true);
+                    addInfinite();
+                }
                 return false;
             case PASSED:
                 return true;
@@ -137,7 +155,39 @@ public final class BidirectionalTracer implements Shader {
         } else {
             gather(sampler);
         }
-        return eye.leave(sampler);
+        return infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
+    }
+
+    /**
+     * Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). Leaves the surface, too.
+     */
+    private boolean gatherInfinite(Sampler sampler) {
+        if (!eye.bsdf.isDelta()) {
+            double[] tint = eye.isBorder ? eye.color : null;
+            infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.address, eye.isFirst);
+            addInfinite();
+        }
+        boolean goes = eye.leave(sampler);
+        pdf = eye.isBorder ? eye.path.glass.border.pdf : eye.s.pdf;
+        return goes;
+    }
+
+    private void addInfinite() {
+        add(common(false), 1, infinite.red, infinite.green, infinite.blue, 0);
+    }
+
+    /** Adds light of which all wavelengths have a share in common. */
+    private void add(double common, double factor, double r, double g, double b, double ultraviolet) {
+        if (wavelength == null) {
+            add(factor, r, g, b, ultraviolet);
+        } else {
+            add(factor, r * wavelength.red(common), g * wavelength.green(common), b * wavelength.blue(common), 0);
+        }
+    }
+
+    /** What that share is of light that comes to the path's last vertex in the direction that was evaluated there. */
+    private double common(boolean isScattered) {
+        return wavelength == null ? 1 : wavelength.common(eye.s, isScattered && eye.isBorder);
     }
 
     /** Adds light that comes to the last vertex of the path from the eye. */
@@ -168,7 +218,13 @@ public final class BidirectionalTracer implements Shader {
             // Light that is seen straight is found in this way alone.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
             weight *= images.weight();
-            add(weight, eye.glowing.glowR, eye.glowing.glowG, eye.glowing.glowB, eye.glowing.glowUltraviolet);
+            add(
+                    common(false),
+                    weight,
+                    eye.glowing.glowR,
+                    eye.glowing.glowG,
+                    eye.glowing.glowB,
+                    eye.glowing.glowUltraviolet);
         }
     }
 
@@ -176,7 +232,7 @@ public final class BidirectionalTracer implements Shader {
         int t = eye.vertices.size() + 1;
         if (lights.aim(sampler)) {
             double weight = watched(1, t, lights.weight);
-            add(weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
+            add(common(true), weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
         }
         for (int k = 0; k < light.vertices.size(); k++) {
             if (light.vertices.bsdf(k) != null
@@ -231,8 +287,9 @@ public final class BidirectionalTracer implements Shader {
         segments.begin(eye.isBorder, here < 0);
         if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
             double weight = watched(k + 2, t, weight(k, here, beyond, d2));
+            double common = wavelength == null ? 1 : common(true) * v.common(k, there);
             double[] left = segments.rgb;
-            add(weight, r * left[0], g * left[1], b * left[2], u * left[2]);
+            add(common, weight, r * left[0], g * left[1], b * left[2], u * left[2]);
         }
     }
 

@@ -6,6 +6,7 @@ import enlightenment.emitter.AreaLight;
 import enlightenment.frame.BallCone;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Warp;
+import enlightenment.surroundings.Sun;
 
 /**
  * Starts light paths that are aimed at mirrors and smooth glass. Of a pair of a light and a thing that is chosen, the direction is even
@@ -21,6 +22,7 @@ final class CausticSource extends PathSource {
 
     private final CausticPass pass;
     private final BallCone cone = new BallCone();
+    private final double[] direction = new double[3];
 
     CausticSource(CausticPass pass) {
         this.pass = pass;
@@ -37,6 +39,9 @@ final class CausticSource extends PathSource {
         int pair = pass.choose(numbers[0]);
         light = pair / pass.things;
         int thing = pair % pass.things;
+        if (light == pass.lights.length) {
+            return fromSun(thing, numbers, ray);
+        }
         PhysicalLight l = pass.lights[light];
         double weight;
         if (l.isPoint) {
@@ -51,6 +56,48 @@ final class CausticSource extends PathSource {
         blue = weight * l.b;
         ultraviolet = weight * l.ultraviolet;
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
+    }
+
+    /** A direction to the sun's disk, and a point of the disk across it that the thing's ball fills. */
+    private boolean fromSun(int thing, double[] numbers, Ray ray) {
+        Sun sun = pass.sun;
+        sun.sample(numbers[3], numbers[4], direction);
+        dx = -direction[0];
+        dy = -direction[1];
+        dz = -direction[2];
+        Warp.toDisk(numbers[1], numbers[2], disk);
+        basis.around(dx, dy, dz);
+        double a = pass.ballRadius[thing] * disk[0];
+        double b = pass.ballRadius[thing] * disk[1];
+        double x = Math.fma(a, basis.ax, Math.fma(b, basis.bx, pass.ballX[thing]));
+        double y = Math.fma(a, basis.ay, Math.fma(b, basis.by, pass.ballY[thing]));
+        double z = Math.fma(a, basis.az, Math.fma(b, basis.bz, pass.ballZ[thing]));
+        double density = 0;
+        for (int s = 0; s < pass.things; s++) {
+            if (s == thing || probability(s) > 0 && passes(s, x, y, z)) {
+                density += probability(s) / (Math.PI * pass.ballRadius[s] * pass.ballRadius[s]);
+            }
+        }
+        // From before all surfaces on.
+        double ahead =
+                pass.radius + (x - pass.center.x()) * dx + (y - pass.center.y()) * dy + (z - pass.center.z()) * dz;
+        ray.set(x - ahead * dx, y - ahead * dy, z - ahead * dz, dx, dy, dz, 0);
+        double weight = sun.solidAngle / density;
+        red = weight * sun.r;
+        green = weight * sun.g;
+        blue = weight * sun.b;
+        ultraviolet = 0;
+        return weight > 0 && weight < Double.POSITIVE_INFINITY;
+    }
+
+    /** Whether a ray through a point meets the ball of a thing. */
+    private boolean passes(int s, double x, double y, double z) {
+        double ex = x - pass.ballX[s];
+        double ey = y - pass.ballY[s];
+        double ez = z - pass.ballZ[s];
+        double along = ex * dx + ey * dy + ez * dz;
+        double r = pass.ballRadius[s];
+        return ex * ex + ey * ey + ez * ez - along * along <= r * r;
     }
 
     private double fromPoint(PhysicalLight l, int thing, double[] numbers, Ray ray) {

@@ -38,13 +38,13 @@ final class EyeSubpath extends Subpath {
         path.tracer.leaveVisibilityOpen();
     }
 
-    /** Begins with a camera ray. */
-    void begin(Ray camera) {
+    /** Begins with a camera ray, and the wavelength that a part from a light has by the same sampler. */
+    void begin(Ray camera, Sampler sampler) {
         begin(1, 1, 1, 1);
         mixes = false;
         dye = null;
         ray.set(camera.ox, camera.oy, camera.oz, camera.dx, camera.dy, camera.dz, camera.tMin);
-        path.begin(ray);
+        path.begin(ray, sampler);
         firstIndex = path.glass.indexOfRefraction();
         compression = 1;
     }

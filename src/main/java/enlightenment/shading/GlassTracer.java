@@ -60,6 +60,8 @@ final class GlassTracer {
 
     private double v;
 
+    final PathWavelength wavelength;
+
     /** Whether panes reflect: in physical shading. */
     private final boolean panesReflect;
 
@@ -67,19 +69,15 @@ final class GlassTracer {
         panesReflect = scene.physical != null;
         this.scene = scene;
         this.counters = counters;
-        inside = new MediumStack(scene);
-        saved = new MediumStack(scene);
-        beyond = new MediumStack(scene);
+        wavelength = panesReflect && scene.physical.hasDispersion ? new PathWavelength() : null;
+        inside = new MediumStack(scene, wavelength);
+        saved = new MediumStack(scene, wavelength);
+        beyond = new MediumStack(scene, wavelength);
         coincident = new CoincidentHits(scene);
         missed = new MissedBorders(scene, this);
     }
 
-    /** Starts a camera ray: finds the solids that it starts in. */
-    void begin(Ray ray) {
-        begin(ray, scene.cameraSolids);
-    }
-
-    /** Starts a ray that may start in some solids. */
+    /** Starts a ray that may start in some solids, and finds in which. */
     void begin(Ray ray, int[] solids) {
         next = NONE;
         inside.clear();
@@ -107,6 +105,9 @@ final class GlassTracer {
     void begin(GlassTracer other, boolean isBeyond) {
         next = NONE;
         inside.set(isBeyond ? other.beyond : other.inside);
+        if (wavelength != null) {
+            wavelength.set(other.wavelength);
+        }
     }
 
     /** The opaque surface that the ray meets at the point where it just left glass, or -1 if the ray must be traced. */
@@ -159,9 +160,9 @@ final class GlassTracer {
      * @return whether it was transmitted
      */
     boolean cross(Ray ray, Hit hit) {
-        double from = inside.indexOfRefraction();
+        double from = inside.leave();
         changeMedia();
-        double to = inside.indexOfRefraction();
+        double to = inside.enter();
         straight = boundary == NONE || from == to;
         lost = false;
         if (straight && panesReflect && isReflectedByPane(ray, hit)) {
@@ -274,11 +275,11 @@ final class GlassTracer {
      * surface directly behind such a border is left to chance.
      */
     Bsdf roughBorder(Ray ray, Hit hit, Scattering s) {
-        double from = inside.indexOfRefraction();
+        double from = inside.leave();
         changeMedia();
+        double to = inside.enter();
         beyond.set(inside);
         inside.set(saved);
-        double to = beyond.indexOfRefraction();
         if (boundary == NONE || from == to || next != NONE) {
             return null;
         }
@@ -303,6 +304,9 @@ final class GlassTracer {
         border.eta = eta;
         boolean scatters = scene.material(solid, face).bsdf.sample(border, u, v, choice);
         Optics.leave(ray, hit, border);
+        if (wavelength != null) {
+            wavelength.scattered(border, Hash.unit(Hash.mix(~Double.doubleToRawLongBits(choice))));
+        }
         return scatters;
     }
 
@@ -377,9 +381,9 @@ final class GlassTracer {
         Primitive start = ray.start;
         int startSide = ray.startSide;
         int before = inside.current();
-        double from = inside.indexOfRefraction();
+        double from = inside.leave();
         inside.cross(solid, side);
-        double to = inside.indexOfRefraction();
+        double to = inside.enter();
         if (before == inside.current() || place == null) {
             return;
         }

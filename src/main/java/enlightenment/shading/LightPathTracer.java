@@ -126,7 +126,7 @@ public abstract class LightPathTracer {
     /** Adds what it sees. */
     final void add(double r, double g, double b) {
         if (out == null) {
-            brought += (r + g + b) / 3;
+            brought += (Math.abs(r) + Math.abs(g) + Math.abs(b)) / 3;
         } else {
             out.add(eye.x() * width, eye.y() * height, r, g, b);
         }

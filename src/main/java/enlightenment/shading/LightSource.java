@@ -5,10 +5,12 @@ import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Warp;
+import enlightenment.surroundings.Sun;
+import enlightenment.surroundings.Surroundings;
 
 /**
  * Starts light paths as light is emitted: a light by its power, a point of it by area, a direction by the cosine; from the surroundings,
- * a direction evenly and a point of the disk across it that the ball around the scene fills. So all paths bring about the same power.
+ * a direction, evenly or by what comes from there, and a point of the disk across it that the ball around the scene fills. So all paths bring about the same power.
  * The densities of what was chosen are told, for whoever weighs paths against others.
  */
 final class LightSource extends PathSource {
@@ -27,6 +29,8 @@ final class LightSource extends PathSource {
     /** The cosine at the light, on the side that the path leaves it to; 1 where it has no surface. */
     double cosine;
 
+    private final double[] direction = new double[3];
+    private final double[] radiance = new double[3];
     private boolean isInside;
 
     /** @param starts of the same scene */
@@ -65,8 +69,14 @@ final class LightSource extends PathSource {
         pointDensity = starts.pointDensity(light);
         cosine = 1;
         if (isBackground()) {
-            fromBackground(numbers, ray);
-            weigh(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+            if (physical.surroundings == null) {
+                toSphere(numbers);
+                across(numbers, ray);
+                weigh(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+            } else {
+                fromSurroundings(physical.surroundings, numbers);
+                across(numbers, ray);
+            }
         } else {
             PhysicalLight l = starts.lights[light];
             if (l.isPoint) {
@@ -81,6 +91,10 @@ final class LightSource extends PathSource {
 
     private void weigh(double r, double g, double b, double u) {
         directionDensity = starts.directionDensity(light, cosine);
+        weighEvenly(r, g, b, u);
+    }
+
+    private void weighEvenly(double r, double g, double b, double u) {
         double weight = cosine / (probability * pointDensity * directionDensity);
         red = weight * r;
         green = weight * g;
@@ -101,8 +115,26 @@ final class LightSource extends PathSource {
         direct(0, 0, 1, disk[0] * spread, disk[1] * spread, 1 - 2 * disk[2]);
     }
 
-    private void fromBackground(double[] numbers, Ray ray) {
-        toSphere(numbers);
+    /** From the sun or from the rest, by the power of each; and what it weighs. */
+    private void fromSurroundings(Surroundings around, double[] numbers) {
+        double ofSun = around.sunShare();
+        if (numbers[1] < ofSun) {
+            Sun sun = around.sun;
+            sun.sample(numbers[4], numbers[5], direction);
+            directionDensity = ofSun * sun.density();
+            weighEvenly(sun.r, sun.g, sun.b, 0);
+        } else {
+            directionDensity = (1 - ofSun) * around.sample(numbers[4], numbers[5], direction);
+            around.radiance(direction[0], direction[1], direction[2], radiance);
+            weighEvenly(radiance[0], radiance[1], radiance[2], 0);
+        }
+        dx = -direction[0];
+        dy = -direction[1];
+        dz = -direction[2];
+    }
+
+    /** Through the disk across the direction that the ball around the scene fills. */
+    private void across(double[] numbers, Ray ray) {
         Warp.toDisk(numbers[2], numbers[3], disk);
         basis.around(dx, dy, dz);
         double r = starts.radius;

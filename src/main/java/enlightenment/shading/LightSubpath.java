@@ -50,6 +50,7 @@ final class LightSubpath extends Subpath {
         startX = ray.ox;
         startY = ray.oy;
         startZ = ray.oz;
+        path.drawWavelength(sampler);
         path.beginAtLight(ray, source.media());
         return true;
     }

@@ -25,6 +25,7 @@ abstract class LightWalker extends LightPathTracer {
     final PathSource source;
     final Ray ray = new Ray();
 
+    private final PathWavelength wavelength;
     private final long seed;
     private final double[] numbers = new double[PathSource.NUMBERS];
 
@@ -105,6 +106,7 @@ abstract class LightWalker extends LightPathTracer {
         this.source = source;
         this.onlyCaustics = onlyCaustics;
         physical = scene.physical;
+        wavelength = path.glass.wavelength;
         ofUltraviolet = physical.visibleOfUltraviolet;
         flight = physical.hasScattering && !onlyCaustics ? new FreeFlight() : null;
     }
@@ -153,6 +155,10 @@ abstract class LightWalker extends LightPathTracer {
             numbers[k] = Sobol.x(index, seeds[k]);
             numbers[k + 1] = Sobol.y(index, seeds[k]);
         }
+        if (wavelength != null) {
+            long sequence = Hash.of(Hash.of(seed, -1 - era), -1);
+            wavelength.begin(Sobol.x(Sobol.shuffled((int) number, Hash.mix(sequence)), sequence));
+        }
     }
 
     private double unit(long purpose) {
@@ -164,6 +170,9 @@ abstract class LightWalker extends LightPathTracer {
      * long to be compiled again into its caller.
      */
     private boolean step() {
+        if (wavelength != null && wavelength.takesEffect()) {
+            filter(wavelength.red, wavelength.green, wavelength.blue);
+        }
         SurfaceMaterial in = physical.hasAbsorption ? path.medium() : null;
         medium = flight == null || in == null ? null : in.medium;
         PathFollower.Event event = medium == null ? path.next(ray) : fly();
@@ -250,6 +259,9 @@ abstract class LightWalker extends LightPathTracer {
      */
     private void connect(Bsdf bsdf, Scattering s, double[] tint) {
         if (isSeen(bsdf, s, tint)) {
+            if (tint != null && wavelength != null) {
+                wavelength.color(s);
+            }
             double importance = eye.importance();
             add(
                     red * s.valueR * importance * eye.through[0],
@@ -317,7 +329,8 @@ abstract class LightWalker extends LightPathTracer {
 
     /** What counts of the path's light. */
     private double most() {
-        double most = Math.max(red, Math.max(green, blue));
+        // Bands of a single wavelength may be negative.
+        double most = Math.max(Math.abs(red), Math.max(Math.abs(green), Math.abs(blue)));
         return ofUltraviolet > 0 ? Math.max(most, ofUltraviolet * ultraviolet) : most;
     }
 

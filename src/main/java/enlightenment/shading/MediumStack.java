@@ -1,6 +1,7 @@
 package enlightenment.shading;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
@@ -13,8 +14,12 @@ final class MediumStack {
     private int[] ids = new int[4];
     private int size;
 
-    MediumStack(CompiledScene scene) {
+    /** What indices of refraction depend on; null if there is no such thing. */
+    private final PathWavelength wavelength;
+
+    MediumStack(CompiledScene scene, PathWavelength wavelength) {
         this.scene = scene;
+        this.wavelength = wavelength;
     }
 
     /** Copies another stack. */
@@ -88,6 +93,32 @@ final class MediumStack {
     /** The index of refraction of the medium; 1 in empty space. */
     double indexOfRefraction() {
         int id = current();
-        return id < 0 ? 1 : scene.material(id, 0).indexOfRefraction;
+        if (id < 0) {
+            return 1;
+        }
+        SurfaceMaterial material = scene.material(id, 0);
+        return wavelength == null ? material.indexOfRefraction : wavelength.index(material);
+    }
+
+    /** The same before a border, of which the wavelength is told. */
+    double leave() {
+        if (wavelength != null) {
+            wavelength.leave(material());
+        }
+        return indexOfRefraction();
+    }
+
+    /** The same behind it. */
+    double enter() {
+        if (wavelength != null) {
+            wavelength.enter(material());
+        }
+        return indexOfRefraction();
+    }
+
+    /** The material of the medium; null in empty space. */
+    private SurfaceMaterial material() {
+        int id = current();
+        return id < 0 ? null : scene.material(id, 0);
     }
 }

@@ -12,6 +12,7 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
 import enlightenment.sampling.Hash;
+import enlightenment.sampling.Sampler;
 
 /**
  * Follows a path from event to event, through surfaces and media: says what comes next, and lets whoever shades decide what that is
@@ -88,10 +89,23 @@ final class PathFollower {
         poll = new Poll();
     }
 
+    /** Draws the wavelength of a path that begins next, where it matters. */
+    void drawWavelength(Sampler sampler) {
+        if (glass.wavelength != null) {
+            glass.wavelength.begin(sampler);
+        }
+    }
+
+    /** Starts a path of physical shading with a camera ray. */
+    void begin(Ray ray, Sampler sampler) {
+        drawWavelength(sampler);
+        begin(ray);
+    }
+
     /** Starts a path with a camera ray. */
     void begin(Ray ray) {
         counters.cameraRays++;
-        glass.begin(ray);
+        glass.begin(ray, scene.cameraSolids);
         begin(0);
     }
 

@@ -51,6 +51,9 @@ final class PathLight {
     private double ny;
     private double nz;
 
+    /** The id of its primitive; -1 in a medium. */
+    private int vertexId;
+
     /** Whether it is Lambertian. */
     private boolean isMatte;
 
@@ -85,7 +88,11 @@ final class PathLight {
     /** Whether a random number has a part in what the last light gave. */
     private boolean isByChance;
 
+    /** Light from a picture or a sky around the scene; null if there is none. */
+    private final InfiniteLight infinite;
+
     PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
+        infinite = InfiniteLight.of(scene, counters, path);
         physical = scene.physical;
         hasUltraviolet = physical.hasUltraviolet;
         lights = physical.lights;
@@ -100,6 +107,7 @@ final class PathLight {
         isMatte = matte;
         tookAll = lights.length <= 1 || isFirst && lights.length <= ALL_AT_FIRST;
         double facing = hit.side;
+        vertexId = path.id;
         x = hit.px;
         y = hit.py;
         z = hit.pz;
@@ -137,11 +145,40 @@ final class PathLight {
         } else if (choose(sampler, address)) {
             addMatte(choice.light, choice.probability, sampler, address);
         }
+        if (infinite != null) {
+            infinite.gatherMatte(sampler, address, isFirst);
+            addInfinite();
+        }
+    }
+
+    private void addInfinite() {
+        red += infinite.red;
+        green += infinite.green;
+        blue += infinite.blue;
+    }
+
+    /**
+     * Sets the light to what comes from where the path leads to, beyond everything.
+     *
+     * @param hasGathered whether light was gathered at the last vertex
+     * @param countsSun whether the sun's disk counts if it was not
+     */
+    void escape(Ray ray, boolean hasGathered, boolean countsSun) {
+        if (infinite == null) {
+            red = physical.backgroundR;
+            green = physical.backgroundG;
+            blue = physical.backgroundB;
+        } else {
+            infinite.arrive(ray, hasGathered ? pdf : 0, countsSun);
+            red = infinite.red;
+            green = infinite.green;
+            blue = infinite.blue;
+        }
     }
 
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face)) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -264,7 +301,7 @@ final class PathLight {
     /** Gathers the light at the surface that the path is at, whatever its lobes. */
     void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
         begin(false, isFirst);
-        gather(bsdf, s, sampler, address);
+        gatherAll(bsdf, s, sampler, address, isFirst);
     }
 
     /**
@@ -278,11 +315,11 @@ final class PathLight {
         ny = 0;
         nz = 0;
         through = tint;
-        gather(bsdf, s, sampler, address);
+        gatherAll(bsdf, s, sampler, address, isFirst);
         through = null;
     }
 
-    private void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address) {
+    private void gatherAll(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
         if (tookAll) {
             for (int i = 0; i < lights.length; i++) {
                 add(bsdf, s, i, 1, sampler, address);
@@ -290,11 +327,15 @@ final class PathLight {
         } else if (choose(sampler, address)) {
             add(bsdf, s, choice.light, choice.probability, sampler, address);
         }
+        if (infinite != null) {
+            infinite.gather(bsdf, s, through, sampler, address, isFirst);
+            addInfinite();
+        }
     }
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face)) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -321,6 +362,9 @@ final class PathLight {
         }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double f = (l.isPoint ? 1 : PowerHeuristic.weight(s.pdf, probability * density)) / (probability * density);
+            if (through != null && path.glass.wavelength != null) {
+                path.glass.wavelength.color(s);
+            }
             add(l, f * s.valueR, f * s.valueG, f * s.valueB);
         }
     }
@@ -332,6 +376,9 @@ final class PathLight {
             return 1;
         }
         PhysicalLight l = lights[index];
+        if (l.isBallOf(vertexId)) {
+            return 1;
+        }
         view.aim(l, x, y, z);
         if (isMatte && isClosed(l)) {
             return 0;

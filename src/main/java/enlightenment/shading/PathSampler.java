@@ -5,8 +5,8 @@ import enlightenment.sampling.Sampler;
 import enlightenment.sampling.Sobol;
 
 /**
- * The numbers of paths that are counted through, and belong to no pixel. Where and in which direction they begin comes from sequences that
- * fill their squares evenly, all else from a hash.
+ * The numbers of paths that are counted through, and belong to no pixel. Where, in which direction and with which wavelength they begin
+ * comes from sequences that fill their squares evenly, all else from a hash.
  */
 final class PathSampler implements Sampler {
     /** Keeps the numbers of these paths apart from all others. */
@@ -34,8 +34,8 @@ final class PathSampler implements Sampler {
 
     @Override
     public void pair(int bounce, Purpose purpose, double[] out) {
-        if (purpose == Purpose.EMISSION) {
-            long s = Hash.of(sequence, bounce);
+        if (purpose == Purpose.EMISSION || purpose == Purpose.WAVELENGTH) {
+            long s = Hash.of(sequence, purpose == Purpose.EMISSION ? bounce : -1 - bounce);
             int at = Sobol.shuffled(index, Hash.mix(s));
             out[0] = Sobol.x(at, s);
             out[1] = Sobol.y(at, s);

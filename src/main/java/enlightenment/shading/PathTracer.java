@@ -23,7 +23,6 @@ public final class PathTracer implements Shader {
     private final PathFollower path;
     private final PathLight light;
     private final EyeImages images;
-    private final boolean absorbs;
     private final boolean hasCausticPass;
 
     /** What finds caustics that are seen in mirrors; null if nothing does. */
@@ -74,7 +73,7 @@ public final class PathTracer implements Shader {
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
         connections = new PathConnections(path.tracer);
-        absorbs = physical.hasAbsorption;
+        value.wavelength = isAlbedo ? null : path.glass.wavelength;
         hasCausticPass = leavesOut;
         walk = RandomWalk.of(physical, path, value, isAlbedo);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
@@ -109,7 +108,7 @@ public final class PathTracer implements Shader {
      * @param ray the camera ray, within the tile; the path overwrites it
      */
     public void glimpse(Ray ray, Sampler sampler) {
-        begin(ray);
+        begin(ray, sampler);
         while (step(ray, sampler) && value.certain) {
             history.events++;
         }
@@ -146,18 +145,18 @@ public final class PathTracer implements Shader {
     }
 
     private void follow(Ray ray, Sampler sampler) {
-        begin(ray);
+        begin(ray, sampler);
         images.gather(sampler, value);
         while (step(ray, sampler)) {
             history.events++;
         }
     }
 
-    private void begin(Ray ray) {
+    private void begin(Ray ray, Sampler sampler) {
         history.begin();
         address = 0;
         forgetMirrors();
-        path.begin(ray);
+        path.begin(ray, sampler);
         value.begin(path.glass.indexOfRefraction());
         images.begin(ray);
     }
@@ -170,15 +169,17 @@ public final class PathTracer implements Shader {
 
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
-        SurfaceMaterial medium = absorbs ? path.medium() : null;
+        value.disperse();
+        SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, sampler);
         if (event == null) {
             return inMedium(ray, sampler);
         }
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
-                value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
-                value.addCertain(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+                light.escape(ray, history.gathered, !(hasCausticPass && history.scatteredFirst));
+                value.add(light.red, light.green, light.blue);
+                value.addCertain(light.red, light.green, light.blue, 0);
             }
             return false;
         }

@@ -20,6 +20,9 @@ final class PathValue {
     /** Paths of a closed white room must end, too. */
     static final double LARGEST_SURVIVAL = 0.99;
 
+    /** The wavelength of the path; null if none matters. */
+    PathWavelength wavelength;
+
     /** What was gathered. */
     double red;
 
@@ -281,11 +284,23 @@ final class PathValue {
         throughputB *= b;
     }
 
+    /** Takes note of it where the path's wavelength has become the only one. */
+    void disperse() {
+        if (wavelength != null && wavelength.takesEffect()) {
+            filter(wavelength.red, wavelength.green, wavelength.blue);
+        }
+    }
+
     /** The same by Beer and Lambert's law, on the way to what the path has come to. */
     void absorb(SurfaceMaterial medium, double length) {
         Arrays.fill(transmittance, 1);
         medium.absorb(length, transmittance);
         filter(transmittance[0], transmittance[1], transmittance[2]);
+    }
+
+    /** How much is left of the throughput, in the band that has the most; bands of a single wavelength may be negative. */
+    private double left() {
+        return Math.max(Math.abs(throughputR), Math.max(Math.abs(throughputG), Math.abs(throughputB)));
     }
 
     /** The throughput, summed over the bands. */
@@ -295,7 +310,7 @@ final class PathValue {
 
     /** Whether a path that has had so many events goes on without roulette. */
     boolean isSafe(int events) {
-        return events < ROULETTE_FROM && Math.max(throughputR, Math.max(throughputG, throughputB)) >= FAINT;
+        return events < ROULETTE_FROM && left() >= FAINT;
     }
 
     /**
@@ -305,7 +320,7 @@ final class PathValue {
      * @param event the number of that event, counted from 0
      */
     boolean survives(double r, double g, double b, Sampler sampler, int event) {
-        if (!(Math.max(throughputR, Math.max(throughputG, throughputB)) > 0)) {
+        if (!(left() > 0)) {
             return false;
         }
         return survives(survival(r, g, b), sampler, event);

@@ -37,6 +37,7 @@ public final class SeenLight implements Shader {
     public SeenLight(CompiledScene scene, RayCounters counters) {
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
+        value.wavelength = path.glass.wavelength;
         images = new EyeImages(scene, counters, path, true);
     }
 
@@ -60,7 +61,7 @@ public final class SeenLight implements Shader {
     public void shade(Ray ray, Sampler sampler, double[] out) {
         address = 0;
         events = 0;
-        path.begin(ray);
+        path.begin(ray, sampler);
         value.begin(path.glass.indexOfRefraction());
         images.begin(ray);
         images.gather(sampler, value);
@@ -72,10 +73,17 @@ public final class SeenLight implements Shader {
 
     /** Follows the ray to the next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
+        value.disperse();
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = path.next(ray);
         if (event == PathFollower.Event.NOTHING) {
-            value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            if (physical.surroundings == null) {
+                value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            } else {
+                double scale = 1 / Math.sqrt(ray.dd);
+                physical.surroundings.all(scale * ray.dx, scale * ray.dy, scale * ray.dz, surface);
+                value.add(surface[0], surface[1], surface[2]);
+            }
             return false;
         }
         if (medium != null && medium.absorbs) {

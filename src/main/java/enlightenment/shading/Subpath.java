@@ -227,6 +227,9 @@ abstract class Subpath {
         } else {
             vertices.add(at, path.id, bsdf, s, color, path.bounces(), densities, survival);
             vertices.power(red, green, blue, ultraviolet);
+            if (path.glass.wavelength != null) {
+                vertices.wavelength(path.glass.wavelength, isBorder);
+            }
         }
     }
 

@@ -53,6 +53,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.image")
             .layer("picture")
             .definedBy("enlightenment.picture")
+            .layer("surroundings")
+            .definedBy("enlightenment.surroundings")
             .layer("video")
             .definedBy("enlightenment.video")
             .layer("texture")
@@ -164,11 +166,23 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers(
-                    "bsdf", "emitter", "scene", "compiled", "shading", "method", "plan", "render", "net", "cli")
+                    "bsdf",
+                    "emitter",
+                    "surroundings",
+                    "scene",
+                    "compiled",
+                    "shading",
+                    "method",
+                    "plan",
+                    "render",
+                    "net",
+                    "cli")
             .whereLayer("text")
             .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
             .whereLayer("codec")
-            .mayOnlyBeAccessedByLayers("image", "picture", "texture", "video")
+            .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
+            .whereLayer("surroundings")
+            .mayOnlyBeAccessedByLayers("compiled", "shading")
             .whereLayer("picture")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "cli")
             .whereLayer("texture")

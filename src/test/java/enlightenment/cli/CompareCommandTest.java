@@ -200,7 +200,7 @@ class CompareCommandTest {
         Path empty = Files.write(folder.resolve("empty.png"), new byte[0]);
         wrong("cannot read " + empty + ": it is empty", "compare", empty, b);
         Path text = Files.writeString(folder.resolve("text.png"), "a picture");
-        wrong("cannot read " + text + ": it is neither PNG, JPEG, BMP nor PFM", "compare", text, b);
+        wrong("cannot read " + text + ": it is neither PNG, JPEG, BMP, PFM, HDR nor EXR", "compare", text, b);
     }
 
     @ParameterizedTest

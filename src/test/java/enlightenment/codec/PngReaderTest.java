@@ -239,7 +239,8 @@ class PngReaderTest {
     void otherFilesAreRefusedByNameAndReason() throws IOException {
         assertEquals("it is empty", refusal(new byte[0]));
         assertEquals(
-                "it is neither PNG, JPEG, BMP nor PFM", refusal("GIF89a......".getBytes(StandardCharsets.US_ASCII)));
+                "it is neither PNG, JPEG, BMP, PFM, HDR nor EXR",
+                refusal("GIF89a......".getBytes(StandardCharsets.US_ASCII)));
         Path missing = folder.resolve("missing.png");
         assertEquals(
                 "cannot read " + missing + ": there is no such file",

@@ -18,7 +18,7 @@ class SplatSumsTest {
         int[] pixels = random.ints(size, 0, PIXELS).distinct().sorted().toArray();
         long[] sums = new long[3 * pixels.length];
         for (int i = 0; i < sums.length; i++) {
-            sums[i] = random.nextLong() >>> 1 + random.nextInt(63);
+            sums[i] = random.nextLong() >> random.nextInt(63);
         }
         for (int i = 0; i < pixels.length; i++) {
             sums[3 * i] |= 1;
@@ -42,13 +42,15 @@ class SplatSumsTest {
             checkSame(sums, SplatSums.of(bytes, PIXELS));
         }
         SplatSums extreme = new SplatSums(
-                new int[] {0, Integer.MAX_VALUE - 1}, new long[] {Long.MAX_VALUE, 0, 0, 0, 0, 1}, Long.MAX_VALUE);
+                new int[] {0, Integer.MAX_VALUE - 1},
+                new long[] {Long.MAX_VALUE, 0, Long.MIN_VALUE, 0, 0, 1},
+                Long.MAX_VALUE);
         checkSame(extreme, SplatSums.of(extreme.toBytes(), Integer.MAX_VALUE));
     }
 
     @Test
     void theBytesAreTheDocumentedOnes() {
-        SplatSums sums = new SplatSums(new int[] {2, 130}, new long[] {300, 0, 1, 127, 128, 5}, 7);
+        SplatSums sums = new SplatSums(new int[] {2, 130}, new long[] {150, 0, -1, -64, 64, -3}, 7);
         byte[] expected = {7, 2, 3, (byte) 0xac, 2, 0, 1, (byte) 0x80, 1, 127, (byte) 0x80, 1, 5};
         assertArrayEquals(expected, sums.toBytes());
     }
@@ -67,7 +69,8 @@ class SplatSumsTest {
         "'7 2 9 1 1 1 2 1 1 1', a pixel lies 2 after pixel 8",
         "'7 1 1 0 0 0', pixel 0 was not reached",
         "'7 1 1 -127 0 1 1', a number with leading zeros",
-        "'7 1 1 -1 -1 -1 -1 -1 -1 -1 -1 -1 1 1 1', a number is too large",
+        "'7 1 1 -1 -1 -1 -1 -1 -1 -1 -1 -1 2 1 1', a number is too large",
+        "'7 1 1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 1 1', a number is too large",
         "'-1 -1 -1 -1 -1 -1 -1 -1 -1 1 0', a number is too large"
     })
     void bytesThatCannotBeSumsAreToldApart(String numbers, String problem) {

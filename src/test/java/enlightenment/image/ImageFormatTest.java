@@ -48,7 +48,7 @@ class ImageFormatTest {
         Image image = new Image(1, 1, new float[3]);
         List<ImageFormat> readOnly =
                 Arrays.stream(ImageFormat.values()).filter(f -> !f.isWritten()).toList();
-        assertEquals(List.of(ImageFormat.JPEG, ImageFormat.BMP), readOnly);
+        assertEquals(List.of(ImageFormat.JPEG, ImageFormat.BMP, ImageFormat.HDR, ImageFormat.EXR), readOnly);
         for (ImageFormat format : readOnly) {
             ByteArrayOutputStream out = new ByteArrayOutputStream();
             assertThrows(

@@ -38,6 +38,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class UnitKindsTest {
     private static final Scene ROOM = TestScenes.whiteFireAndIce().build();
     private static final Scene PHYSICAL_ROOM = InvarianceScenes.byRadiance();
+    private static final Scene BLACK_LIGHT = InvarianceScenes.inBlackLight();
     private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
 
     @TempDir
@@ -100,6 +101,15 @@ class UnitKindsTest {
         BIDIRECTIONAL(
                 PHYSICAL_ROOM,
                 RenderSettings.of(PHYSICAL_ROOM)
+                        .withMethod(BuiltInMethod.BIDIRECTIONAL)
+                        .withAntialias(2)
+                        .withTileSize(9),
+                16),
+
+        /** The same of fluorescent surfaces, whose paths know of ultraviolet. */
+        FLUORESCENT(
+                BLACK_LIGHT,
+                RenderSettings.of(BLACK_LIGHT)
                         .withMethod(BuiltInMethod.BIDIRECTIONAL)
                         .withAntialias(2)
                         .withTileSize(9),

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Paths from both ends make the picture that naive paths from the eye make, and that is known: the same tests as {@link NaivePartnerTest}. */
 class BidirectionalPartnerTest {
-    private static final Map<String, Scene> SCENES = PartnerScenes.all();
+    private static final Map<String, Scene> SCENES = PartnerScenes.of(BuiltInMethod.BIDIRECTIONAL);
 
     static Stream<String> scenes() {
         // The naive tracer never finds light that a pane reflects from a point.

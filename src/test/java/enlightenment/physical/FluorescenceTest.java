@@ -164,13 +164,12 @@ class FluorescenceTest {
         return sum;
     }
 
-    private static Scene glowing(Material wall) {
+    private static SceneBuilder glowing(Material wall) {
         return Scene.builder()
                 .size(8, 8)
                 .camera(new Camera.Perspective(at(0.3, 0.2, -0.1), at(0.1, 0.2, 1), Vec3.Y, 30))
                 .shading(shading(0))
-                .object(ball(0, 0, 0, 1), wall)
-                .build();
+                .object(ball(0, 0, 0, 1), wall);
     }
 
     @ParameterizedTest
@@ -181,7 +180,7 @@ class FluorescenceTest {
         Material wall = new Material.Fluorescent(
                 dye.color(), dye.absorption(), dye.emission(), dye.yield(), new Rgb(0.1, 0.2, 0.3), 2);
         double[] expected = closed(matrix(dye), color, new double[] {0.1, 0.2, 0.3, 2});
-        assertShown(glowing(wall), method, expected);
+        assertShown(glowing(wall).build(), method, expected);
     }
 
     /** White but for ultraviolet, which all becomes green: what is missing is what Stokes' law takes. */
@@ -192,7 +191,7 @@ class FluorescenceTest {
                 linear(0.5, 0.5, 0), new WavelengthBand(300, 400), new WavelengthBand(490, 580), 1, Rgb.BLACK, 3);
         double left = 350 * Math.log(580.0 / 490) / 90;
         // Half of the green light is left at each bounce after the first.
-        assertShown(glowing(black), method, new double[] {0, 3 * left * 2, 0});
+        assertShown(glowing(black).build(), method, new double[] {0, 3 * left * 2, 0});
     }
 
     private static void assertShown(Scene scene, BuiltInMethod method, double[] expected) {

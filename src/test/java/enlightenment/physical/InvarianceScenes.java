@@ -16,6 +16,7 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.material.WavelengthBand;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
@@ -50,6 +51,23 @@ public final class InvarianceScenes {
                         Rgb.WHITE,
                         true,
                         Emission.power(new Rgb(9, 8, 7))))
+                .build();
+    }
+
+    /** Fluorescent surfaces, and lights of ultraviolet. */
+    public static Scene inBlackLight() {
+        Material ink = new Material.Fluorescent(
+                new Texture.Checker(List.of(new Rgb(0.8, 0.7, 0.1), new Rgb(0.05, 0.1, 0.2)), 4),
+                new WavelengthBand(320, 480),
+                new WavelengthBand(470, 640),
+                0.9);
+        Emission power = Emission.power(new Rgb(1, 2, 9));
+        Emission intensity = Emission.intensity(new Rgb(0.3, 0.2, 0.5));
+        return furnished()
+                .object(ball(-0.1, 1.3, 0.3, 0.25), ink)
+                .object(new Box(at(-0.9, 0.01, 0.3), at(-0.5, 0.5, 0.9)), ink)
+                .light(new Light.Sphere(at(-0.4, 1.6, 0.1), 0.2, Rgb.WHITE, power.withUltraviolet(40)))
+                .light(new Light.Point(at(0.3, 1.2, -0.7), Rgb.WHITE, intensity.withUltraviolet(3)))
                 .build();
     }
 

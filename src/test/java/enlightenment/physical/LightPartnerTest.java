@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * the same test as {@link NaivePartnerTest}.
  */
 class LightPartnerTest {
-    private static final Map<String, Scene> SCENES = PartnerScenes.all();
+    private static final Map<String, Scene> SCENES = PartnerScenes.of(BuiltInMethod.LIGHT);
 
     /** Not that of lobes so narrow that of a million paths a few are bright: then means say nothing of their errors. */
     static Stream<String> scenes() {

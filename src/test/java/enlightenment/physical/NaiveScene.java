@@ -5,7 +5,6 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -29,7 +28,7 @@ final class NaiveScene {
      */
     record Surface(NaiveShape shape, Material material, double[] front, double[] back) {
         boolean isGlass() {
-            return material instanceof Material.Glass;
+            return material instanceof Material.Glass || material instanceof Material.Scattering;
         }
 
         boolean isSolid() {
@@ -45,14 +44,14 @@ final class NaiveScene {
 
     final List<Surface> surfaces = new ArrayList<>();
     final List<Point> points = new ArrayList<>();
-    final double[] background;
+    private final NaiveSky background;
     final int maxBounces;
     private final Scene scene;
 
     NaiveScene(Scene scene) {
         this.scene = scene;
         PhysicalShading shading = (PhysicalShading) scene.shading();
-        background = NaiveColors.of(((Background.Constant) shading.background()).radiance());
+        background = NaiveSky.of(shading.background());
         maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
         for (Light light : scene.lights()) {
             add(light);
@@ -61,6 +60,11 @@ final class NaiveScene {
             double[] glow = NaiveColors.of(object.material().radiance());
             surfaces.add(new Surface(NaiveShape.of(object.shape()), object.material(), glow, glow));
         }
+    }
+
+    /** What comes from where nothing is. */
+    double[] background(Vec3 direction) {
+        return background.radiance(direction);
     }
 
     private void add(Light light) {
@@ -120,8 +124,8 @@ final class NaiveScene {
     }
 
     private static boolean isBefore(Surface a, Surface b) {
-        int p = ((Material.Glass) a.material).priority();
-        int q = ((Material.Glass) b.material).priority();
+        int p = NaiveMedium.border(a.material).priority();
+        int q = NaiveMedium.border(b.material).priority();
         return p != q ? p > q : a.shape.volume() < b.shape.volume();
     }
 
@@ -132,7 +136,7 @@ final class NaiveScene {
 
     /** Index of refraction of a medium. */
     static double index(Surface medium) {
-        return medium == null ? 1 : ((Material.Glass) medium.material).indexOfRefraction();
+        return medium == null ? 1 : NaiveMedium.border(medium.material).indexOfRefraction();
     }
 
     /** Origin and unit direction of the ray through a place of the picture, 0..1 from its upper left corner. */
@@ -152,6 +156,17 @@ final class NaiveScene {
         double aspect = (double) scene.width() / scene.height();
         Vec3 d = forward.plus(right.times((2 * x - 1) * half * aspect)).plus(up.times((1 - 2 * y) * half));
         return new Vec3[] {eye, d.normalized()};
+    }
+
+    /** What fills a point: glass, a medium of a solid, or that of the whole scene. */
+    NaiveMedium fills(Vec3 p) {
+        Surface s = medium(p);
+        return s == null
+                ? ((PhysicalShading) scene.shading())
+                        .medium()
+                        .map(NaiveMedium::of)
+                        .orElse(NaiveMedium.EMPTY)
+                : NaiveMedium.of(s.material());
     }
 
     int width() {

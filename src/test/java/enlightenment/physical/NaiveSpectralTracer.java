@@ -80,7 +80,7 @@ final class NaiveSpectralTracer {
         NaiveScene.Hit hit = scene.nearest(o, d);
         int band = band(wavelength);
         if (hit == null) {
-            return band < 3 ? scene.background[band] / (HIGH[band] - LOW[band]) : 0;
+            return band < 3 ? scene.background(d)[band] / (HIGH[band] - LOW[band]) : 0;
         }
         NaiveScene.Surface s = hit.surface();
         double[] visible = hit.front() ? s.front() : s.back();

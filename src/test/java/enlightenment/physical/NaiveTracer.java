@@ -116,12 +116,26 @@ final class NaiveTracer {
     /** What comes to a point against a direction, by one path. */
     private double[] radiance(Vec3 o, Vec3 d, int scattered, int events, Path path) {
         NaiveScene.Hit hit = scene.nearest(o, d);
+        NaiveMedium medium = scene.fills(o.plus(d.times(hit == null ? 1e-6 : hit.distance() / 2)));
+        if (medium.scatters()) {
+            return fly(medium, hit, o, d, scattered, events, path);
+        }
+        return arrive(
+                hit,
+                hit == null ? new double[] {1, 1, 1} : medium.transmittance(hit.distance()),
+                d,
+                scattered,
+                events,
+                path);
+    }
+
+    /** What comes from what a ray meets, of which so much is left. */
+    private double[] arrive(NaiveScene.Hit hit, double[] kept, Vec3 d, int scattered, int events, Path path) {
         if (hit == null) {
-            return scene.background;
+            return NaiveColors.product(kept, scene.background(d));
         }
         NaiveScene.Surface s = hit.surface();
         double[] emitted = hit.front() ? s.front() : s.back();
-        double[] kept = transmittance(o.plus(d.times(hit.distance() / 2)), hit.distance());
         if (s.material() == null) {
             return NaiveColors.product(kept, emitted);
         }
@@ -133,22 +147,58 @@ final class NaiveTracer {
         return NaiveColors.product(kept, sum);
     }
 
-    /** What is left of light after a way through the medium at a point of it. */
-    private double[] transmittance(Vec3 inside, double length) {
-        NaiveScene.Surface medium = scene.medium(inside);
-        if (medium == null) {
-            return new double[] {1, 1, 1};
+    /**
+     * Flies through a medium by E. Woodcock's method: collisions come at the rate of the band with most of them, and for the others some are
+     * none.
+     */
+    private double[] fly(NaiveMedium medium, NaiveScene.Hit hit, Vec3 o, Vec3 d, int scattered, int events, Path path) {
+        double rate = medium.majorant();
+        double end = hit == null ? Double.POSITIVE_INFINITY : hit.distance();
+        double real = (medium.extinction()[0] + medium.extinction()[1] + medium.extinction()[2]) / (3 * rate);
+        double[] kept = {1, 1, 1};
+        double t = 0;
+        while (true) {
+            t -= Math.log(1 - path.random.nextDouble()) / rate;
+            if (t >= end) {
+                return arrive(hit, kept, d, scattered, events, path);
+            }
+            boolean isReal = path.random.nextDouble() < real;
+            for (int band = 0; band < 3; band++) {
+                kept[band] *= isReal
+                        ? medium.scattering()[band] / rate / real
+                        : (1 - medium.extinction()[band] / rate) / (1 - real);
+            }
+            if (isReal) {
+                return NaiveColors.product(kept, turned(medium, o.plus(d.times(t)), d, scattered, events + 1, path));
+            }
         }
-        double[] left = NaiveColors.of(((Material.Glass) medium.material()).absorption());
-        for (int band = 0; band < 3; band++) {
-            left[band] = Math.exp(-left[band] * length);
+    }
+
+    /** What comes to a point of a medium and is scattered there. */
+    private double[] turned(NaiveMedium medium, Vec3 at, Vec3 d, int scattered, int events, Path path) {
+        double[] sum = new double[3];
+        if (scattered == scene.maxBounces || isLeftOut(path)) {
+            return sum;
         }
-        return left;
+        for (NaiveScene.Point p : scene.points) {
+            Vec3 way = p.position().minus(at);
+            double[] visible = visibility(at, way.normalized(), way.length());
+            double share = medium.phase(d.dot(way.normalized())) / way.dot(way);
+            add(sum, share, NaiveColors.product(visible, p.intensity()));
+        }
+        double survival = events < CERTAIN_EVENTS ? 1 : SURVIVAL;
+        if (survival == 1 || path.random.nextDouble() < survival) {
+            Vec3 on = NaiveMedium.anywhere(path.random);
+            double weight = 4 * Math.PI * medium.phase(d.dot(on)) / survival;
+            add(sum, weight, radiance(at, on, scattered + 1, events, path));
+        }
+        return sum;
     }
 
     private double[] scattered(NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
         Material material = hit.surface().material();
-        if (material instanceof Material.Glass g) {
+        if (hit.surface().isGlass()) {
+            Material.Glass g = NaiveMedium.border(material);
             return path.random.nextDouble() < g.transparency()
                     ? throughGlass(g, hit, d, scattered, events, path)
                     : scattered == scene.maxBounces
@@ -223,17 +273,26 @@ final class NaiveTracer {
         while (true) {
             NaiveScene.Hit hit = scene.nearest(o, d);
             double way = hit == null ? rest : Math.min(rest, hit.distance());
-            left = NaiveColors.product(left, transmittance(o.plus(d.times(way / 2)), way));
+            left = NaiveColors.product(
+                    left, scene.fills(o.plus(d.times(way / 2))).transmittance(way));
             if (hit == null || hit.distance() >= rest) {
                 return left;
             }
-            if (!(hit.surface().material() instanceof Material.Glass g)
-                    || hit.surface().isSolid()) {
+            if (!hit.surface().isGlass()) {
                 return new double[3];
             }
-            double cosine = -d.dot(hit.normal());
-            left = NaiveColors.product(
-                    left, scaled(color(hit), 1 - NaiveFresnel.pane(cosine, 1, g.indexOfRefraction())));
+            if (hit.surface().isSolid()) {
+                NaiveScene.Surface before = scene.medium(hit, 1);
+                NaiveScene.Surface after = scene.medium(hit, -1);
+                if (NaiveScene.index(before) != NaiveScene.index(after)) {
+                    return new double[3];
+                }
+                left = before == after ? left : NaiveColors.product(left, color(hit));
+            } else {
+                double index = ((Material.Glass) hit.surface().material()).indexOfRefraction();
+                left = NaiveColors.product(
+                        left, scaled(color(hit), 1 - NaiveFresnel.pane(-d.dot(hit.normal()), 1, index)));
+            }
             o = hit.point();
             rest -= hit.distance();
         }

@@ -25,6 +25,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
+import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import java.util.List;
@@ -60,9 +61,17 @@ final class PartnerScenes {
         limits(scenes);
         MeetingScenes.addTo(scenes);
         UnusualScenes.addTo(scenes);
+        MediaScenes.addTo(scenes);
         Map<String, Scene> built = new TreeMap<>();
         scenes.forEach((name, scene) -> built.put(name, scene.name(name).build()));
         return built;
+    }
+
+    /** Those that a method can render. */
+    static Map<String, Scene> of(Method method) {
+        Map<String, Scene> some = all();
+        some.values().removeIf(scene -> !Method.supports(method, scene));
+        return some;
     }
 
     private static SceneBuilder furnished() {

@@ -13,13 +13,21 @@ import enlightenment.scene.Scene;
 import enlightenment.shading.PathPart;
 import enlightenment.shading.PathTracer;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Direct and indirect light are two parts of one path, with the same numbers. */
 class PathPartsTest {
-    private static final Map<String, Scene> SCENES = PartnerScenes.all();
+    private static final Map<String, Scene> SCENES = scenesAndOneInBlackLight();
+
+    private static Map<String, Scene> scenesAndOneInBlackLight() {
+        Map<String, Scene> all = new TreeMap<>(PartnerScenes.all());
+        all.put("black light", InvarianceScenes.inBlackLight());
+        return all;
+    }
+
     private static final int SIDE = 16;
 
     static Stream<String> scenes() {

@@ -137,7 +137,8 @@ final class MovedScene {
 
     private Emission emission(Emission e) {
         boolean stays = !physical || e.quantity() == Emission.Quantity.RADIANCE;
-        return stays ? e : new Emission(e.quantity(), times(e.value(), length(1) * length(1)));
+        double area = length(1) * length(1);
+        return stays ? e : new Emission(e.quantity(), times(e.value(), area), e.ultraviolet() * area);
     }
 
     private static Rgb times(Rgb v, double factor) {

@@ -12,6 +12,7 @@ import enlightenment.material.Material;
 import enlightenment.physical.InvarianceScenes;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.Method;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
@@ -37,6 +38,7 @@ class PhysicalInvarianceTest {
     private static final Scene RADIANCE = InvarianceScenes.byRadiance();
     private static final Scene POWER = InvarianceScenes.byPower();
     private static final Scene MANY = InvarianceScenes.ofManyLights();
+    private static final Scene BLACK_LIGHT = InvarianceScenes.inBlackLight();
 
     /** The pictures of all our methods, one behind the other. */
     private static float[] picture(Scene scene) {
@@ -60,13 +62,14 @@ class PhysicalInvarianceTest {
 
     /** Each scene with each method that renders physical light. */
     static Stream<Arguments> pictures() {
-        return Stream.of(RADIANCE, POWER, MANY).flatMap(scene -> InvarianceScenes.methods().stream()
+        return Stream.of(RADIANCE, POWER, MANY, BLACK_LIGHT).flatMap(scene -> InvarianceScenes.methods().stream()
+                .filter(method -> Method.supports(method, scene))
                 .map(method -> Arguments.of(scene, settings(scene).withMethod(method))));
     }
 
     @Test
     void somethingIsSeen() {
-        for (Scene scene : List.of(RADIANCE, POWER, MANY)) {
+        for (Scene scene : List.of(RADIANCE, POWER, MANY, BLACK_LIGHT)) {
             double sum = 0;
             float[] all = picture(scene);
             for (float v : all) {
@@ -87,12 +90,13 @@ class PhysicalInvarianceTest {
     @ValueSource(ints = {3, -3, 400, -400})
     void powerAndIntensityGrowWithTheScene(int k) {
         assertArrayEquals(picture(POWER), picture(MovedScene.scaledByPowerOfTwo(POWER, k)));
+        assertArrayEquals(picture(BLACK_LIGHT), picture(MovedScene.scaledByPowerOfTwo(BLACK_LIGHT, k)));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {1, -5, 40, -40})
     void lightsTimesAPowerOfTwoGiveThePictureTimesIt(int k) {
-        for (Scene scene : List.of(RADIANCE, POWER, MANY)) {
+        for (Scene scene : List.of(RADIANCE, POWER, MANY, BLACK_LIGHT)) {
             Scene brighter = brighter(scene, Math.scalb(1.0, k));
             float[] expected = picture(scene);
             for (int i = 0; i < expected.length; i++) {
@@ -122,7 +126,7 @@ class PhysicalInvarianceTest {
     }
 
     private static void assertOrderChangesNoBit(int orders) {
-        for (Scene scene : List.of(RADIANCE, POWER, MANY)) {
+        for (Scene scene : List.of(RADIANCE, POWER, MANY, BLACK_LIGHT)) {
             float[] expected = picture(scene);
             for (int seed = 0; seed < orders; seed++) {
                 List<SceneObject> objects = new ArrayList<>(scene.objects());
@@ -184,8 +188,8 @@ class PhysicalInvarianceTest {
     }
 
     private static Light brighter(Light light, double factor) {
-        Emission e =
-                new Emission(light.emission().quantity(), times(light.emission().value(), factor));
+        Emission of = light.emission();
+        Emission e = new Emission(of.quantity(), times(of.value(), factor), of.ultraviolet() * factor);
         if (light instanceof Light.Sphere s) {
             return new Light.Sphere(s.center(), s.radius(), s.color(), e);
         }

@@ -54,7 +54,7 @@ final class Paths {
         shader.shade(ray, numbers, color);
         double brightness = 0;
         for (int c = 0; c < 3; c++) {
-            brightness += (WEIGHTS[c] + OF_ANY_BAND) * color[c];
+            brightness += (WEIGHTS[c] + OF_ANY_BAND) * Math.abs(color[c]);
         }
         if (brightness < Double.POSITIVE_INFINITY) {
             return brightness;

@@ -35,7 +35,8 @@ import java.util.Set;
  * primitives that tiles count (for clients that do not read scenes) and the scene, in which image files are named by their
  * hashes too; so its hash is the hash of everything that decides bits. The others are the image files.
  *
- * <p>Files that are not PNG travel as PNG files of the same texels: two JDKs may decode the same JPEG file differently.
+ * <p>Files of whole numbers that are not PNG travel as PNG files of the same texels: two JDKs may decode the same JPEG file
+ * differently.
  */
 public final class JobContent {
     private static final String MAGIC = "enlightenment job 3";
@@ -93,7 +94,9 @@ public final class JobContent {
     private static byte[] read(Path file) {
         try {
             byte[] bytes = Files.readAllBytes(file);
-            if (ImageFormat.ofContent(bytes).equals(Optional.of(ImageFormat.PNG))) {
+            Optional<ImageFormat> format = ImageFormat.ofContent(bytes);
+            if (format.isPresent()
+                    && (format.get() == ImageFormat.PNG || format.get().holdsFloats())) {
                 return bytes;
             }
             Image image = ImageFiles.read(file);

@@ -50,7 +50,7 @@ final class Backgrounds {
         double elevation = f.number("elevation");
         double azimuth = f.number("azimuth", 0);
         double turbidity = f.number("turbidity", Background.Sky.USUAL_TURBIDITY);
-        Rgb ground = f.bands("groundAlbedo", Rgb.BLACK);
+        Rgb ground = f.bands("groundAlbedo", Background.Sky.USUAL_GROUND);
         Rgb radiance = f.bands("radiance", Rgb.WHITE);
         boolean sun = f.flag("sun", true);
         return f.make(() -> new Background.Sky(elevation, azimuth, turbidity, ground, radiance, sun));
@@ -73,7 +73,7 @@ final class Backgrounds {
             p.number("elevation", s.elevation())
                     .numberUnless(0, "azimuth", s.azimuth())
                     .numberUnless(Background.Sky.USUAL_TURBIDITY, "turbidity", s.turbidity())
-                    .bandsUnless(Rgb.BLACK, "groundAlbedo", s.groundAlbedo())
+                    .bandsUnless(Background.Sky.USUAL_GROUND, "groundAlbedo", s.groundAlbedo())
                     .bandsUnless(Rgb.WHITE, "radiance", s.radiance())
                     .flagUnless(true, "sun", s.hasSun());
         } else {

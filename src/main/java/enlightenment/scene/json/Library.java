@@ -3,6 +3,7 @@ package enlightenment.scene.json;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
@@ -14,6 +15,9 @@ final class Library {
 
     /** Null for a material that is there but wrong: its own problem is enough. */
     final Map<String, Material> materials = new LinkedHashMap<>();
+
+    /** Those image files whose numbers are light without limits: no surface has such a colour. */
+    final Set<Path> lightFiles = new HashSet<>();
 
     /** What the paths of image files are relative to. */
     final Path folder;

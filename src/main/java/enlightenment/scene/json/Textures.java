@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /** The named textures, and the colours that use them. */
@@ -76,7 +77,16 @@ final class Textures {
             Color c = values.color(v, place, COLOR);
             return values.problems().count() > before ? null : Texture.of(c);
         }
-        return named(Fields.of(v, place, Vocabulary.TEXTURE_REFERENCE, values));
+        Fields f = Fields.of(v, place, Vocabulary.TEXTURE_REFERENCE, values);
+        Texture texture = named(f);
+        if (texture instanceof Texture.File file && values.library().lightFiles.contains(file.file())) {
+            f.problem(
+                    "texture",
+                    "is a file of floats, which only a background can have: surfaces take "
+                            + ImageFormat.names(ImageFormat.textures(), "and"));
+            return null;
+        }
+        return texture;
     }
 
     /** The texture that the key {@code "texture"} names; null after a problem, here or where the texture has its name. */
@@ -134,7 +144,8 @@ final class Textures {
             f.problem("file", "is not a path: " + Plain.quoted(written));
             return null;
         }
-        String problem = problem(file, Plain.quoted(written) + " (" + file + ")");
+        String problem = problem(
+                file, Plain.quoted(written) + " (" + file + ")", f.values().library());
         if (problem != null) {
             f.problem("file", problem);
         }
@@ -142,7 +153,7 @@ final class Textures {
     }
 
     /** What keeps a file from being used, as far as its first bytes tell; null if nothing does. */
-    private static String problem(Path file, String meant) {
+    private static String problem(Path file, String meant, Library library) {
         if (!Files.exists(file)) {
             return "there is no file " + meant;
         }
@@ -151,10 +162,14 @@ final class Textures {
         }
         try (InputStream in = Files.newInputStream(file)) {
             byte[] start = in.readNBytes(ImageFormat.SIGNATURE_LENGTH);
-            List<ImageFormat> usable = ImageFormat.textures();
-            return ImageFormat.ofContent(start).filter(usable::contains).isPresent()
+            Optional<ImageFormat> format = ImageFormat.ofContent(start);
+            if (format.isPresent() && format.get().holdsFloats()) {
+                library.lightFiles.add(file);
+            }
+            return format.isPresent()
                     ? null
-                    : "is not an image: " + meant + " is neither " + ImageFormat.names(usable, "nor");
+                    : "is not an image: " + meant + " is neither "
+                            + ImageFormat.names(List.of(ImageFormat.values()), "nor");
         } catch (IOException e) {
             return "cannot be read: " + meant + ": " + e;
         }

@@ -254,7 +254,7 @@ final class BadDocuments {
                     "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
                     "\"physical\", \"background\": {\"type\": \"sky\", \"elevation\": 9, \"turbidity\": 11}",
                     "/shading/background/turbidity",
-                    "1.0..10.0"),
+                    "2.0..10.0"),
             edit(
                     "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
                     "\"physical\", \"medium\": {}",

@@ -147,7 +147,7 @@ final class RandomScenes {
                 return new Background.Sky(
                         90 * unit(),
                         random.nextBoolean() ? 0 : number(),
-                        random.nextBoolean() ? Background.Sky.USUAL_TURBIDITY : 1 + 9 * random.nextDouble(),
+                        random.nextBoolean() ? Background.Sky.USUAL_TURBIDITY : 2 + 8 * random.nextDouble(),
                         random.nextBoolean() ? Rgb.BLACK : new Rgb(unit(), unit(), unit()),
                         random.nextBoolean() ? Rgb.WHITE : radiance(),
                         random.nextBoolean());

@@ -145,7 +145,7 @@ class SceneErrorsTest {
         Files.writeString(folder.resolve("ice.png"), "GIF89a......");
         Problem problem = Documents.problem(Documents.EVERYTHING, folder);
         assertEquals("/textures/ice/file", problem.pointer());
-        assertTrue(problem.message().contains("neither PNG, JPEG nor BMP"), problem.message());
+        assertTrue(problem.message().contains("neither PNG, JPEG, BMP, PFM, HDR nor EXR"), problem.message());
         Files.writeString(folder.resolve("ice.png"), "");
         assertTrue(Documents.problem(Documents.EVERYTHING, folder).message().contains("is not an image"));
         Files.writeString(folder.resolve("ice.png"), "BM and so on");

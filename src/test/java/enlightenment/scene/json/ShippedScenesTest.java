@@ -219,6 +219,7 @@ class ShippedScenesTest {
                 "furnace",
                 "lamp-room",
                 "door-ajar",
+                "fluorescent-poster",
                 "fire-and-ice-physical")) {
             assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
         }

@@ -1,0 +1,169 @@
+package enlightenment.shading;
+
+import enlightenment.bsdf.DielectricFresnel;
+import enlightenment.bsdf.Scattering;
+import enlightenment.color.BandSensitivities;
+import enlightenment.color.CauchyFormula;
+import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.sampling.Sampler;
+
+/**
+ * The wavelength of a path through glass that disperses. It is drawn when the path begins, and all indices of refraction are those that it
+ * sees. But the path stays one of all wavelengths, in three bands, until it does what they do not do alike: until it is refracted at
+ * a border whose index depends on the wavelength, or reflected there by that part of the reflectance that not all of them share. From
+ * then on each band counts as the wavelength belongs to it, over the probability of the wavelength. See docs/dispersion.md.
+ */
+final class PathWavelength {
+    private static final BandSensitivities BANDS = BandSensitivities.DAYLIGHT;
+    private static final double FIRST = CauchyFormula.place(BandSensitivities.SHORTEST);
+    private static final double LAST = CauchyFormula.place(BandSensitivities.LONGEST);
+
+    /** The sensitivity of the bands to the wavelength, over its probability: each is 1 in the mean, and may be negative. */
+    double red;
+
+    double green;
+    double blue;
+
+    /** Whether the path is one of this wavelength alone. */
+    boolean isAlone;
+
+    /** Whether it has become that, and nobody took note yet. */
+    private boolean isNew;
+
+    /** Where the wavelength is ({@link CauchyFormula#place}). */
+    private double place = FIRST;
+
+    /** The index of refraction before the border, at both ends of the range of wavelengths. */
+    private double fromFirst;
+
+    private double fromLast;
+
+    /** The relative index at the border, at both ends. */
+    double etaFirst;
+
+    double etaLast;
+
+    private final double[] pair = new double[2];
+
+    /** Draws the wavelength of a path that begins. */
+    void begin(Sampler sampler) {
+        sampler.pair(0, Sampler.Purpose.WAVELENGTH, pair);
+        begin(pair[0]);
+    }
+
+    /** The same by a number in [0, 1). */
+    void begin(double number) {
+        double wavelength = BANDS.draw(number);
+        place = CauchyFormula.place(wavelength);
+        red = BANDS.weight(wavelength, 0);
+        green = BANDS.weight(wavelength, 1);
+        blue = BANDS.weight(wavelength, 2);
+        isAlone = false;
+        isNew = false;
+    }
+
+    /** Takes the wavelength of another path. */
+    void set(PathWavelength o) {
+        place = o.place;
+    }
+
+    /** The index of refraction of a material. */
+    double index(SurfaceMaterial material) {
+        return CauchyFormula.index(material.indexOfRefraction, material.dispersion, place);
+    }
+
+    /** Tells the medium before a border; null is empty space. */
+    void leave(SurfaceMaterial medium) {
+        fromFirst = index(medium, FIRST);
+        fromLast = index(medium, LAST);
+    }
+
+    /** Tells the medium behind it. */
+    void enter(SurfaceMaterial medium) {
+        etaFirst = fromFirst / index(medium, FIRST);
+        etaLast = fromLast / index(medium, LAST);
+    }
+
+    private static double index(SurfaceMaterial medium, double where) {
+        return medium == null ? 1 : CauchyFormula.index(medium.indexOfRefraction, medium.dispersion, where);
+    }
+
+    /**
+     * Tells that the path was scattered at the border.
+     *
+     * @param s how
+     * @param number uniform in [0, 1), independent of that
+     */
+    void scattered(Scattering s, double number) {
+        if (!isAlone && number >= common(s)) {
+            isAlone = true;
+            isNew = true;
+        }
+    }
+
+    /** Whether the path is alone since this was asked last: then what it is worth has to be multiplied by the weights of the bands. */
+    boolean takesEffect() {
+        boolean was = isNew;
+        isNew = false;
+        return was;
+    }
+
+    /**
+     * Of the light that goes from o to i at the border, the share that does so at all wavelengths: of reflected light a
+     * reflectance that no wavelength falls below, over that of this wavelength.
+     */
+    double common(Scattering s) {
+        return common(s, etaFirst, etaLast);
+    }
+
+    /** The same at a border with these relative indices at both ends of the range of wavelengths. */
+    static double common(Scattering s, double etaFirst, double etaLast) {
+        if (etaFirst == etaLast) {
+            return 1;
+        }
+        if (s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0) {
+            return 0;
+        }
+        double x = s.ox + s.ix;
+        double y = s.oy + s.iy;
+        double z = s.oz + s.iz;
+        double c = Math.min(0.5 * Math.sqrt(x * x + y * y + z * z), 1);
+        double least = DielectricFresnel.leastReflectance(c, etaFirst, etaLast);
+        double own = DielectricFresnel.reflectance(c, s.eta);
+        return least < own ? least / own : 1;
+    }
+
+    /** The same of light that a path gets in a direction from where it is: nothing if it is alone, all if it is at no border. */
+    double common(Scattering s, boolean isAtBorder) {
+        return isAlone ? 0 : isAtBorder ? common(s) : 1;
+    }
+
+    /** What red counts of light of which a share is common to all wavelengths. */
+    double red(double common) {
+        return Math.fma(1 - common, red, common);
+    }
+
+    /** The same of green. */
+    double green(double common) {
+        return Math.fma(1 - common, green, common);
+    }
+
+    /** The same of blue. */
+    double blue(double common) {
+        return Math.fma(1 - common, blue, common);
+    }
+
+    /**
+     * Multiplies the value of light at the border that the path is at by what the wavelength makes of the bands, if it is not alone: else that is
+     * in the path already.
+     */
+    void color(Scattering s) {
+        if (isAlone) {
+            return;
+        }
+        double common = common(s);
+        s.valueR *= red(common);
+        s.valueG *= green(common);
+        s.valueB *= blue(common);
+    }
+}

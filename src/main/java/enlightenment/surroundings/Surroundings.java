@@ -1,0 +1,228 @@
+package enlightenment.surroundings;
+
+import enlightenment.codec.RasterFiles;
+import enlightenment.color.Rgb;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Angles;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/**
+ * Light that comes from infinity, from each direction another: a picture of all directions, or a sky with its sun. The vertical is the y
+ * axis; a turn of 0 around it is the direction of the z axis, a quarter that of the x axis. Immutable.
+ */
+public final class Surroundings {
+    /** The size of the picture that a sky becomes: bilinear interpolation is off by less than a thousandth of the radiance. */
+    private static final int SKY_WIDTH = 512;
+
+    private static final int SKY_HEIGHT = 256;
+
+    /** The six directions along the axes. */
+    private static final int AXES = 6;
+
+    private static final int POINTS = 4096;
+
+    /** The disk of the sun; null if there is none. It is no part of {@link #radiance}. */
+    public final Sun sun;
+
+    private final DirectionMap map;
+    private final DirectionTable table;
+
+    /** In turns: what the picture's middle is turned by. */
+    private final double rotation;
+
+    /** About how much light falls on surfaces that face along an axis: x, y, z, each up and down. */
+    private final double[] irradiance = new double[AXES];
+
+    private Surroundings(DirectionMap map, double degrees, Sun sun) throws IOException {
+        this.map = map;
+        this.sun = sun;
+        rotation = degrees / 360 - Math.floor(degrees / 360);
+        table = new DirectionTable(map);
+        estimateIrradiance();
+    }
+
+    /**
+     * A picture of all directions, longitude by latitude: its upper edge is the direction of the y axis, its middle that of the z axis,
+     * and to the right of it is that of the x axis.
+     *
+     * @param file the bytes of a picture file of any kind that can be read
+     * @param scale by which its light is multiplied, by band
+     * @param degrees by which it is turned around the y axis: the picture's middle is seen in this direction then, counted from the z
+     *     axis to the x axis
+     * @param isLight whether whole numbers are proportional to light, rather than display-referred; floats always are
+     * @throws IOException with the reason, if it cannot be read or one of its numbers is no radiance
+     */
+    public static Surroundings of(byte[] file, Rgb scale, double degrees, boolean isLight) throws IOException {
+        return new Surroundings(DirectionMap.of(RasterFiles.decode(file), scale, isLight), degrees, null);
+    }
+
+    /**
+     * As {@link #of}, of a file on the disk.
+     *
+     * @throws IOException with a message that names the file and the reason
+     */
+    public static Surroundings read(Path file, Rgb scale, double degrees, boolean isLight) throws IOException {
+        return RasterFiles.read(file, bytes -> of(bytes, scale, degrees, isLight));
+    }
+
+    /**
+     * A clear sky ({@link Daylight}). Below the horizon the ground of a plain is seen, matte and lit by sky and sun.
+     *
+     * @param elevation of the sun above the horizon, in degrees: 0..90
+     * @param azimuth of the sun, in degrees, from the z axis to the x axis
+     * @param turbidity how hazy the air is, as for {@link Daylight}
+     * @param ground what the ground reflects
+     * @param hasSun whether the sun's disk shines
+     * @param scale by which all light is multiplied, by band
+     */
+    public static Surroundings sky(
+            double elevation, double azimuth, double turbidity, Rgb ground, boolean hasSun, Rgb scale) {
+        Daylight daylight = new Daylight(elevation, turbidity);
+        double height = StrictMath.toRadians(elevation);
+        double turn = StrictMath.toRadians(azimuth);
+        double level = StrictMath.cos(height);
+        Vec3 direction = new Vec3(level * StrictMath.sin(turn), StrictMath.sin(height), level * StrictMath.cos(turn));
+        Sun sun =
+                hasSun ? new Sun(direction, Daylight.SUN_RADIUS, daylight.sun().times(scale)) : null;
+        try {
+            return new Surroundings(skyMap(daylight, height, ground, sun, scale), azimuth, sun);
+        } catch (IOException e) {
+            throw new OutOfMemoryError(e.getMessage());
+        }
+    }
+
+    private static DirectionMap skyMap(Daylight daylight, double height, Rgb ground, Sun sun, Rgb scale) {
+        float[] rgb = new float[3 * SKY_WIDTH * SKY_HEIGHT];
+        double[] factor = {scale.r(), scale.g(), scale.b()};
+        double[] falls = new double[3];
+        double[] color = new double[3];
+        double step = Math.PI / 2 / SKY_HEIGHT;
+        for (int row = 0; row < SKY_HEIGHT; row++) {
+            double angle = (row + 0.5) * step;
+            double sine = StrictMath.sin(angle);
+            double cosine = StrictMath.cos(angle);
+            // The integral of the cosine over the texel's solid angle.
+            double weight = (StrictMath.cos(2 * row * step) - StrictMath.cos(2 * (row + 1) * step))
+                    / 4
+                    * (2 * Math.PI / SKY_WIDTH);
+            for (int x = 0; x < SKY_WIDTH / 2; x++) {
+                double turn = (x + 0.5) / SKY_WIDTH * 2 * Math.PI - Math.PI;
+                double cosineGamma =
+                        cosine * StrictMath.sin(height) + sine * StrictMath.cos(height) * StrictMath.cos(turn);
+                daylight.sky(cosine, cosineGamma, color);
+                for (int c = 0; c < 3; c++) {
+                    float value = (float) (color[c] * factor[c]);
+                    rgb[3 * (row * SKY_WIDTH + x) + c] = value;
+                    rgb[3 * (row * SKY_WIDTH + SKY_WIDTH - 1 - x) + c] = value;
+                    falls[c] += 2 * weight * value;
+                }
+            }
+        }
+        double direct = sun == null ? 0 : Math.max(sun.irradiance(sun.y), 0);
+        Rgb below = new Rgb(
+                ground.r() / Math.PI * (falls[0] + (sun == null ? 0 : direct * sun.r)),
+                ground.g() / Math.PI * (falls[1] + (sun == null ? 0 : direct * sun.g)),
+                ground.b() / Math.PI * (falls[2] + (sun == null ? 0 : direct * sun.b)));
+        return new DirectionMap(SKY_WIDTH, SKY_HEIGHT, true, rgb, below);
+    }
+
+    /** Sums over directions that are chosen as paths choose them, by Hammersley's points. */
+    private void estimateIrradiance() {
+        double[] direction = new double[3];
+        double[] rgb = new double[3];
+        for (int i = 0; i < POINTS && !isBlack(); i++) {
+            double u = Math.scalb((double) (Integer.reverse(i) & 0xffffffffL), -Integer.SIZE);
+            double density = sample(u, (i + 0.5) / POINTS, direction);
+            radiance(direction[0], direction[1], direction[2], rgb);
+            double weight = (rgb[0] + rgb[1] + rgb[2]) / (density * POINTS);
+            for (int axis = 0; axis < AXES; axis++) {
+                double cosine = (axis & 1) == 0 ? direction[axis / 2] : -direction[axis / 2];
+                irradiance[axis] += weight * Math.max(cosine, 0);
+            }
+        }
+    }
+
+    /** Whether nothing comes from anywhere, but for the sun. */
+    public boolean isBlack() {
+        return table.isBlack();
+    }
+
+    /** The integral of radiance over all directions: the sum of all bands. */
+    public double power() {
+        return table.total + ofSun();
+    }
+
+    private double ofSun() {
+        return sun == null ? 0 : (sun.r + sun.g + sun.b) * sun.solidAngle;
+    }
+
+    /** The share of that which is the sun's. */
+    public double sunShare() {
+        return power() > 0 ? ofSun() / power() : 0;
+    }
+
+    /**
+     * Looks up the radiance that comes from where a unit vector leads to, without the sun.
+     *
+     * @param rgb receives it, by band
+     */
+    public void radiance(double dx, double dy, double dz, double[] rgb) {
+        map.radiance(turn(dx, dz), angle(dx, dy, dz), dy < 0, rgb);
+    }
+
+    /** The same with the sun. */
+    public void all(double dx, double dy, double dz, double[] rgb) {
+        radiance(dx, dy, dz, rgb);
+        if (sun != null && sun.contains(dx, dy, dz)) {
+            rgb[0] += sun.r;
+            rgb[1] += sun.g;
+            rgb[2] += sun.b;
+        }
+    }
+
+    /** The density per solid angle with which {@link #sample} chooses a unit vector: greater than 0 wherever the radiance is. */
+    public double density(double dx, double dy, double dz) {
+        return table.density(turn(dx, dz), angle(dx, dy, dz), dy < 0);
+    }
+
+    /**
+     * Chooses a direction about in proportion to what comes from there, without the sun. Not if {@link #isBlack}.
+     *
+     * @param u a number in 0..1
+     * @param v another
+     * @param out receives a unit vector
+     * @return the density per solid angle
+     */
+    public double sample(double u, double v, double[] out) {
+        double density = table.sample(u, v, out);
+        double y = out[1];
+        double angle = 2 * Math.PI * (out[0] - 0.5 + rotation);
+        double level = Math.sqrt(Math.max((1 - y) * (1 + y), 0));
+        out[0] = level * StrictMath.sin(angle);
+        out[2] = level * StrictMath.cos(angle);
+        return density;
+    }
+
+    private static double angle(double dx, double dy, double dz) {
+        return Angles.atan2(Math.sqrt(dx * dx + dz * dz), dy);
+    }
+
+    private double turn(double dx, double dz) {
+        double turn = Angles.atan2(dx, dz) / (2 * Math.PI) + 0.5 - rotation;
+        return Math.min(turn - Math.floor(turn), Math.nextDown(1.0));
+    }
+
+    /**
+     * About how much light falls on a surface if nothing hides any, without the sun: the sum of all bands. Greater than 0 wherever any may
+     * fall.
+     *
+     * @param nx its unit normal; (0, 0, 0) for a surface that takes light from both sides
+     */
+    public double irradiance(double nx, double ny, double nz) {
+        double along = nx * nx * irradiance[nx > 0 ? 0 : 1]
+                + ny * ny * irradiance[ny > 0 ? 2 : 3]
+                + nz * nz * irradiance[nz > 0 ? 4 : 5];
+        return along + table.total / 16;
+    }
+}

@@ -1,0 +1,2 @@
+/** Light from all directions: pictures of them, sun and sky, and choosing directions by what comes from there. */
+package enlightenment.surroundings;

@@ -1,0 +1,192 @@
+package enlightenment.physical;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.color.BandSensitivities;
+import enlightenment.color.CauchyFormula;
+import enlightenment.color.Rgb;
+import enlightenment.image.Image;
+import enlightenment.material.Material;
+import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Pictures of glass that disperses are the sums of pictures of glass that does not, over the wavelengths: each with the indices of its own,
+ * weighted by what the bands see of it.
+ */
+class DispersionTest {
+    private static final double RANGE = BandSensitivities.LONGEST - BandSensitivities.SHORTEST;
+
+    /** Parts of the picture, each way. */
+    private static final int PARTS = 2;
+
+    private static final int SIDE = 8;
+    private static final int NUMBERS = 3 * PARTS * PARTS;
+
+    /** What becomes of a glass that disperses. */
+    private interface At extends Function<Material.Glass, Material> {}
+
+    private static final Map<String, Function<At, Scene>> SCENES = Map.of(
+            "ball", DispersionTest::ball,
+            "frosted ball", DispersionTest::frosted,
+            "nested", DispersionTest::nested,
+            "in water", DispersionTest::inWater);
+
+    private static Material.Glass glass(double index, double abbe) {
+        return Material.Glass.of(PhysicalScenes.linear(1, 0.9, 0.8), index).withDispersion(abbe);
+    }
+
+    private static Scene ball(At at) {
+        return PhysicalScenes.view(SIDE, SIDE)
+                .shading(PhysicalScenes.shading(0.2))
+                .light(PhysicalScenes.sphereLight(-1, 2.5, -0.5, 0.3, 20))
+                .object(TestScenes.rectangle(-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2), PhysicalScenes.WHITE)
+                .object(PhysicalScenes.ball(0, 0.7, 0, 0.6), at.apply(glass(1.6, 5)))
+                .build();
+    }
+
+    private static Scene frosted(At at) {
+        return PhysicalScenes.view(SIDE, SIDE)
+                .shading(PhysicalScenes.shading(0.1))
+                .light(PhysicalScenes.sphereLight(-1, 2.5, -0.5, 0.5, 10))
+                .object(TestScenes.rectangle(-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2), PhysicalScenes.RED)
+                .object(
+                        PhysicalScenes.ball(0, 0.8, 0, 0.7),
+                        at.apply(glass(1.4, 2).withRoughness(0.5)))
+                .build();
+    }
+
+    /** A bubble of a gas of little dispersion, in glass that absorbs. */
+    private static Scene nested(At at) {
+        Material.Glass outer = glass(1.5, 6).withAbsorption(new Rgb(0.2, 0.8, 1.5));
+        Material.Glass inner = new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1.1, 1, 1, true).withDispersion(20);
+        return PhysicalScenes.room()
+                .light(PhysicalScenes.panel(0, 1.95, 0, 0.4, Rgb.gray(6), false))
+                .object(PhysicalScenes.ball(0, 0.8, 0, 0.6), at.apply(outer))
+                .object(PhysicalScenes.ball(0.1, 0.9, 0, 0.3), at.apply(inner))
+                .build();
+    }
+
+    /** Glass in a liquid of the same index at one wavelength, as in a filter of C. Christiansen. */
+    private static Scene inWater(At at) {
+        return PhysicalScenes.view(SIDE, SIDE)
+                .shading(PhysicalScenes.shading(0.3))
+                .light(PhysicalScenes.sphereLight(-1, 3, -0.5, 0.3, 20))
+                .object(TestScenes.rectangle(-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2), PhysicalScenes.GREEN)
+                .object(PhysicalScenes.ball(0, 0.9, 0, 0.8), Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5))
+                .object(
+                        PhysicalScenes.ball(0, 0.9, 0, 0.5),
+                        at.apply(new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1.5, 1, 1, true).withDispersion(3)))
+                .build();
+    }
+
+    private static Material single(Material.Glass glass, double wavelength) {
+        double slope = CauchyFormula.slope(
+                glass.indexOfRefraction(), glass.dispersion().getAsDouble());
+        double index = CauchyFormula.index(glass.indexOfRefraction(), slope, CauchyFormula.place(wavelength));
+        return new Material.Glass(
+                glass.color(),
+                index,
+                glass.transparency(),
+                glass.priority(),
+                glass.receivesShadows(),
+                glass.roughness(),
+                glass.absorption(),
+                glass.multipleScattering());
+    }
+
+    private static double[] means(Scene scene, BuiltInMethod method, int antialias, int seed) {
+        RenderSettings settings = RenderSettings.of(scene)
+                .withMethod(method)
+                .withAntialias(antialias)
+                .withThreads(1)
+                .withSeed(seed);
+        Image image = Renderer.render(scene, settings);
+        double[] means = new double[NUMBERS];
+        int size = image.width() / PARTS;
+        for (int y = 0; y < image.height(); y++) {
+            for (int x = 0; x < image.width(); x++) {
+                int part = y / size * PARTS + x / size;
+                for (int c = 0; c < 3; c++) {
+                    means[3 * part + c] += image.component(x, y, c) / (size * size);
+                }
+            }
+        }
+        return means;
+    }
+
+    /** The sum over wavelengths, one of each of some ranges. */
+    private static double[] spectral(
+            Function<At, Scene> scene, BuiltInMethod method, int antialias, int ranges, int seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        double[] sum = new double[NUMBERS];
+        for (int k = 0; k < ranges; k++) {
+            double wavelength = BandSensitivities.SHORTEST + (k + random.nextDouble()) * RANGE / ranges;
+            double[] own = means(scene.apply(g -> single(g, wavelength)), method, antialias, random.nextInt(1 << 30));
+            for (int i = 0; i < NUMBERS; i++) {
+                sum[i] += own[i] * BandSensitivities.DAYLIGHT.sensitivity(wavelength, i % 3) * RANGE / ranges;
+            }
+        }
+        return sum;
+    }
+
+    private static void compare(String name, BuiltInMethod method, int antialias, int ranges, int seeds) {
+        Function<At, Scene> scene = SCENES.get(name);
+        double[][] sums = IntStream.range(0, seeds)
+                .parallel()
+                .mapToObj(seed -> spectral(scene, method, antialias, ranges, seed))
+                .toArray(double[][]::new);
+        double[][] dispersed = IntStream.range(0, seeds)
+                .parallel()
+                .mapToObj(seed -> means(scene.apply(g -> g), method, 6 * antialias, seed))
+                .toArray(double[][]::new);
+        for (int i = 0; i < NUMBERS; i++) {
+            int number = i;
+            Statistics a = Statistics.of(
+                    IntStream.range(0, seeds).mapToDouble(s -> sums[s][number]).toArray());
+            Statistics b = Statistics.of(IntStream.range(0, seeds)
+                    .mapToDouble(s -> dispersed[s][number])
+                    .toArray());
+            double z = (a.mean() - b.mean()) / Math.hypot(a.error(), b.error());
+            assertTrue(Math.abs(z) < 5, () -> "number " + number + ": " + a + " and " + b);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ball, RAYTRACE",
+        "frosted ball, CLUSTER",
+        "frosted ball, LIGHT",
+        "nested, BIDIRECTIONAL",
+        "in water, METROPOLIS"
+    })
+    void theyAreSumsOverWavelengths(String name, BuiltInMethod method) {
+        compare(name, method, 1, 40, 16);
+    }
+
+    static Stream<Arguments> all() {
+        return SCENES.keySet().stream().flatMap(name -> BuiltInMethod.rendering(Shading.Model.PHYSICAL).stream()
+                .map(method -> Arguments.of(name, method)));
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @MethodSource("all")
+    void theyAreSumsOverWavelengthsWithManyPaths(String name, BuiltInMethod method) {
+        compare(name, method, 4, 50, 48);
+    }
+}

@@ -1,0 +1,73 @@
+package enlightenment.physical;
+
+import enlightenment.material.Material;
+import enlightenment.material.Medium;
+import enlightenment.math.Vec3;
+import java.util.SplittableRandom;
+
+/**
+ * What fills a place: coefficients by band, per unit of length.
+ *
+ * @param scattering what is scattered
+ * @param extinction what is scattered or absorbed
+ * @param anisotropy the mean cosine of the phase function
+ */
+record NaiveMedium(double[] scattering, double[] extinction, double anisotropy) {
+    static final NaiveMedium EMPTY = new NaiveMedium(new double[3], new double[3], 0);
+
+    static NaiveMedium of(Medium medium) {
+        Medium.Coefficients c = (Medium.Coefficients) medium;
+        double[] scattering = NaiveColors.of(c.scattering());
+        double[] extinction = NaiveColors.of(c.absorption());
+        for (int band = 0; band < 3; band++) {
+            extinction[band] += scattering[band];
+        }
+        return new NaiveMedium(scattering, extinction, c.anisotropy());
+    }
+
+    static NaiveMedium of(Material material) {
+        return material instanceof Material.Scattering s
+                ? of(s.medium())
+                : new NaiveMedium(new double[3], NaiveColors.of(((Material.Glass) material).absorption()), 0);
+    }
+
+    /** The border of a solid of a material as that of glass. */
+    static Material.Glass border(Material material) {
+        return material instanceof Material.Scattering s
+                ? new Material.Glass(s.color(), s.indexOfRefraction(), 1, s.priority(), true)
+                        .withRoughness(s.roughness())
+                : (Material.Glass) material;
+    }
+
+    boolean scatters() {
+        return scattering[0] + scattering[1] + scattering[2] > 0;
+    }
+
+    /** The rate of collisions of all bands together; for each band some of them are none. */
+    double majorant() {
+        return Math.max(extinction[0], Math.max(extinction[1], extinction[2]));
+    }
+
+    /** What is left of light after a way. */
+    double[] transmittance(double length) {
+        double[] left = new double[3];
+        for (int band = 0; band < 3; band++) {
+            left[band] = extinction[band] == 0 ? 1 : Math.exp(-extinction[band] * length);
+        }
+        return left;
+    }
+
+    /** The phase function in the form of the textbooks. */
+    double phase(double cosine) {
+        double g = anisotropy;
+        return (1 - g * g) / (4 * Math.PI * Math.pow(1 + g * g - 2 * g * cosine, 1.5));
+    }
+
+    /** A direction of equal density on all sides: whoever uses it multiplies by phase times 4 pi. */
+    static Vec3 anywhere(SplittableRandom random) {
+        double z = 2 * random.nextDouble() - 1;
+        double angle = 2 * Math.PI * random.nextDouble();
+        double r = Math.sqrt(1 - z * z);
+        return new Vec3(r * Math.cos(angle), r * Math.sin(angle), z);
+    }
+}

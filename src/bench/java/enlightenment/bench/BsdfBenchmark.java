@@ -51,7 +51,7 @@ public class BsdfBenchmark {
             case "compensated" -> new GlossyReflection(0.1, Fresnel.SCHLICK, true);
             case "metal" -> new GlossyReflection(0.1, gold, true);
             case "glass" -> SmoothDielectric.INSTANCE;
-            case "frosted" -> new RoughDielectric(0.1);
+            case "frosted" -> new RoughDielectric(0.1, true);
             default -> throw new IllegalArgumentException(kind);
         };
         SplittableRandom random = new SplittableRandom(1);

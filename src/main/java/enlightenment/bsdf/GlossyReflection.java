@@ -23,7 +23,7 @@ public final class GlossyReflection implements Bsdf {
     public GlossyReflection(double alpha, Fresnel fresnel, boolean compensate) {
         facets = new Microfacets(alpha);
         this.fresnel = fresnel;
-        table = compensate ? new AlbedoTable(facets) : null;
+        table = compensate ? new AlbedoTable(new VisibleNormals.OfMirrors(facets)) : null;
     }
 
     @Override

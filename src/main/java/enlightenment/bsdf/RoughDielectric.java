@@ -2,22 +2,32 @@ package enlightenment.bsdf;
 
 /**
  * Frosted glass, a rough border of two media: {@link Microfacets} that reflect and refract by Fresnel's equations (Walter et al. 2007,
- * equations 20 and 21), sampled by the normals that are visible from o; {@code choice} selects which of the two. Light that hits it
- * more than once is lost: docs/bsdfs.md says how much. The surface's colour is no part of the value.
+ * equations 20 and 21), sampled by the normals that are visible from o; {@code choice} selects which of the two. If asked, what single
+ * scattering loses among the microfacets comes back on both sides as second, broad lobes (C. Kulla and A. Conty, "Revisiting physically
+ * based shading at Imageworks", 2017), which are reciprocal: then no light is lost. The surface's colour is no part of the value.
  *
  * <p>From both sides, for {@link Scattering#radiance} and importance: f(o, i) over the squared index on i's side is reciprocal for importance.
  * Where {@link Scattering#eta} is 1 there is no border and light passes straight, as by a delta lobe.
  */
 public final class RoughDielectric implements Bsdf {
+    /** Of samples at least so many are of visible normals. */
+    private static final double LEAST_SHARE = 0.1;
+
     private final Microfacets facets;
+
+    /** What becomes of light that single scattering loses; null if nothing. */
+    private final LostLight lost;
 
     /**
      * A rough border.
      *
      * @param alpha its roughness α of GGX, at most 1 and not {@linkplain Microfacets#isSmooth smooth}
+     * @param compensate whether light that meets it more than once is added: makes tables, in some milliseconds, when a path first meets
+     *     two media
      */
-    public RoughDielectric(double alpha) {
+    public RoughDielectric(double alpha, boolean compensate) {
         facets = new Microfacets(alpha);
+        lost = compensate ? new LostLight(facets) : null;
     }
 
     @Override
@@ -35,13 +45,45 @@ public final class RoughDielectric implements Bsdf {
         double in = s.cosineIn();
         double out = s.cosineOutClamped();
         double density = density(s, in);
-        if (!(density > 0)) {
+        boolean isAny = density > 0;
+        s.pdf = isAny ? density * facets.visible(out) : 0;
+        double value = isAny ? density * facets.masking(Math.abs(in), out) : 0;
+        if (lost != null && in != 0 && s.eta != 1) {
+            double place = LostLight.place(s.eta);
+            double loss = lost.loss(place, s.eta > 1, out);
+            double part = part(s, place, in);
+            boolean toDense = s.eta > 1 == in > 0;
+            double cosine = Math.min(Math.abs(in), 1);
+            value += part
+                    * loss
+                    * lost.loss(place, toDense, cosine)
+                    * cosine
+                    / (Math.PI * lost.meanLoss(place, toDense));
+            s.pdf = mixed(s.pdf, loss, part * lost.density(place, toDense, cosine));
+        }
+        if (!(s.pdf > 0)) {
             s.nothing();
             return;
         }
-        s.pdf = density * facets.visible(out);
-        double value = density * facets.masking(Math.abs(in), out) * radiance(s, in < 0);
+        value *= radiance(s, in < 0);
         s.value(value, value, value);
+    }
+
+    /** The share of lost light that goes to the side that i is on. */
+    private double part(Scattering s, double place, double in) {
+        double through = lost.through(place, s.eta > 1, s.eta);
+        return in > 0 ? 1 - through : through;
+    }
+
+    /** The density of both kinds of lobes. */
+    private static double mixed(double single, double loss, double broad) {
+        double share = share(loss);
+        return Math.fma(share, single, (1 - share) * broad);
+    }
+
+    /** The share of samples of visible normals, by what is lost. */
+    private static double share(double loss) {
+        return Math.max(1 - loss, LEAST_SHARE);
     }
 
     private static double radiance(Scattering s, boolean through) {
@@ -75,7 +117,16 @@ public final class RoughDielectric implements Bsdf {
 
     @Override
     public double pdf(Scattering s) {
-        return density(s, s.cosineIn()) * facets.visible(s.cosineOutClamped());
+        double in = s.cosineIn();
+        double out = s.cosineOutClamped();
+        double single = density(s, in) * facets.visible(out);
+        if (lost == null || in == 0 || s.eta == 1) {
+            return single;
+        }
+        double place = LostLight.place(s.eta);
+        boolean toDense = s.eta > 1 == in > 0;
+        double broad = part(s, place, in) * lost.density(place, toDense, Math.min(Math.abs(in), 1));
+        return mixed(single, lost.loss(place, s.eta > 1, out), broad);
     }
 
     @Override
@@ -86,6 +137,25 @@ public final class RoughDielectric implements Bsdf {
             s.value(1, 1, 1);
             return true;
         }
+        if (lost == null) {
+            return sampleSingle(s, u, v, choice) && weighSingle(s);
+        }
+        double place = LostLight.place(s.eta);
+        boolean isDense = s.eta > 1;
+        double share = share(lost.loss(place, isDense, s.cosineOutClamped()));
+        if (choice >= share) {
+            double rest = (choice - share) / (1 - share);
+            s.transmitted = rest < lost.through(place, isDense, s.eta);
+            sampleLost(s, place, isDense != s.transmitted, u, v);
+        } else if (!sampleSingle(s, u, v, choice / share)) {
+            return false;
+        }
+        evaluate(s);
+        return s.weigh();
+    }
+
+    /** Samples a direction of single scattering, and which way it goes. */
+    private boolean sampleSingle(Scattering s, double u, double v, double choice) {
         if (!facets.sampleVisible(s, u, v)) {
             return false;
         }
@@ -99,13 +169,24 @@ public final class RoughDielectric implements Bsdf {
         s.transmitted = through;
         s.delta = false;
         double in = s.cosineIn();
-        if (!(through ? in < 0 : in > 0)) {
-            return false;
-        }
+        return through ? in < 0 : in > 0;
+    }
+
+    private boolean weighSingle(Scattering s) {
+        double in = s.cosineIn();
         double out = s.cosineOutClamped();
         s.pdf = density(s, in) * facets.visible(out);
-        double value = facets.shadowing(Math.abs(in), out) * radiance(s, through);
+        double value = facets.shadowing(Math.abs(in), out) * radiance(s, s.transmitted);
         s.value(value, value, value);
         return s.pdf > 0;
+    }
+
+    /** Samples a broad lobe, on the side that was chosen, by its table: at small α what is lost is lost along the surface. */
+    private void sampleLost(Scattering s, double place, boolean toDense, double u, double v) {
+        s.toDisk(u, v);
+        double z = lost.sample(place, toDense, Math.min(s.disk2, 1));
+        double scale = s.disk2 > 0 ? Math.sqrt((1 - z) * (1 + z) / s.disk2) : 0;
+        s.turn();
+        s.directLocal(s.diskX * scale, s.diskY * scale, s.transmitted ? -z : z);
     }
 }

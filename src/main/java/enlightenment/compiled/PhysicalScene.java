@@ -44,7 +44,7 @@ public final class PhysicalScene {
     /** The material of what fills the whole scene outside of its solids, which has no end; null if nothing does. */
     public final SurfaceMaterial around;
 
-    /** Whether a medium scatters light. */
+    /** Whether a medium scatters light, or something fills the whole scene. */
     public final boolean hasScattering;
 
     /** Whether there may be a point of a light inside of a solid that is a medium. */
@@ -88,8 +88,8 @@ public final class PhysicalScene {
             Surroundings surroundings,
             CompiledPrimitives compiled,
             List<PhysicalLight> points) {
-        this.surroundings = surroundings;
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        this.surroundings = seen(Rgb.WHITE, around).max() > 0 ? surroundings : null;
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
         backgroundG = background.g();
@@ -128,8 +128,7 @@ public final class PhysicalScene {
         hasDispersion = Arrays.stream(compiled.glassSolids())
                 .anyMatch(id -> compiled.materials().of(id, 0).dispersion != 0);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
-        hasScattering =
-                around != null && around.medium != null || compiled.materials().any(m -> m.medium != null);
+        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
@@ -142,7 +141,7 @@ public final class PhysicalScene {
         lightsLieInGlass = hasScattering
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
-        Sun sun = surroundings == null ? null : surroundings.sun;
+        Sun sun = this.surroundings == null ? null : surroundings.sun;
         caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;

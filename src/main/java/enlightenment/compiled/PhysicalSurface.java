@@ -126,17 +126,17 @@ record PhysicalSurface(
                     : new GlossyReflection(alpha, fresnel, glossy.multipleScattering());
         }
         if (material instanceof Material.Glass glass) {
-            return border(glass.roughness());
+            return border(glass.roughness(), glass.multipleScattering());
         }
         if (material instanceof Material.Scattering scattering) {
-            return border(scattering.roughness());
+            return border(scattering.roughness(), true);
         }
         throw new AssertionError("no physical form of the material " + material.type());
     }
 
-    private static Bsdf border(double roughness) {
+    private static Bsdf border(double roughness, boolean losesNothing) {
         double alpha = roughness * roughness;
-        return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha);
+        return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha, losesNothing);
     }
 
     private static Rgb scaled(Rgb c, int exponent) {

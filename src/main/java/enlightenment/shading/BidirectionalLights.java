@@ -75,6 +75,9 @@ final class BidirectionalLights {
     /** The density, per area of the light, with which the last vertex would have chosen this point. */
     private double aimed(int index, Hit hit, double cosine) {
         PhysicalLight l = physical.lights[index];
+        if (l.isBallOf(eye.lastId)) {
+            return 0;
+        }
         view.aim(l, eye.lastX, eye.lastY, eye.lastZ);
         double x = hit.px - eye.lastX;
         double y = hit.py - eye.lastY;
@@ -111,7 +114,7 @@ final class BidirectionalLights {
             return false;
         }
         PhysicalLight l = physical.lights[choice.light];
-        if (l.isInPlaneWith(eye.path.id, hit.face)) {
+        if (l.isInPlaneWith(eye.path.id, hit.face) || l.isBallOf(eye.path.id)) {
             return false;
         }
         counters.lightSamples++;

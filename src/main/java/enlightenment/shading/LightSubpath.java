@@ -106,6 +106,9 @@ final class LightSubpath extends Subpath {
             return d2;
         }
         double d = Math.sqrt(d2);
+        if (l.isBallOf(path.id)) {
+            return 0;
+        }
         view.aim(l, at.px, at.py, at.pz);
         return l.form.pdf(view.sample, -x / d, -y / d, -z / d, d, source.cosineOutside()) * source.cosine;
     }

@@ -63,7 +63,11 @@ final class RandomWalk {
         }
         medium = in == null ? null : in.medium;
         if (medium == null) {
-            return path.next(ray);
+            PathFollower.Event found = path.next(ray);
+            if (found == PathFollower.Event.NOTHING && in != null && in == physical.around) {
+                value.absorb(in, Double.MAX_VALUE);
+            }
+            return found;
         }
         value.leaveToChance(path.key);
         index = in.indexOfRefraction;

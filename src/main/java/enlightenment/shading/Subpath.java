@@ -72,6 +72,8 @@ abstract class Subpath {
     int address;
 
     /** The last vertex but the one that the path is at, and the normal of where light comes from there: 0 at a border. */
+    int lastId;
+
     double lastX;
 
     double lastY;
@@ -301,6 +303,7 @@ abstract class Subpath {
     private void remember(Scattering at, boolean connects) {
         isFirst = false;
         lastConnects = connects;
+        lastId = path.id;
         lastX = path.hit.px;
         lastY = path.hit.py;
         lastZ = path.hit.pz;

@@ -75,7 +75,7 @@ class ContributingTest {
                 }
             }
         }
-        assertEquals(5, readers.size(), readers.toString());
+        assertEquals(6, readers.size(), readers.toString());
         Set<String> listed = new TreeSet<>(readers);
         listed.retainAll(matches(CODE));
         assertEquals(readers, listed);

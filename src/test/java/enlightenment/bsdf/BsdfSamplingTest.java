@@ -34,8 +34,11 @@ class BsdfSamplingTest {
         for (double alpha : new double[] {0.01, 0.1, 0.36, 1}) {
             all.add(new Case("glossy " + alpha, new GlossyReflection(alpha, Fresnel.SCHLICK, false), alpha, 1));
             all.add(new Case("compensated " + alpha, new GlossyReflection(alpha, GOLD, true), alpha, 1));
-            all.add(new Case("into glass " + alpha, new RoughDielectric(alpha), alpha, 1 / 1.5));
-            all.add(new Case("out of glass " + alpha, new RoughDielectric(alpha), alpha, 1.5));
+            all.add(new Case("into glass " + alpha, new RoughDielectric(alpha, false), alpha, 1 / 1.5));
+            all.add(new Case("out of glass " + alpha, new RoughDielectric(alpha, false), alpha, 1.5));
+            Bsdf frosted = new RoughDielectric(alpha, true);
+            all.add(new Case("into compensated glass " + alpha, frosted, alpha, 1 / 1.52));
+            all.add(new Case("out of compensated glass " + alpha, frosted, alpha, 1.52));
         }
         return all;
     }
@@ -174,11 +177,14 @@ class BsdfSamplingTest {
         List<Case> all = new ArrayList<>(cases());
         all.add(new Case("least glossy", new GlossyReflection(1e-4, Fresnel.SCHLICK, true), 1e-4, 1));
         all.add(new Case("least metal", new GlossyReflection(1e-4, GOLD, false), 1e-4, 1));
-        all.add(new Case("least glass", new RoughDielectric(1e-4), 1e-4, 1.5));
-        all.add(new Case("hardly glass", new RoughDielectric(1e-4), 1e-4, 1 + 1e-9));
-        all.add(new Case("no glass", new RoughDielectric(0.1), 0.1, 1));
-        all.add(new Case("diamond", new RoughDielectric(1), 1, 1 / 2.4));
-        all.add(new Case("dense", new RoughDielectric(0.01), 0.01, 1e3));
+        all.add(new Case("least glass", new RoughDielectric(1e-4, true), 1e-4, 1.5));
+        all.add(new Case("hardly glass", new RoughDielectric(1e-4, true), 1e-4, 1 + 1e-9));
+        all.add(new Case("next to no glass", new RoughDielectric(1, true), 1, 1 + 1e-12));
+        all.add(new Case("from next to no glass", new RoughDielectric(0.5, true), 0.5, 1 - 1e-12));
+        all.add(new Case("no glass", new RoughDielectric(0.1, true), 0.1, 1));
+        all.add(new Case("diamond", new RoughDielectric(1, true), 1, 1 / 2.4));
+        all.add(new Case("dense", new RoughDielectric(0.01, true), 0.01, 1e3));
+        all.add(new Case("endlessly dense", new RoughDielectric(0.5, true), 0.5, 1e-300));
         double[] cosines = {1, 0.5, 1e-3, 1e-10, 1e-154, 1e-300, Double.MIN_VALUE, 0, -1e-17};
         double[] numbers = {0, Double.MIN_VALUE, 0.25, 0.5, Math.nextDown(1.0), 0.123};
         double[] colors = {0, 1e-300, 0.5, 1};
@@ -242,7 +248,7 @@ class BsdfSamplingTest {
     void weightsAreBounded() {
         SplittableRandom random = new SplittableRandom(6);
         for (Case c : cases()) {
-            double bound = c.bsdf instanceof RoughDiffuse ? 3.6 : c.name.startsWith("comp") ? 2 : 1 + 1e-12;
+            double bound = c.bsdf instanceof RoughDiffuse ? 3.6 : c.name.contains("comp") ? 2.5 : 1 + 1e-12;
             for (double cosine : new double[] {1, 0.7, 0.3, 0.05, 1e-3, 1e-6}) {
                 Place place = c.seen(cosine).color(1, 1, 1);
                 for (int k = 0; k < 2_000; k++) {

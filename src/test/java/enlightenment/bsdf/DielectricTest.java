@@ -46,7 +46,7 @@ class DielectricTest {
 
     @Test
     void radianceThatIsRefractedGrowsByTheSquareOfTheIndexAndImportanceDoesNot() {
-        for (Bsdf bsdf : List.of(SmoothDielectric.INSTANCE, new RoughDielectric(1e-3))) {
+        for (Bsdf bsdf : List.of(SmoothDielectric.INSTANCE, new RoughDielectric(1e-3, true))) {
             for (double eta : new double[] {1 / 1.5, 1.5}) {
                 Place place = Place.seen(bsdf, 0.95).eta(eta);
                 place.s.radiance = true;
@@ -88,7 +88,8 @@ class DielectricTest {
         for (double alpha : new double[] {1e-4, 0.01, 0.1, 0.5, 1}) {
             for (double eta : new double[] {1 / 2.4, 1 / 1.5, 1 / 1.01, 1.01, 1.5, 2.4}) {
                 for (double cosine : new double[] {1, 0.5, 0.05, 1e-3}) {
-                    Place place = Place.seen(new RoughDielectric(alpha), cosine).eta(eta);
+                    Place place = Place.seen(new RoughDielectric(alpha, false), cosine)
+                            .eta(eta);
                     int n = 2_000;
                     double sum = 0;
                     for (int k = 0; k < n; k++) {
@@ -112,7 +113,7 @@ class DielectricTest {
             double alpha = 0.1 + 0.9 * random.nextDouble();
             double no = 1 + random.nextDouble();
             double ni = 1 + random.nextDouble();
-            Place place = Place.seen(new RoughDielectric(alpha), 0.05 + 0.95 * random.nextDouble());
+            Place place = Place.seen(new RoughDielectric(alpha, false), 0.05 + 0.95 * random.nextDouble());
             place.eta(no / ni).to(-0.05 - 0.95 * random.nextDouble(), 7 * random.nextDouble());
             // Walter et al. 2007, equations 16 and 21; their o is where light goes to, and our path comes from there.
             Vec3 h = place.o().times(no).plus(place.i().times(ni)).normalized();
@@ -143,7 +144,7 @@ class DielectricTest {
 
     @Test
     void roughGlassBetweenEqualMediaLetsAllPassStraight() {
-        Place place = Place.seen(new RoughDielectric(0.5), 0.4).eta(1);
+        Place place = Place.seen(new RoughDielectric(0.5, true), 0.4).eta(1);
         place.s.radiance = true;
         assertTrue(place.bsdf.sample(place.s, 0.2, 0.3, 0.4));
         assertTrue(place.s.delta && place.s.transmitted);

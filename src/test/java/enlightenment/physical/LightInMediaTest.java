@@ -9,6 +9,7 @@ import static enlightenment.physical.PhysicalScenes.sphereLight;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
@@ -16,6 +17,7 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
+import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.Welch;
 import enlightenment.scene.Background;
@@ -79,6 +81,14 @@ class LightInMediaTest {
                         .object(
                                 ball(-0.4, 0.7, -0.4, 0.2),
                                 new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1, 1, 2, true)));
+        all.put(
+                "cloud that takes light from a room that glows",
+                Scene.builder()
+                        .size(16, 16)
+                        .camera(new Camera.Perspective(at(0.3, 0.2, -0.1), at(0.1, 0.2, 1), Vec3.Y, 30))
+                        .shading(PhysicalShading.DEFAULT)
+                        .object(ball(0, 0, 0, 1), matte(0.6, 0.5, 0.3).withRadiance(new Rgb(0.1, 0.2, 0.3)))
+                        .object(ball(0.1, 0.2, 0.5, 0.3), Material.Scattering.of(medium(1, 1, 1, 3, 0.3))));
         return all;
     }
 

@@ -36,7 +36,8 @@ final class NaiveFacets {
         return facet(random.nextDouble(), random.nextDouble());
     }
 
-    private Vec3 facet(double u, double v) {
+    /** The normal of that density for a point of the unit square. */
+    Vec3 facet(double u, double v) {
         double theta = Math.atan(alpha * Math.sqrt(u / (1 - u)));
         double phi = 2 * Math.PI * v;
         return new Vec3(Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta));

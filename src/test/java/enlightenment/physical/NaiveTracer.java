@@ -54,6 +54,8 @@ final class NaiveTracer {
     /** Metals of one colour have tables, which are made once. */
     private final Map<List<Object>, NaiveReflector> metals = new ConcurrentHashMap<>();
 
+    private final Map<List<Double>, NaiveBorder> borders = new ConcurrentHashMap<>();
+
     NaiveTracer(Scene scene) {
         this(scene, false);
     }
@@ -348,7 +350,7 @@ final class NaiveTracer {
         return scaled(NaiveColors.product(color(hit), arriving), from * from / (to * to));
     }
 
-    /** Rough glass, single scattering: the weight of Walter's equation 41. */
+    /** Rough glass: by single scattering with the weight of Walter's equation 41, or what that loses. */
     private double[] throughFacets(
             Material.Glass glass,
             NaiveScene.Hit hit,
@@ -361,9 +363,19 @@ final class NaiveTracer {
         if (isLeftOut(path)) {
             return new double[3];
         }
-        NaiveFacets facets = new NaiveFacets(glass.roughness() * glass.roughness());
+        double alpha = glass.roughness() * glass.roughness();
+        NaiveFacets facets = new NaiveFacets(alpha);
         Vec3[] axes = axes(hit.normal());
         Vec3 out = local(axes, d.negated());
+        double share = glass.multipleScattering() ? 0.5 : 1;
+        if (path.random.nextDouble() >= share) {
+            boolean through = path.random.nextBoolean();
+            Vec3 in = NaiveReflector.byCosine(path.random);
+            double f = border(alpha, from, to).value(out.z(), in.z(), through);
+            double[] arriving = amongFacets(hit, axes, through ? mirror(in) : in, scattered, events, path);
+            double square = through ? from * from / (to * to) : 1;
+            return scaled(through ? NaiveColors.product(color(hit), arriving) : arriving, 4 * Math.PI * f * square);
+        }
         Vec3 m = facets.sample(path.random);
         double cosine = out.dot(m);
         if (cosine <= 0) {
@@ -383,7 +395,21 @@ final class NaiveTracer {
                 reflects
                         ? mirrored(hit, facet, d, scattered, events, path)
                         : refracted(hit, facet, d, from, to, scattered, events, path),
-                weight);
+                weight / share);
+    }
+
+    private static Vec3 mirror(Vec3 v) {
+        return new Vec3(v.x(), v.y(), -v.z());
+    }
+
+    private double[] amongFacets(NaiveScene.Hit hit, Vec3[] axes, Vec3 in, int scattered, int events, Path path) {
+        path.mirrored();
+        Vec3 on = axes[0].times(in.x()).plus(axes[1].times(in.y())).plus(axes[2].times(in.z()));
+        return scattered == scene.maxBounces ? new double[3] : radiance(hit.point(), on, scattered + 1, events, path);
+    }
+
+    private NaiveBorder border(double alpha, double from, double to) {
+        return borders.computeIfAbsent(List.of(alpha, from, to), any -> new NaiveBorder(alpha, from, to));
     }
 
     private static Vec3 local(Vec3[] axes, Vec3 v) {

@@ -133,7 +133,7 @@ class SpectralPartnerTest {
     @ParameterizedTest
     @MethodSource("cases")
     void singleWavelengthsMakeTheSamePictureWithManyPaths(String name, BuiltInMethod method) {
-        compare(name, method, 12, 24, 150_000);
+        compare(name, method, 8, 16, 60_000);
     }
 
     private static void compare(String name, BuiltInMethod method, int antialias, int seeds, int pathsOfQuarter) {

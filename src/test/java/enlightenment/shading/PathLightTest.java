@@ -226,7 +226,7 @@ class PathLightTest {
                         new Cube(ExactPoint.of(0, -9, 0), 9 * Math.sqrt(3), Vec3.ZERO),
                         Material.Glass.of(PathTracerTest.grey(1), 1.5).withRoughness(roughness))
                 .light(new Light.Sphere(ExactPoint.of(0, 3, 0), 2, DisplayRgb.WHITE));
-        RoughDielectric bsdf = new RoughDielectric(roughness * roughness);
+        RoughDielectric bsdf = new RoughDielectric(roughness * roughness, true);
         Scattering s = new Scattering();
         double length = Math.sqrt(0.3 * 0.3 + 1);
         s.ox = -0.3 / length;

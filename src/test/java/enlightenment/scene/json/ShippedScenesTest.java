@@ -220,6 +220,8 @@ class ShippedScenesTest {
                 "lamp-room",
                 "door-ajar",
                 "fluorescent-poster",
+                "wax",
+                "milk-and-glass",
                 "fire-and-ice-physical")) {
             assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
         }

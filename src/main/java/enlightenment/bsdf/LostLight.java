@@ -1,0 +1,101 @@
+package enlightenment.bsdf;
+
+import java.util.concurrent.atomic.AtomicReferenceArray;
+
+/**
+ * What a rough border of any two media does with light that single scattering loses: {@link LostAtBorder} for indices of refraction n that
+ * are even in the square root of (n − 1)/(n + 1), interpolated between. Tables are made when a path first needs them, some milliseconds
+ * each; what they hold does not depend on when.
+ *
+ * <p>A place says where between two of them a border is: their number and how far it is from there to the next.
+ */
+final class LostLight {
+    private static final int NODES = 64;
+
+    private final Microfacets facets;
+    private final AtomicReferenceArray<LostAtBorder> nodes = new AtomicReferenceArray<>(NODES + 1);
+
+    LostLight(Microfacets facets) {
+        this.facets = facets;
+    }
+
+    /** The place of a border; {@code eta} is the index on one side over that on the other. */
+    static double place(double eta) {
+        double index = Math.max(eta, 1 / eta);
+        double t = (index - 1) / (index + 1);
+        return NODES * Math.sqrt(t < 1 ? t : 1);
+    }
+
+    private LostAtBorder node(int k) {
+        LostAtBorder known = nodes.getAcquire(k);
+        return known == null ? make(k) : known;
+    }
+
+    private synchronized LostAtBorder make(int k) {
+        LostAtBorder node = nodes.get(k);
+        if (node == null) {
+            double root = (double) k / NODES;
+            // At the last node one medium is endlessly dense, up to this.
+            double t = Math.min(root * root, 1 - Math.ulp(1f));
+            node = new LostAtBorder(facets, (1 + t) / (1 - t));
+            nodes.setRelease(k, node);
+        }
+        return node;
+    }
+
+    private AlbedoTable table(int k, boolean isDense) {
+        LostAtBorder node = node(k);
+        return isDense ? node.dense : node.rare;
+    }
+
+    private static int low(double place) {
+        return Math.min((int) place, NODES - 1);
+    }
+
+    private static double between(double part, double low, double high) {
+        return Math.fma(part, high - low, low);
+    }
+
+    /** The loss on one side at a cosine, 0..1. */
+    double loss(double place, boolean isDense, double cosine) {
+        int k = low(place);
+        return between(
+                place - k, table(k, isDense).loss(cosine), table(k + 1, isDense).loss(cosine));
+    }
+
+    /** Its mean. */
+    double meanLoss(double place, boolean isDense) {
+        int k = low(place);
+        return between(place - k, table(k, isDense).meanLoss, table(k + 1, isDense).meanLoss);
+    }
+
+    /**
+     * The share of what is lost on one side that comes through to the other.
+     *
+     * @param eta the index on this side over that on the other
+     */
+    double through(double place, boolean isDense, double eta) {
+        int k = low(place);
+        double flux = between(place - k, node(k).through, node(k + 1).through);
+        double square = isDense ? eta * eta : 1;
+        return Math.min(flux / (meanLoss(place, isDense) * square), 1);
+    }
+
+    /** The density per solid angle, at a cosine, of directions that {@link #sample} chooses on a side. */
+    double density(double place, boolean isDense, double cosine) {
+        int k = low(place);
+        AlbedoTable a = table(k, isDense);
+        AlbedoTable b = table(k + 1, isDense);
+        double sum = between(place - k, a.meanLoss * a.density(cosine), b.meanLoss * b.density(cosine));
+        return sum / between(place - k, a.meanLoss, b.meanLoss);
+    }
+
+    /** The cosine of a direction in which lost light leaves to a side, from a number that is uniform in 0..1. */
+    double sample(double place, boolean isDense, double number) {
+        int k = low(place);
+        AlbedoTable a = table(k, isDense);
+        AlbedoTable b = table(k + 1, isDense);
+        double share = (1 - (place - k)) * a.meanLoss;
+        return a.sample(b, share / Math.fma(place - k, b.meanLoss, share), number);
+    }
+}

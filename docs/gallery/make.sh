@@ -4,7 +4,11 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 run() { java -jar target/enlightenment.jar render "scenes/$1.json" -o "docs/gallery/$2.png" --progress none "${@:3}"; }
 run fire-and-ice fire-and-ice --antialias 6 --shadow-samples 32
-run fire-and-ice-tween tween --frame 120 --size 400x200
+run bounce blur --frame 5 --size 400x200 --antialias 6
+frames=$(mktemp -d)
+java -jar target/enlightenment.jar animate scenes/fire-and-ice-tween.json -o "$frames/%04d.png" --size 160x80 --antialias 3 \
+    --shadow-samples 4 --progress none --video docs/gallery/film.gif
+rm -r "$frames"
 run primitives primitives --size 400x225 --antialias 6
 run glass glass --size 400x200 --antialias 6
 run torus torus --size 400x225 --antialias 6
@@ -13,6 +17,7 @@ run cone cone --size 400x200
 run cube cube --size 212x300
 run cornell-box cornell-box --size 300x300 --samples 128
 run caustics caustics --size 400x267 --samples 256
+run prism prism --size 400x267 --samples 1024
 run fluorescent-poster fluorescent-poster --size 400x200 --samples 256
 for scene in metals glass-physical lamp-room fire-and-ice-physical; do
     run "$scene" "$scene" --size 400x200 --samples 128

@@ -144,7 +144,7 @@ class Document:
 
     def __init__(self, data):
         self.data, self.at = data, 0
-        if self.short_text() != "enlightenment job 3":
+        if self.short_text() != "enlightenment job 4":
             raise IOError("another job document")
         self.build = self.short_text()
         self.method = self.text()
@@ -161,6 +161,7 @@ class Document:
         self.text()
         self.light_paths = self.take(">q")[0]
         self.kinds = [self.text() for _ in range(self.take(">i")[0])]
+        self.instants = [self.text() for _ in range(self.take(">i")[0])]
         self.scene = data[self.at:].decode("utf-8")
 
     def take(self, form):

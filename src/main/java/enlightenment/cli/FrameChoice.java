@@ -8,7 +8,8 @@ import java.util.TreeSet;
 
 /**
  * Which frames of an animation are checked: all of them, or, where that would take minutes, those with keys and others spread
- * evenly. Between keys numbers change linearly, so that each has its minimum and its maximum in a frame with keys.
+ * evenly. Between keys numbers go one way, so that each has its minimum and its maximum in a frame with keys. A frame that several moments
+ * make is read as often.
  *
  * @param frames the chosen ones, in order
  * @param all the number of frames of the animation
@@ -24,7 +25,8 @@ record FrameChoice(List<Integer> frames, int all) {
     /** @param bytes length of the scene's text */
     static FrameChoice of(Animation animation, long bytes) {
         int all = animation.frames();
-        int most = (int) Math.max(Math.min(MAX_BYTES / Math.max(bytes, 1), MAX_FRAMES), MIN_FRAMES);
+        int readings = animation.isBlurred() ? 1 + animation.instants() : 1;
+        int most = (int) Math.max(Math.min(MAX_BYTES / Math.max(bytes, 1), MAX_FRAMES) / readings, MIN_FRAMES);
         TreeSet<Integer> chosen = new TreeSet<>();
         if (all > most) {
             addSpread(keys(animation, all), most / 2, chosen);

@@ -24,12 +24,19 @@ final class SceneFingerprint {
     /** The same, for scenes that share image files. */
     String hash(Scene scene) throws IOException {
         try {
-            String json = SceneWriter.toJson(
-                    scene.withoutAnimation(), file -> images.computeIfAbsent(file, SceneFingerprint::hashOf));
+            String json = json(scene);
             return ContentHash.of(json.getBytes(StandardCharsets.UTF_8)).toString();
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }
+    }
+
+    /** The scene's text, and those of its instants. */
+    private String json(Scene scene) {
+        StringBuilder all = new StringBuilder(SceneWriter.toJson(
+                scene.withoutAnimation(), file -> images.computeIfAbsent(file, SceneFingerprint::hashOf)));
+        scene.instants().forEach(instant -> all.append(json(instant)));
+        return all.toString();
     }
 
     private static String hashOf(Path image) {

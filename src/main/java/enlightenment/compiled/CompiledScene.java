@@ -92,6 +92,9 @@ public final class CompiledScene {
     /** Images of lights that can be aimed at; null if there are none. */
     public final MirrorBalls mirrorBalls;
 
+    /** The scene at the moments that its picture is the mean of; empty if it is one of a moment. */
+    public final CompiledScene[] instants;
+
     private ConeSearch coneSearch;
     private LightStarts lightStarts;
     private LightStarts lightStartsWithBackground;
@@ -112,14 +115,17 @@ public final class CompiledScene {
             Accelerator accelerator,
             List<String> features,
             List<String> absent,
-            DisplayCurve display) {
+            DisplayCurve display,
+            boolean isBlurred,
+            CompiledScene... instants) {
         this.display = display;
+        this.instants = instants;
         this.frame = frame;
         this.camera = camera;
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
         physical = shading instanceof PhysicalShading p
-                ? new PhysicalScene(p, frame, surroundings, compiled, points)
+                ? new PhysicalScene(p, frame, surroundings, compiled, points, !isBlurred)
                 : null;
         this.lights = lights;
         this.primitives = compiled.primitives();

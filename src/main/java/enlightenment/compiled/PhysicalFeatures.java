@@ -36,7 +36,6 @@ final class PhysicalFeatures {
         add(!isPlain && scene.surroundings.sun != null, "the sun's disk, sampled", "the sun's disk");
         add(any(surfaces, m -> !m.isGlass && m.isDelta), "mirrors", "mirrors");
         add(any(surfaces, m -> m.isGlass), "refraction by Fresnel's equations, nested media", "refraction");
-        add(scene.hasDispersion, "dispersion of glass", "dispersion of glass");
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");
         add(scene.hasUltraviolet, "ultraviolet light", "ultraviolet light");
         add(scene.hasAbsorption, "absorption in media", "absorption in media");

@@ -82,12 +82,14 @@ public final class PhysicalScene {
 
     private final int[] lightOfFace;
 
+    /** @param mayHavePass whether caustics may be the business of a pass of their own */
     PhysicalScene(
             PhysicalShading shading,
             SceneFrame frame,
             Surroundings surroundings,
             CompiledPrimitives compiled,
-            List<PhysicalLight> points) {
+            List<PhysicalLight> points,
+            boolean mayHavePass) {
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
         this.surroundings = seen(Rgb.WHITE, around).max() > 0 ? surroundings : null;
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
@@ -142,7 +144,7 @@ public final class PhysicalScene {
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
         Sun sun = this.surroundings == null ? null : surroundings.sun;
-        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
+        caustics = mayHavePass ? CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces) : null;
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }

@@ -22,6 +22,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
 import enlightenment.texture.ImageTexture;
@@ -37,6 +38,9 @@ import java.util.function.Function;
 public final class SceneCompiler {
     /** Up to this many primitives a plain loop is faster than a hierarchy (docs/benchmarks.md). */
     static final int LOOP_LIMIT = 24;
+
+    /** Measured for spheres with a hierarchy (docs/benchmarks.md), rounded up. */
+    private static final long BYTES_PER_OBJECT = 400;
 
     /** The exponent of a unit in which no sum of numbers of a scene overflows. */
     private static final int OVERFLOW_EXPONENT = 8;
@@ -95,6 +99,35 @@ public final class SceneCompiler {
             SceneImages images,
             CompiledPrimitives.Placement placement) {
         Method.requireSupport(settings.method(), scene);
+        requireMemory(scene);
+        CompiledScene[] instants = new CompiledScene[scene.instants().size()];
+        for (int i = 0; i < instants.length; i++) {
+            instants[i] = moment(scene.instants().get(i), settings, loopLimit, images, placement, true);
+        }
+        return moment(scene, settings, loopLimit, images, placement, instants.length > 0, instants);
+    }
+
+    private static void requireMemory(Scene scene) {
+        long bytes =
+                BYTES_PER_OBJECT * scene.instants().size() * scene.objects().size();
+        if (bytes > Runtime.getRuntime().maxMemory()) {
+            throw SceneException.of(
+                    "/animation/instants",
+                    scene.instants().size() + " instants of " + scene.objects().size() + " objects need about "
+                            + (bytes >> 20) + " MiB of memory; there are "
+                            + (Runtime.getRuntime().maxMemory() >> 20));
+        }
+    }
+
+    /** @param isBlurred whether the picture is the mean of several moments, of which this is one, or the first of all */
+    private static CompiledScene moment(
+            Scene scene,
+            RenderSettings settings,
+            int loopLimit,
+            SceneImages images,
+            CompiledPrimitives.Placement placement,
+            boolean isBlurred,
+            CompiledScene... instants) {
         SceneFrame frame = frameOf(scene);
         CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
         boolean physical = scene.shading().model() == Shading.Model.PHYSICAL;
@@ -124,7 +157,9 @@ public final class SceneCompiler {
                 accelerator,
                 features.present(),
                 features.absent(),
-                display(scene));
+                display(scene),
+                isBlurred,
+                instants);
     }
 
     private static DisplayCurve display(Scene scene) {

@@ -14,7 +14,9 @@ import enlightenment.shading.PathPart;
 import enlightenment.shading.PathTracer;
 import enlightenment.shading.SeenLight;
 import enlightenment.shading.Shader;
+import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 
 /**
  * Evenly spaced camera rays, the paper's first phase: well-distributed positions in every pixel, each of them shaded once;
@@ -24,6 +26,10 @@ public final class RayTraceMethod implements TileIntegrator {
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final Shader shader;
+
+    /** Which moment a sample sees; null if all see the same. */
+    private final Exposure exposure;
+
     private final Ray ray = new Ray();
     private final SobolSampler sampler = new SobolSampler();
     private final SampleSpread spread = new SampleSpread();
@@ -44,13 +50,24 @@ public final class RayTraceMethod implements TileIntegrator {
      * Takes this many samples per pixel in the mean: the next power of two below in some pixels and that above in the others,
      * since these are the numbers for which the points are best distributed.
      *
+     * @param scene has no instants, or is rendered at the time of its frame
      * @param shader what each of the rays is worth
      * @param samples at least 1; or 0 for antialias² samples in each pixel
      */
     public RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader, double samples) {
+        this(scene, settings, moment -> shader, null, samples);
+    }
+
+    private RayTraceMethod(
+            CompiledScene scene,
+            RenderSettings settings,
+            Function<CompiledScene, Shader> shader,
+            Exposure exposure,
+            double samples) {
         this.scene = scene;
         this.settings = settings;
-        this.shader = shader;
+        this.shader = shader.apply(scene);
+        this.exposure = exposure;
         fewer = samples == 0 ? settings.antialias() * settings.antialias() : Integer.highestOneBit((int) samples);
         doubled = samples == 0 ? 0 : samples / fewer - 1;
     }
@@ -58,23 +75,51 @@ public final class RayTraceMethod implements TileIntegrator {
     /** The same with the scene's shading. */
     public static RayTraceMethod of(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
-        if (scene.physical != null) {
-            return new RayTraceMethod(scene, settings, new PathTracer(scene, counters), samples);
-        }
         int lightPoints = RayTraceSettings.of(settings).shadowSamples();
-        return new RayTraceMethod(scene, settings, ClassicShader.ofColors(scene, lightPoints, counters), samples);
+        return of(
+                scene,
+                settings,
+                counters,
+                samples,
+                (moment, counted) -> moment.physical != null
+                        ? new PathTracer(moment, counted)
+                        : ClassicShader.ofColors(moment, lightPoints, counted));
+    }
+
+    /** The same with a shader of each moment. */
+    private static RayTraceMethod of(
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            double samples,
+            BiFunction<CompiledScene, RayCounters, Shader> shader) {
+        // Counters count by kinds of shapes, which an instant may lack: a light that goes out.
+        Function<CompiledScene, Shader> counted = moment -> shader.apply(
+                moment, moment.kindNames.equals(scene.kindNames) ? counters : new RayCounters(moment.kindNames.size()));
+        Exposure exposure = scene.instants.length == 0 ? null : new Exposure(scene.instants, counted);
+        return new RayTraceMethod(scene, settings, counted, exposure, samples);
     }
 
     /** Of physical shading, that part of each sample which is direct light: {@link PathPart#DIRECT}. */
     public static RayTraceMethod ofDirectLight(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
-        return new RayTraceMethod(scene, settings, new PathTracer(scene, counters, PathPart.DIRECT), samples);
+        return of(
+                scene,
+                settings,
+                counters,
+                samples,
+                (moment, counted) -> new PathTracer(moment, counted, PathPart.DIRECT));
     }
 
     /** Of physical shading, in place of light the reflectance of what is seen: {@link PathPart#ALBEDO}. */
     public static RayTraceMethod ofAlbedo(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
-        return new RayTraceMethod(scene, settings, new PathTracer(scene, counters, PathPart.ALBEDO), samples);
+        return of(
+                scene,
+                settings,
+                counters,
+                samples,
+                (moment, counted) -> new PathTracer(moment, counted, PathPart.ALBEDO));
     }
 
     /** Of physical shading, that part of each sample which no path from a light can be connected to the eye with: {@link SeenLight}. */
@@ -86,6 +131,9 @@ public final class RayTraceMethod implements TileIntegrator {
     @Override
     public void stopWhen(BooleanSupplier cancelled) {
         shader.stopWhen(cancelled);
+        if (exposure != null) {
+            exposure.stopWhen(cancelled);
+        }
     }
 
     @Override
@@ -98,8 +146,13 @@ public final class RayTraceMethod implements TileIntegrator {
         TilePasses.check(pass, passes, fewer);
         double width = settings.width();
         double height = settings.height();
-        shader.beginTile(
-                tile.x / width, tile.y / height, (tile.x + tile.width) / width, (tile.y + tile.height) / height);
+        double right = (tile.x + tile.width) / width;
+        double bottom = (tile.y + tile.height) / height;
+        if (exposure == null) {
+            shader.beginTile(tile.x / width, tile.y / height, right, bottom);
+        } else {
+            exposure.beginTile(tile.x / width, tile.y / height, right, bottom);
+        }
         for (int y = tile.y; y < tile.y + tile.height; y++) {
             for (int x = tile.x; x < tile.x + tile.width; x++) {
                 renderPixel(tile, x, y, pass, passes);
@@ -109,6 +162,9 @@ public final class RayTraceMethod implements TileIntegrator {
 
     private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
         sampler.pixel(settings.seed(), x, y);
+        if (exposure != null) {
+            exposure.pixel(settings.seed(), x, y);
+        }
         int samples = Dither.at(x, y) < doubled ? 2 * fewer : fewer;
         if (passes > 1) {
             int end = TilePasses.firstSample(samples, pass + 1, passes);
@@ -130,8 +186,12 @@ public final class RayTraceMethod implements TileIntegrator {
         sampler.sample(index);
         dx = sampler.filmX();
         dy = sampler.filmY();
-        scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
-        shader.shade(ray, sampler, color);
+        if (exposure == null) {
+            scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
+            shader.shade(ray, sampler, color);
+        } else {
+            exposure.shade(index, (x + dx) / settings.width(), (y + dy) / settings.height(), ray, sampler, color);
+        }
         tile.add(x, y, color[0], color[1], color[2]);
     }
 }

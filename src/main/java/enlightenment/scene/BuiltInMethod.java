@@ -102,6 +102,7 @@ public enum BuiltInMethod implements Method {
             case SCATTERING -> this != BIDIRECTIONAL;
             case FLUORESCENCE -> true;
             case DISPERSION -> true;
+            case MOTION -> this == RAYTRACE;
             case SURROUNDINGS -> true;
         };
     }

@@ -19,7 +19,10 @@ public enum LightFeature {
     DISPERSION("dispersion of glass"),
 
     /** Light from a picture or a sky around the scene. */
-    SURROUNDINGS("light from a picture or a sky");
+    SURROUNDINGS("light from a picture or a sky"),
+
+    /** Of any shading: things that move while the shutter is open. */
+    MOTION("what moves while the shutter is open");
 
     private final String description;
 
@@ -38,6 +41,9 @@ public enum LightFeature {
      */
     public static Map<LightFeature, String> of(Scene scene) {
         Map<LightFeature, String> asked = new EnumMap<>(LightFeature.class);
+        if (!scene.instants().isEmpty()) {
+            asked.put(MOTION, "/animation/shutter");
+        }
         if (!(scene.shading() instanceof PhysicalShading shading)) {
             return asked;
         }

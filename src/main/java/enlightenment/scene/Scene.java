@@ -33,6 +33,9 @@ import java.util.Set;
  *     makes its elements when they are asked for: they are equal each time, not the same
  * @param render the settings it asks to be rendered with
  * @param animation how it changes over frames, if it does
+ * @param instants the scene at the moments while the shutter is open, evenly spaced, of which its picture is the mean; empty if nothing
+ *     moves meanwhile: then it is the scene itself. They have no instants themselves, and what is chosen for the picture (size, display,
+ *     settings) is the scene's own
  */
 public record Scene(
         String name,
@@ -46,7 +49,8 @@ public record Scene(
         List<Light> lights,
         List<SceneObject> objects,
         RenderDefaults render,
-        Optional<Animation> animation) {
+        Optional<Animation> animation,
+        List<Scene> instants) {
 
     /** The largest width or height that a picture may have. */
     public static final int MAX_SIDE = 65_536;
@@ -69,6 +73,13 @@ public record Scene(
         objects = ObjectList.copyOf(objects);
         Objects.requireNonNull(render, "render");
         Objects.requireNonNull(animation, "animation");
+        instants = List.copyOf(instants);
+        for (Scene instant : instants) {
+            Check.that(
+                    instant.instants.isEmpty() && instant.shading.model() == shading.model(),
+                    "instants",
+                    "must have the shading of the scene, and no instants themselves");
+        }
         ShadingFit fit = new ShadingFit(shading, materials);
         Set<String> names = new HashSet<>();
         for (int i = 0; i < objects.size(); i++) {
@@ -82,6 +93,25 @@ public record Scene(
         fit.throwIfAny();
         fit.requireTogether();
         fit.require(camera);
+    }
+
+    /** A scene in which nothing moves while the shutter is open. */
+    public Scene(
+            String name,
+            int width,
+            int height,
+            Camera camera,
+            Shading shading,
+            Display display,
+            Map<String, Texture> textures,
+            Map<String, Material> materials,
+            List<Light> lights,
+            List<SceneObject> objects,
+            RenderDefaults render,
+            Optional<Animation> animation) {
+        this(
+                name, width, height, camera, shading, display, textures, materials, lights, objects, render, animation,
+                List.of());
     }
 
     /** Starts a scene in code; see {@link SceneBuilder}. */
@@ -103,7 +133,15 @@ public record Scene(
                 lights,
                 objects,
                 render,
-                Optional.empty());
+                Optional.empty(),
+                instants);
+    }
+
+    /** The same scene, pictures of which are the mean over these moments. */
+    public Scene withInstants(List<Scene> moments) {
+        return new Scene(
+                name, width, height, camera, shading, display, textures, materials, lights, objects, render, animation,
+                moments);
     }
 
     /**

@@ -82,11 +82,10 @@ final class BidirectionalLightTracer extends LightPathTracer {
         int vertices = light.vertices.size() + 1;
         double f = eye.importance() * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
         PathWavelength wavelength = light.path.glass.wavelength;
-        if (wavelength != null) {
-            double common = wavelength.common(s, light.isBorder);
-            s.valueR *= wavelength.red(common);
-            s.valueG *= wavelength.green(common);
-            s.valueB *= wavelength.blue(common);
+        if (wavelength != null && wavelength.colors(light.isBorder)) {
+            s.valueR *= wavelength.red;
+            s.valueG *= wavelength.green;
+            s.valueB *= wavelength.blue;
         }
         add(
                 f * eye.through[0] * s.valueR * light.red,

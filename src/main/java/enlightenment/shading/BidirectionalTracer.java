@@ -130,7 +130,7 @@ public final class BidirectionalTracer implements Shader {
         switch (eye.next(sampler)) {
             case NOTHING:
                 if (infinite == null) {
-                    add(common(false), 1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+                    add(colors(false), 1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
                 } else {
                     infinite.arrive(eye.ray, eye.lastConnects ? pdf : 0, true);
                     addInfinite();
@@ -173,21 +173,21 @@ public final class BidirectionalTracer implements Shader {
     }
 
     private void addInfinite() {
-        add(common(false), 1, infinite.red, infinite.green, infinite.blue, 0);
+        add(colors(false), 1, infinite.red, infinite.green, infinite.blue, 0);
     }
 
-    /** Adds light of which all wavelengths have a share in common. */
-    private void add(double common, double factor, double r, double g, double b, double ultraviolet) {
-        if (wavelength == null) {
-            add(factor, r, g, b, ultraviolet);
+    /** Adds light that may have the colour of the path's wavelength. */
+    private void add(boolean isColored, double factor, double r, double g, double b, double ultraviolet) {
+        if (isColored) {
+            add(factor, r * wavelength.red, g * wavelength.green, b * wavelength.blue, 0);
         } else {
-            add(factor, r * wavelength.red(common), g * wavelength.green(common), b * wavelength.blue(common), 0);
+            add(factor, r, g, b, ultraviolet);
         }
     }
 
-    /** What that share is of light that comes to the path's last vertex in the direction that was evaluated there. */
-    private double common(boolean isScattered) {
-        return wavelength == null ? 1 : wavelength.common(eye.s, isScattered && eye.isBorder);
+    /** Whether light that comes to the path's last vertex has it, before or after that scatters it. */
+    private boolean colors(boolean isScattered) {
+        return wavelength != null && wavelength.colors(isScattered && eye.isBorder);
     }
 
     /** Adds light that comes to the last vertex of the path from the eye. */
@@ -219,7 +219,7 @@ public final class BidirectionalTracer implements Shader {
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
             weight *= images.weight();
             add(
-                    common(false),
+                    colors(false),
                     weight,
                     eye.glowing.glowR,
                     eye.glowing.glowG,
@@ -232,7 +232,7 @@ public final class BidirectionalTracer implements Shader {
         int t = eye.vertices.size() + 1;
         if (lights.aim(sampler)) {
             double weight = watched(1, t, lights.weight);
-            add(common(true), weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
+            add(colors(true), weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
         }
         for (int k = 0; k < light.vertices.size(); k++) {
             if (light.vertices.bsdf(k) != null
@@ -287,9 +287,9 @@ public final class BidirectionalTracer implements Shader {
         segments.begin(eye.isBorder, here < 0);
         if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
             double weight = watched(k + 2, t, weight(k, here, beyond, d2));
-            double common = wavelength == null ? 1 : common(true) * v.common(k, there);
+            boolean isColored = wavelength != null && (colors(true) || v.isColored(k));
             double[] left = segments.rgb;
-            add(common, weight, r * left[0], g * left[1], b * left[2], u * left[2]);
+            add(isColored, weight, r * left[0], g * left[1], b * left[2], u * left[2]);
         }
     }
 

@@ -2,7 +2,7 @@ package enlightenment.shading;
 
 /**
  * How much of each path a {@link PathTracer} follows, and what it makes of it. The first vertex is the first surface that scatters light
- * other than into single directions, seen straight or by way of mirrors and glass.
+ * other than into single directions, or the first point of a medium that scatters it, seen straight or by way of mirrors and glass.
  */
 public enum PathPart {
     /** All of it: the light that comes along the camera ray. */
@@ -20,7 +20,8 @@ public enum PathPart {
 
     /**
      * The reflectance of the first vertex: the surface's colour, of a metal times its reflectance at normal incidence; filtered by the
-     * mirrors and the glass on the way. 0 where there is none, and where nothing but a delta lobe reflects.
+     * mirrors and the glass on the way. 0 where there is none, and where nothing but a delta lobe reflects. At a point of a
+     * medium: the share of light that is scattered there.
      */
     ALBEDO
 }

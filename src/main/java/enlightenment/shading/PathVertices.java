@@ -20,14 +20,12 @@ final class PathVertices {
     private static final int BEYOND = 17;
     private static final int SURVIVAL = 18;
     private static final int ULTRAVIOLET = 19;
-    private static final int ETA_FIRST = 20;
-    private static final int ETA_LAST = 21;
-    private static final int NUMBERS = 22;
+    private static final int NUMBERS = 20;
 
     private static final int ID = 0;
     private static final int FACE = 1;
     private static final int BOUNCES = 2;
-    private static final int ALONE = 3;
+    private static final int COLORED = 3;
     private static final int INTS = 4;
 
     private int size;
@@ -98,19 +96,14 @@ final class PathVertices {
         numbers[k + ULTRAVIOLET] = ultraviolet;
     }
 
-    /** Tells what the path's wavelength was at the vertex that was added last. */
-    void wavelength(PathWavelength wavelength, boolean isBorder) {
-        ints[(size - 1) * INTS + ALONE] = wavelength.isAlone ? 1 : 0;
-        int k = (size - 1) * NUMBERS;
-        numbers[k + ETA_FIRST] = isBorder ? wavelength.etaFirst : 1;
-        numbers[k + ETA_LAST] = isBorder ? wavelength.etaLast : 1;
+    /** Tells whether light of the vertex that was added last has the colour of the path's wavelength. */
+    void colored(boolean isColored) {
+        ints[(size - 1) * INTS + COLORED] = isColored ? 1 : 0;
     }
 
-    /** {@link PathWavelength#common(Scattering, boolean)} at the vertex; of paths with a wavelength. */
-    double common(int k, Scattering s) {
-        return ints[k * INTS + ALONE] != 0
-                ? 0
-                : PathWavelength.common(s, numbers[k * NUMBERS + ETA_FIRST], numbers[k * NUMBERS + ETA_LAST]);
+    /** What {@link #colored} was told; of paths with a wavelength. */
+    boolean isColored(int k) {
+        return ints[k * INTS + COLORED] != 0;
     }
 
     private void set(int k, double a, double b, double c) {

@@ -109,61 +109,41 @@ final class PathWavelength {
     }
 
     /**
-     * Of the light that goes from o to i at the border, the share that does so at all wavelengths: of reflected light a
+     * Of the light that was scattered at the border, the share that is so at all wavelengths alike: of light that a smooth one reflects a
      * reflectance that no wavelength falls below, over that of this wavelength.
      */
     double common(Scattering s) {
-        return common(s, etaFirst, etaLast);
-    }
-
-    /** The same at a border with these relative indices at both ends of the range of wavelengths. */
-    static double common(Scattering s, double etaFirst, double etaLast) {
-        if (etaFirst == etaLast) {
+        if (!disperses()) {
             return 1;
         }
-        if (s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0) {
+        if (s.transmitted || !s.delta) {
             return 0;
         }
-        double x = s.ox + s.ix;
-        double y = s.oy + s.iy;
-        double z = s.oz + s.iz;
-        double c = Math.min(0.5 * Math.sqrt(x * x + y * y + z * z), 1);
+        double c = Math.min(Math.max(s.ox * s.nx + s.oy * s.ny + s.oz * s.nz, 0), 1);
         double least = DielectricFresnel.leastReflectance(c, etaFirst, etaLast);
         double own = DielectricFresnel.reflectance(c, s.eta);
         return least < own ? least / own : 1;
     }
 
-    /** The same of light that a path gets in a direction from where it is: nothing if it is alone, all if it is at no border. */
-    double common(Scattering s, boolean isAtBorder) {
-        return isAlone ? 0 : isAtBorder ? common(s) : 1;
-    }
-
-    /** What red counts of light of which a share is common to all wavelengths. */
-    double red(double common) {
-        return Math.fma(1 - common, red, common);
-    }
-
-    /** The same of green. */
-    double green(double common) {
-        return Math.fma(1 - common, green, common);
-    }
-
-    /** The same of blue. */
-    double blue(double common) {
-        return Math.fma(1 - common, blue, common);
+    private boolean disperses() {
+        return etaFirst != etaLast;
     }
 
     /**
-     * Multiplies the value of light at the border that the path is at by what the wavelength makes of the bands, if it is not alone: else that is
-     * in the path already.
+     * Whether light that is scattered towards the path where it is has the wavelength's colour.
+     *
+     * @param isRough whether that is at a rough border
      */
+    boolean colors(boolean isRough) {
+        return isAlone || isRough && disperses();
+    }
+
+    /** Multiplies the value of light at the rough border that the path is at by its colour, if the path has not taken that itself. */
     void color(Scattering s) {
-        if (isAlone) {
-            return;
+        if (!isAlone && disperses()) {
+            s.valueR *= red;
+            s.valueG *= green;
+            s.valueB *= blue;
         }
-        double common = common(s);
-        s.valueR *= red(common);
-        s.valueG *= green(common);
-        s.valueB *= blue(common);
     }
 }

@@ -230,7 +230,7 @@ abstract class Subpath {
             vertices.add(at, path.id, bsdf, s, color, path.bounces(), densities, survival);
             vertices.power(red, green, blue, ultraviolet);
             if (path.glass.wavelength != null) {
-                vertices.wavelength(path.glass.wavelength, isBorder);
+                vertices.colored(path.glass.wavelength.colors(isBorder));
             }
         }
     }

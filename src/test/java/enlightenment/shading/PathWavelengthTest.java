@@ -18,7 +18,15 @@ class PathWavelengthTest {
         s.iz = cosine;
         s.ix = -s.ox;
         s.eta = eta;
+        s.delta = true;
         return s;
+    }
+
+    private static double common(Scattering s, double first, double last) {
+        PathWavelength wavelength = new PathWavelength();
+        wavelength.etaFirst = first;
+        wavelength.etaLast = last;
+        return wavelength.common(s);
     }
 
     @Test
@@ -29,8 +37,7 @@ class PathWavelengthTest {
             double last = first * Math.exp(random.nextDouble(-0.3, 0.3));
             double cosine = run % 2 == 0 ? random.nextDouble() : Math.sqrt(random.nextDouble());
             double own = first + random.nextDouble() * (last - first);
-            Scattering s = reflected(cosine, own);
-            double common = PathWavelength.common(s, first, last);
+            double common = common(reflected(cosine, own), first, last);
             double least = DielectricFresnel.leastReflectance(cosine, first, last);
             double there = DielectricFresnel.reflectance(cosine, own);
             assertTrue(least >= 0 && there >= least * (1 - 1e-12), first + " " + last + " " + own + " " + cosine);
@@ -52,7 +59,7 @@ class PathWavelengthTest {
         Scattering s = reflected(0.8, 1 / 1.5);
         assertTrue(SmoothDielectric.INSTANCE.sample(s, 0, 0, 0.999));
         assertTrue(s.transmitted);
-        assertEquals(0, PathWavelength.common(s, 1 / 1.52, 1 / 1.48));
-        assertEquals(1, PathWavelength.common(s, 1 / 1.5, 1 / 1.5));
+        assertEquals(0, common(s, 1 / 1.52, 1 / 1.48));
+        assertEquals(1, common(s, 1 / 1.5, 1 / 1.5));
     }
 }

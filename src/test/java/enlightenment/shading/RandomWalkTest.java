@@ -155,6 +155,17 @@ class RandomWalkTest {
         paths.means(16)[0].agreesWith(1);
     }
 
+    /** Rough borders give back what single facets lose, in the mean. */
+    @ParameterizedTest
+    @CsvSource({"2, 0.3, 1.4, 0.3", "5, 0, 1.5, 0.7"})
+    void norCanItBehindARoughBorder(double sigma, double g, double index, double roughness) {
+        Scene scene = seenFrom(3, 45)
+                .object(BALL, new Material.Scattering(medium(sigma, 0, g), index, roughness, 0))
+                .build();
+        Mean mean = new Paths(scene).means(200)[0];
+        assertEquals(1, mean.value, 4 * mean.error + 0.01);
+    }
+
     @Test
     void colouredMediaThatAbsorbNothingCannotBeSeenInWhiteEither() {
         Medium medium = new Medium.Coefficients(new Rgb(0.5, 3, 9), Rgb.BLACK, 0.4);

@@ -8,6 +8,7 @@ import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
 import enlightenment.net.protocol.Limits;
 import enlightenment.plan.RenderPlan;
+import enlightenment.scene.Animation;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -29,17 +30,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 
 /**
  * A job as contents that are addressed by their hashes. The first is the job's document: build, settings, plan, the kinds of
- * primitives that tiles count (for clients that do not read scenes) and the scene, in which image files are named by their
- * hashes too; so its hash is the hash of everything that decides bits. The others are the image files.
+ * primitives that tiles count (for clients that do not read scenes), the number of the scene's instants, these, each with its length
+ * before it, and the scene, in which image files are named by their hashes too; so its hash is the hash of everything that decides bits. The others are the image files.
  *
  * <p>Files of whole numbers that are not PNG travel as PNG files of the same texels: two JDKs may decode the same JPEG file
  * differently.
  */
 public final class JobContent {
-    private static final String MAGIC = "enlightenment job 3";
+    private static final String MAGIC = "enlightenment job 4";
     private final Map<ContentHash, byte[]> contents;
 
     private JobContent(Map<ContentHash, byte[]> contents) {
@@ -55,11 +57,10 @@ public final class JobContent {
     public static JobContent of(Scene scene, RenderOutline outline, String build) {
         Map<Path, ContentHash> byPath = new LinkedHashMap<>();
         Map<ContentHash, byte[]> images = new LinkedHashMap<>();
-        String json = SceneWriter.toJson(
-                scene.withoutAnimation(),
-                file -> byPath.computeIfAbsent(file, f -> add(images, read(f))).toString());
+        Function<Path, String> names =
+                file -> byPath.computeIfAbsent(file, f -> add(images, read(f))).toString();
         Map<ContentHash, byte[]> all = new LinkedHashMap<>();
-        add(all, document(outline, build, json));
+        add(all, document(outline, build, scenes(scene, names)));
         all.putAll(images);
         long bytes = all.values().stream().mapToLong(b -> b.length).sum();
         if (bytes > Limits.JOB || all.size() > Limits.CONTENTS) {
@@ -77,7 +78,7 @@ public final class JobContent {
             in.readUTF();
             SettingsBytes.read(in, 1);
             SettingsBytes.readTexts(in);
-            add(all, document(outline, build, new String(in.readAllBytes(), StandardCharsets.UTF_8)));
+            add(all, document(outline, build, in.readAllBytes()));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -109,14 +110,55 @@ public final class JobContent {
         }
     }
 
-    private static byte[] document(RenderOutline outline, String build, String json) {
+    /** A scene's instants, then itself. */
+    private static byte[] scenes(Scene scene, Function<Path, String> names) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (DataOutputStream out = new DataOutputStream(bytes)) {
+            out.writeInt(scene.instants().size());
+            for (Scene instant : scene.instants()) {
+                byte[] json = json(instant, names);
+                out.writeInt(json.length);
+                out.write(json);
+            }
+            out.write(json(scene, names));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.toByteArray();
+    }
+
+    private static byte[] json(Scene scene, Function<Path, String> names) {
+        return SceneWriter.toJson(scene.withoutAnimation(), names).getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static Scene readScenes(DataInputStream in, Set<String> names) throws IOException {
+        int count = in.readInt();
+        if (count < 0 || count > Animation.MOST_INSTANTS) {
+            throw new IOException("the job has " + count + " instants");
+        }
+        List<Scene> instants = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            int length = in.readInt();
+            if (length < 0 || length > in.available()) {
+                throw new IOException("the job ends too early");
+            }
+            instants.add(readScene(in.readNBytes(length), names));
+        }
+        return readScene(in.readAllBytes(), names).withInstants(instants);
+    }
+
+    private static Scene readScene(byte[] json, Set<String> names) {
+        return SceneReader.readNamed(new String(json, StandardCharsets.UTF_8), names, "the server's scene");
+    }
+
+    private static byte[] document(RenderOutline outline, String build, byte[] scenes) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeUTF(MAGIC);
             out.writeUTF(build);
             SettingsBytes.write(out, outline.settings(), outline.plan());
             SettingsBytes.write(out, outline.kinds());
-            out.write(json.getBytes(StandardCharsets.UTF_8));
+            out.write(scenes);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -161,11 +203,9 @@ public final class JobContent {
             }
             SettingsBytes.Decided decided = SettingsBytes.read(in, threads);
             SettingsBytes.readTexts(in);
-            String json = new String(in.readAllBytes(), StandardCharsets.UTF_8);
             Set<String> names = Set.copyOf(
                     images.stream().map(ContentHash::toString).distinct().toList());
-            return new Document(
-                    SceneReader.readNamed(json, names, "the server's scene"), decided.settings(), decided.plan());
+            return new Document(readScenes(in, names), decided.settings(), decided.plan());
         } catch (IllegalArgumentException | SceneException e) {
             throw new IOException("the job cannot be used: " + e.getMessage(), e);
         }

@@ -17,6 +17,8 @@ import java.util.Set;
 
 /** Makes a scene of a document, or says all that is wrong with it. */
 final class SceneBinder {
+    private static final int NO_INSTANT = -1;
+
     private final Values values;
 
     /**
@@ -29,6 +31,15 @@ final class SceneBinder {
 
     /** The scene that a text holds, at a frame or as it is written; null after a problem. */
     Scene read(JsonTree.Source source, OptionalInt frame) {
+        return read(source, frame, NO_INSTANT);
+    }
+
+    /**
+     * The same at one of the moments that a frame's picture is made of.
+     *
+     * @param instant counted from 0; or -1 for the time of the frame
+     */
+    Scene read(JsonTree.Source source, OptionalInt frame, int instant) {
         ObjectStream objects = new ObjectStream(source, values);
         JsonValue root = objects.readAll();
         Fields f = root == null ? null : Fields.of(root, JsonPointer.ROOT, Vocabulary.SCENE, values);
@@ -42,19 +53,20 @@ final class SceneBinder {
             animation = new Tracks(root, values).read(f.get("animation"), f.at("animation"));
         }
         if (frame.isPresent()) {
-            setFrame(f, animation, frame.getAsInt(), root);
+            setFrame(f, animation, frame.getAsInt(), instant, root);
         }
         objects.prepare(scene, animation != null && frame.isPresent());
         return scene(f, animation, objects);
     }
 
-    private static void setFrame(Fields f, Animation animation, int frame, JsonValue root) {
+    private static void setFrame(Fields f, Animation animation, int frame, int instant, JsonValue root) {
         if (!f.has("animation")) {
             f.problem("animation", "missing: the scene has no animation, so it has no frame " + frame);
         } else if (animation != null && (frame < 0 || frame >= animation.frames())) {
             f.problem("animation", "there is no frame " + frame + "; the frames are 0.." + (animation.frames() - 1));
         } else if (animation != null) {
-            Tracks.apply(animation, frame, root);
+            Moment time = instant < 0 ? Moment.of(frame) : Moment.instant(animation, frame, instant);
+            Tracks.apply(animation, time, root);
         }
     }
 
@@ -85,6 +97,7 @@ final class SceneBinder {
                 lights,
                 objects,
                 render,
-                Optional.ofNullable(animation)));
+                Optional.ofNullable(animation),
+                List.of()));
     }
 }

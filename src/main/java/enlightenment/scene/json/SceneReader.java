@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.scene.Animation;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.BufferedReader;
@@ -13,6 +14,8 @@ import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
 
@@ -39,7 +42,7 @@ public final class SceneReader {
 
     /**
      * Reads one frame of an animated scene: the numbers that its tracks lead to are replaced by those of the frame,
-     * which are as good as exact fractions.
+     * which are as good as exact fractions. If the animation's shutter is open, the scene has its {@linkplain Scene#instants instants}.
      *
      * @param frame the frame, counted from 0
      * @throws SceneException if the file cannot be read or is not a scene, or the scene has no such frame
@@ -112,7 +115,21 @@ public final class SceneReader {
     private static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame) {
         Scene scene = new SceneBinder(problems, folder, null).read(source, frame);
         problems.throwIfAny();
-        return scene;
+        boolean isBlurred =
+                frame.isPresent() && scene.animation().map(Animation::isBlurred).orElse(false);
+        return isBlurred ? scene.withInstants(instants(source, folder, problems, scene, frame)) : scene;
+    }
+
+    /** The scene at the moments that the picture of a frame is made of. */
+    private static List<Scene> instants(
+            JsonTree.Source source, Path folder, Problems problems, Scene scene, OptionalInt frame) {
+        List<Scene> instants = new ArrayList<>();
+        for (int i = 0; i < scene.animation().orElseThrow().instants(); i++) {
+            Scene instant = new SceneBinder(problems, folder, null).read(source, frame, i);
+            problems.throwIfAny();
+            instants.add(instant);
+        }
+        return instants;
     }
 
     /** A reader that refuses what is not UTF-8, and skips the mark that some editors begin files with. */

@@ -110,8 +110,19 @@ final class SceneToJson {
             JsonObjectBuilder keys = t.child("keys");
             // Not shortened: keys are equal only with all their digits.
             track.keys().forEach((frame, v) -> keys.put(frame.toString(), new JsonValue.Num(0, 0, v.toString())));
-            tracks.add(t.text("target", track.target()).put("keys", keys.json()).json());
+            t.text("target", track.target()).put("keys", keys.json());
+            if (track.easing() != Animation.Easing.LINEAR) {
+                t.text("easing", Fields.word(track.easing()));
+            }
+            tracks.add(t.json());
         }
-        return p.put("tracks", JsonValue.Arr.of(tracks)).json();
+        p.put("tracks", JsonValue.Arr.of(tracks));
+        if (animation.shutter() != 0) {
+            p.number("shutter", animation.shutter());
+        }
+        if (animation.instants() != Animation.USUAL_INSTANTS) {
+            p.whole("instants", animation.instants());
+        }
+        return p.json();
     }
 }

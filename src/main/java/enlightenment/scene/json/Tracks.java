@@ -21,12 +21,16 @@ import java.util.TreeMap;
  * double: moved by a decimal, the cut number moves by just that; if two numbers differ by a decimal, so do the cut ones;
  * and a difference that is no decimal is no number halfway between two doubles either, and cannot be so close to one
  * that 10^-1600 matters. (A fraction whose denominator is a product of two lengths of time and 10^k differs from a
- * multiple of 2^-2150, which no double's halves go below even in a scene's frame, by 10^-(k + 666) or not at all: that
- * holds for keys and coordinates of up to 900 decimals.)
+ * multiple of 2^-2150, which no double's halves go below even in a scene's frame, by 10^-(k + 666) or not at all. A length of
+ * time is the third power of up to 2^40 · 10^20, where a shutter is open and motion is smooth: then it is 10^-(k + 850). That holds for keys
+ * and coordinates of up to 700 decimals.)
  */
 final class Tracks {
     /** Where a number between keys that is no decimal is cut. */
     static final int DECIMALS = 1600;
+
+    private static final BigInteger THREE = BigInteger.valueOf(3);
+    private static final BigInteger FIVE = BigInteger.valueOf(5);
 
     private final JsonValue root;
     private final Values values;
@@ -54,7 +58,9 @@ final class Tracks {
                 tracks.add(track(track));
             }
         }
-        return f.make(() -> new Animation(frames, framesPerSecond, tracks));
+        double shutter = f.number("shutter", 0);
+        int instants = f.integer("instants", 1, Animation.MOST_INSTANTS, Animation.USUAL_INSTANTS);
+        return f.make(() -> new Animation(frames, framesPerSecond, tracks, shutter, instants));
     }
 
     private Animation.Track track(Fields f) {
@@ -78,7 +84,8 @@ final class Tracks {
                                         + Plain.quoted(o.key(i)));
             }
         }
-        return f.make(() -> new Animation.Track(target, keys));
+        Animation.Easing easing = f.word("easing", Animation.Easing.LINEAR);
+        return f.make(() -> new Animation.Track(target, keys, easing));
     }
 
     private static boolean isFrame(String key) {
@@ -102,14 +109,14 @@ final class Tracks {
         }
     }
 
-    /** Puts the numbers of a frame in place of those that are written. */
-    static void apply(Animation animation, int frame, JsonValue root) {
+    /** Puts the numbers of a moment in place of those that are written. */
+    static void apply(Animation animation, Moment time, JsonValue root) {
         for (Animation.Track track : animation.tracks()) {
             List<String> tokens = JsonPointer.parse(track.target());
             String last = tokens.get(tokens.size() - 1);
             JsonValue parent = JsonPointer.resolve(root, tokens.subList(0, tokens.size() - 1));
             JsonValue old = JsonPointer.resolve(root, tokens);
-            String text = valueAt(track.keys(), frame).toString();
+            String text = valueAt(track, time).toString();
             JsonValue number = new JsonValue.Num(old.line, old.column, text);
             if (parent instanceof JsonValue.Obj o) {
                 o.replace(last, number);
@@ -119,30 +126,45 @@ final class Tracks {
         }
     }
 
-    /** The value at a frame: linear between keys, constant before the first and after the last. */
-    static BigDecimal valueAt(NavigableMap<Integer, BigDecimal> keys, int frame) {
-        Map.Entry<Integer, BigDecimal> before = keys.floorEntry(frame);
-        Map.Entry<Integer, BigDecimal> after = keys.ceilingEntry(frame);
-        if (before == null || after == null || before.getKey().equals(after.getKey())) {
+    /** The value at a frame. */
+    static BigDecimal valueAt(Animation.Track track, int frame) {
+        return valueAt(track, Moment.of(frame));
+    }
+
+    /** The value at a time: between keys as the track's easing says, constant before the first and after the last. */
+    static BigDecimal valueAt(Animation.Track track, Moment time) {
+        Map.Entry<Integer, BigDecimal> before = track.keys().floorEntry(time.frame());
+        Map.Entry<Integer, BigDecimal> after = track.keys().higherEntry(time.frame());
+        if (before == null || after == null) {
             return before == null ? after.getValue() : before.getValue();
         }
-        BigDecimal length = BigDecimal.valueOf(after.getKey() - before.getKey());
-        BigDecimal late = BigDecimal.valueOf(frame - before.getKey());
+        BigInteger under = time.under();
+        BigInteger late =
+                time.over().subtract(BigInteger.valueOf(before.getKey()).multiply(under));
+        if (late.signum() == 0) {
+            return before.getValue();
+        }
+        BigInteger length =
+                BigInteger.valueOf((long) after.getKey() - before.getKey()).multiply(under);
+        if (track.easing() == Animation.Easing.SMOOTH) {
+            // s²(3 − 2s) for s = late/length, over length³.
+            late = late.multiply(late).multiply(length.multiply(THREE).subtract(late.shiftLeft(1)));
+            length = length.pow(3);
+        }
         BigDecimal sum = before.getValue()
-                .multiply(length.subtract(late))
-                .add(after.getValue().multiply(late));
-        return isDecimal(sum, length) ? sum.divide(length) : sum.divide(length, DECIMALS, RoundingMode.FLOOR);
+                .multiply(new BigDecimal(length.subtract(late)))
+                .add(after.getValue().multiply(new BigDecimal(late)));
+        BigDecimal divisor = new BigDecimal(length);
+        return isDecimal(sum, length) ? sum.divide(divisor) : sum.divide(divisor, DECIMALS, RoundingMode.FLOOR);
     }
 
     /** Whether the quotient has an end: whether nothing but twos and fives is left of the divisor when it is reduced. */
-    private static boolean isDecimal(BigDecimal sum, BigDecimal length) {
-        long divisor = length.longValueExact();
-        divisor /= sum.unscaledValue().gcd(BigInteger.valueOf(divisor)).longValueExact();
-        for (int prime : new int[] {2, 5}) {
-            while (divisor % prime == 0) {
-                divisor /= prime;
-            }
+    private static boolean isDecimal(BigDecimal sum, BigInteger length) {
+        BigInteger divisor = length.divide(sum.unscaledValue().gcd(length));
+        divisor = divisor.shiftRight(divisor.getLowestSetBit());
+        while (divisor.mod(FIVE).signum() == 0) {
+            divisor = divisor.divide(FIVE);
         }
-        return divisor == 1;
+        return divisor.equals(BigInteger.ONE);
     }
 }

@@ -24,8 +24,9 @@ final class Vocabulary {
             "medium", "a medium", "", "color meanFreePath scatteringCoefficient absorptionCoefficient anisotropy");
     static final Keys DISPLAY = Keys.of("display", "the display part", "", "exposure tone");
     static final Keys LINEAR_COLOR = Keys.of("linearColor", "a linear colour", "linear", "");
-    static final Keys ANIMATION = Keys.of("animation", "an animation", "frames framesPerSecond tracks", "");
-    static final Keys TRACK = Keys.of("track", "a track", "target keys", "");
+    static final Keys ANIMATION =
+            Keys.of("animation", "an animation", "frames framesPerSecond tracks", "shutter instants");
+    static final Keys TRACK = Keys.of("track", "a track", "target keys", "easing");
     static final Keys TEXTURE_REFERENCE = Keys.of("textureReference", "a reference to a texture", "texture", "");
 
     /** Types of objects that the format will have, and what is missing. */

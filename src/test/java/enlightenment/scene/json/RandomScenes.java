@@ -196,7 +196,13 @@ final class RandomScenes {
                         "/objects/" + i + "/material/color/" + (linear ? "linear/2" : "2"), keys()));
             }
         }
-        return new Animation(1 + random.nextInt(1000), positive(), tracks);
+        List<Animation.Track> eased = new ArrayList<>();
+        Animation.Easing[] easings = Animation.Easing.values();
+        tracks.forEach(
+                t -> eased.add(new Animation.Track(t.target(), t.keys(), easings[random.nextInt(easings.length)])));
+        double shutter = random.nextBoolean() ? 0 : (1 + random.nextInt(1000)) / 1000.0;
+        return new Animation(
+                1 + random.nextInt(1000), positive(), eased, shutter, 1 + random.nextInt(Animation.MOST_INSTANTS));
     }
 
     /** Where a shading's background has a number. */
@@ -342,7 +348,7 @@ final class RandomScenes {
                 return retry(() -> new Material.Fluorescent(
                         color, wavelengths(), wavelengths(), unit(), radiance(), ultraviolet()));
             default:
-                return new Material.Glass(
+                return retry(() -> new Material.Glass(
                         color,
                         positive(),
                         random.nextBoolean() ? 1 : unit(),
@@ -351,7 +357,7 @@ final class RandomScenes {
                         random.nextBoolean() ? 0 : unit(),
                         radiance(),
                         random.nextBoolean(),
-                        hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive()));
+                        hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive())));
         }
     }
 

@@ -220,6 +220,7 @@ class ShippedScenesTest {
                 "lamp-room",
                 "door-ajar",
                 "fluorescent-poster",
+                "prism",
                 "wax",
                 "milk-and-glass",
                 "fire-and-ice-physical")) {

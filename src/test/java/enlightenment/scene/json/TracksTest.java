@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.scene.Animation;
 import java.math.BigDecimal;
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
@@ -13,7 +15,9 @@ import org.junit.jupiter.api.Test;
 /** Numbers between keys are as good as exact fractions that are rounded once, to a double. */
 class TracksTest {
     private static BigDecimal at(int frame, String a, int length, String b) {
-        return Tracks.valueAt(new TreeMap<>(Map.of(0, new BigDecimal(a), length, new BigDecimal(b))), frame);
+        return Tracks.valueAt(
+                new Animation.Track("/", new TreeMap<>(Map.of(0, new BigDecimal(a), length, new BigDecimal(b)))),
+                frame);
     }
 
     private static void assertValue(String expected, BigDecimal value) {
@@ -87,6 +91,55 @@ class TracksTest {
                 () -> "frame " + frame + " of " + a + " to " + b);
         boolean even = (Double.doubleToRawLongBits(v) & 1) == 0;
         assertTrue(even || twice.compareTo(up) < 0 && twice.compareTo(down) > 0, () -> "a tie at " + v);
+    }
+
+    private static Animation.Track smooth(String a, int length, String b) {
+        return new Animation.Track(
+                "/", new TreeMap<>(Map.of(0, new BigDecimal(a), length, new BigDecimal(b))), Animation.Easing.SMOOTH);
+    }
+
+    /** s²(3 − 2s) at 1/4, 1/2, 3/4: 5/32, 16/32, 27/32. */
+    @Test
+    void smoothMotionIsExactToo() {
+        Animation.Track track = smooth("100", 8, "132");
+        assertValue("100", Tracks.valueAt(track, 0));
+        assertValue("105", Tracks.valueAt(track, 2));
+        assertValue("116", Tracks.valueAt(track, 4));
+        assertValue("127", Tracks.valueAt(track, 6));
+        assertValue("132", Tracks.valueAt(track, 8));
+        assertValue("132", Tracks.valueAt(track, 9));
+        // 1/9 of 1 − 2/3 · 1/3 · ...: 7/27 at a third of the way.
+        BigDecimal third = Tracks.valueAt(smooth("0", 3, "27"), 1);
+        assertValue("7", third);
+    }
+
+    @Test
+    void differencesOfSmoothMotionsThatAreDecimalsStayThem() {
+        Random random = new Random(7);
+        for (int i = 0; i < 500; i++) {
+            int length = 1 + random.nextInt(400);
+            int frame = random.nextInt(length + 1);
+            BigDecimal a = new BigDecimal(random.nextInt()).scaleByPowerOfTen(random.nextInt(600) - 300);
+            BigDecimal b = new BigDecimal(random.nextInt()).scaleByPowerOfTen(random.nextInt(600) - 300);
+            BigDecimal t = new BigDecimal(random.nextInt()).scaleByPowerOfTen(random.nextInt(600) - 300);
+            BigDecimal value = Tracks.valueAt(smooth(a.toString(), length, b.toString()), frame);
+            BigDecimal moved =
+                    Tracks.valueAt(smooth(a.add(t).toString(), length, b.add(t).toString()), frame);
+            assertEquals(0, moved.subtract(value).compareTo(t), () -> a + " to " + b + " in " + length);
+        }
+    }
+
+    /** Frame 3, half open, four instants: 3 + 1/16, 3/16, 5/16, 7/16. */
+    @Test
+    void instantsLieInTheMiddleOfEqualPartsOfTheTimeInWhichTheShutterIsOpen() {
+        Animation.Track track =
+                new Animation.Track("/", new TreeMap<>(Map.of(3, new BigDecimal("0"), 4, new BigDecimal("16"))));
+        Animation animation = new Animation(10, 25, List.of(track), 0.5, 4);
+        for (int i = 0; i < 4; i++) {
+            assertValue("" + (2 * i + 1), Tracks.valueAt(track, Moment.instant(animation, 3, i)));
+        }
+        Animation thirds = new Animation(10, 25, List.of(track), 0.003, 3);
+        assertValue("0.008", Tracks.valueAt(track, Moment.instant(thirds, 3, 0)));
     }
 
     @Test

@@ -1,0 +1,39 @@
+package enlightenment.scene.json;
+
+import enlightenment.scene.Animation;
+import java.math.BigDecimal;
+import java.math.BigInteger;
+
+/**
+ * A time of an animation, exactly.
+ *
+ * @param over numerator of the time in frames, at least 0
+ * @param under its denominator, at least 1
+ */
+record Moment(BigInteger over, BigInteger under) {
+    /** The time at which a frame begins. */
+    static Moment of(int frame) {
+        return new Moment(BigInteger.valueOf(frame), BigInteger.ONE);
+    }
+
+    /**
+     * One of the moments that a frame's picture is made of: the middle of an equal part of the time in which the shutter is open.
+     *
+     * @param index 0 to instants − 1
+     */
+    static Moment instant(Animation animation, int frame, int index) {
+        // The decimal that was written, if it had no more digits than a double tells apart.
+        BigDecimal shutter = BigDecimal.valueOf(animation.shutter());
+        BigInteger scale = BigInteger.TEN.pow(Math.max(shutter.scale(), 0));
+        BigInteger open = shutter.multiply(new BigDecimal(scale)).toBigIntegerExact();
+        BigInteger under = scale.multiply(BigInteger.valueOf(2L * animation.instants()));
+        return new Moment(
+                BigInteger.valueOf(frame).multiply(under).add(open.multiply(BigInteger.valueOf(2L * index + 1))),
+                under);
+    }
+
+    /** The frame whose time is not after this. */
+    int frame() {
+        return over.divide(under).intValueExact();
+    }
+}

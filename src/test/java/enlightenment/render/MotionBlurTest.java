@@ -1,0 +1,170 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.image.Image;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Pictures of what moves while the shutter is open are the means of pictures of its moments. */
+class MotionBlurTest {
+    private static final int FRAME = 2;
+    private static final int INSTANTS = 8;
+
+    private static Scene scene(String shading, String shutter) {
+        String text =
+                """
+                { "image": { "width": 32, "height": 24 },
+                  "camera": { "type": "perspective", "eye": [0, 1, -6], "lookAt": [0, 0.5, 0], "fieldOfView": 40 },
+                  "shading": SHADING,
+                  "materials": {
+                    "red": { "type": "matte", "color": "#c02010" },
+                    "mirror": { "type": "mirror", "color": "#f0f0f0" },
+                    "floor": { "type": "matte", "color": "#a0c0a0" } },
+                  "lights": [{ "type": "sphere", "center": [2, 4, -3], "radius": 0.4, "color": "#ffffff", "power": 300 }],
+                  "objects": [
+                    { "type": "sphere", "center": [-1.5, 0.5, 0], "radius": 0.5, "material": "red" },
+                    { "type": "sphere", "center": [0.8, 0.6, 0.5], "radius": 0.6, "material": "mirror" },
+                    { "type": "rectangle", "corners": [[-5, 0, -5], [-5, 0, 5], [5, 0, 5], [5, 0, -5]], "material": "floor" } ],
+                  "animation": { "frames": 4, "framesPerSecond": 25, SHUTTER "tracks": [
+                    { "target": "/objects/0/center/0", "keys": { "0": -2, "3": 1 }, "easing": "smooth" },
+                    { "target": "/lights/0/center/0", "keys": { "0": 2, "3": -2 } },
+                    { "target": "/camera/eye/1", "keys": { "0": 1, "3": 1.3 } } ] } }
+                """
+                        .replace("SHADING", shading)
+                        .replace("SHUTTER", shutter);
+        return SceneReader.readBytes(
+                text.getBytes(java.nio.charset.StandardCharsets.UTF_8), Path.of(""), "test", OptionalInt.of(FRAME));
+    }
+
+    private static Scene blurred(String shading) {
+        return scene(shading, "\"shutter\": 0.8, \"instants\": " + INSTANTS + ",");
+    }
+
+    private static RenderSettings settings(Scene scene, int antialias) {
+        return RenderSettings.of(scene).withAntialias(antialias);
+    }
+
+    private static double meanSquare(float[] a, float[] b) {
+        double sum = 0;
+        for (int i = 0; i < a.length; i++) {
+            sum += (a[i] - b[i]) * (double) (a[i] - b[i]);
+        }
+        return sum / a.length;
+    }
+
+    /** The mean of pictures of the moments, each rendered by itself. */
+    private static float[] bruteForce(Scene scene, int antialias) {
+        float[] sum = new float[3 * scene.width() * scene.height()];
+        for (Scene instant : scene.instants()) {
+            float[] one = Renderer.render(instant, settings(instant, antialias)).toArray();
+            for (int i = 0; i < sum.length; i++) {
+                sum[i] += one[i] / INSTANTS;
+            }
+        }
+        return sum;
+    }
+
+    /**
+     * The blurred picture has as many samples as all of those together, so it comes as close to the truth: the mean square of the
+     * difference is some twice that of either. What is blurred is a hundred times as far from a picture of one moment.
+     */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "{ \"model\": \"classic\" } | 1e-4",
+                "{ \"model\": \"physical\", \"background\": { \"linear\": [0.3, 0.4, 0.5] }, \"maxBounces\": 4 } | 1e-3"
+            })
+    void aBlurredPictureIsTheMeanOfManyFrames(String shading, double most) {
+        Scene scene = blurred(shading);
+        assertEquals(INSTANTS, scene.instants().size());
+        float[] blurred = Renderer.render(scene, settings(scene, 17)).toArray();
+        float[] mean = bruteForce(scene, 6);
+        double difference = meanSquare(blurred, mean);
+        Scene still = scene.withInstants(java.util.List.of());
+        double ofStill = meanSquare(Renderer.render(still, settings(still, 6)).toArray(), mean);
+        assertTrue(difference < most, "mean square " + difference);
+        assertTrue(ofStill > 20 * difference, ofStill + " for a still picture, " + difference + " for a blurred one");
+        double bias = 0;
+        for (int i = 0; i < mean.length; i++) {
+            bias += (blurred[i] - mean[i]) / mean.length;
+        }
+        assertEquals(0, bias, 4 * Math.sqrt(difference / mean.length * 3));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"{ \"model\": \"classic\" }", "{ \"model\": \"physical\", \"maxBounces\": 3 }"})
+    void theSameBytesComeFromAnyNumberOfThreadsAndAnyTiles(String shading) {
+        Scene scene = blurred(shading);
+        Image all = Renderer.render(scene, settings(scene, 3).withThreads(1));
+        assertArrayEquals(
+                all.toArray(),
+                Renderer.render(scene, settings(scene, 3).withThreads(5)).toArray());
+        Image crop = Renderer.render(scene, settings(scene, 3).withCrop(new RenderSettings.Crop(7, 5, 13, 11)));
+        for (int y = 0; y < 11; y++) {
+            for (int x = 0; x < 13; x++) {
+                for (int c = 0; c < 3; c++) {
+                    assertEquals(all.component(7 + x, 5 + y, c), crop.component(x, y, c));
+                }
+            }
+        }
+    }
+
+    /** Whatever the moments: if all are alike, it is the picture of one. */
+    @Test
+    void whereNothingMovesTheShutterChangesNothing() {
+        Scene still = blurred("{ \"model\": \"classic\" }").withInstants(java.util.List.of());
+        Scene same = still.withInstants(java.util.List.of(still, still, still));
+        assertArrayEquals(
+                Renderer.render(still, settings(still, 4)).toArray(),
+                Renderer.render(same, settings(same, 4)).toArray());
+    }
+
+    @Test
+    void withoutAShutterThereAreNoInstants() {
+        assertEquals(0, scene("{ \"model\": \"classic\" }", "").instants().size());
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = BuiltInMethod.class, names = "RAYTRACE", mode = EnumSource.Mode.EXCLUDE)
+    void methodsThatCannotBlurSayWhoCan(BuiltInMethod method) {
+        Scene scene = blurred("{ \"model\": \"physical\" }");
+        SceneException e = assertThrows(
+                SceneException.class,
+                () -> Renderer.render(scene, settings(scene, 2).withMethod(method)));
+        assertTrue(e.getMessage().contains("/animation/shutter"), e.getMessage());
+        assertTrue(
+                e.getMessage()
+                        .contains(
+                                "the method " + method.word() + " cannot render what moves while the shutter is open"),
+                e.getMessage());
+        assertTrue(e.getMessage().contains("raytrace"), e.getMessage());
+    }
+
+    /** An error that is asked for is one of the blurred picture. */
+    @Test
+    void theErrorOfABlurredPictureIsKept() {
+        Scene scene = blurred("{ \"model\": \"classic\" }");
+        float[] truth = Renderer.render(scene, settings(scene, 40)).toArray();
+        RenderSettings asked = settings(scene, 2);
+        asked = asked.withBudget(asked.budget().withError(0.01));
+        RenderResult result = Renderer.render(RenderRequest.of(scene, asked));
+        assertTrue(result.report().isErrorMet());
+        double error = Math.sqrt(meanSquare(result.image().toArray(), truth));
+        assertTrue(error < 0.01, "error " + error);
+    }
+}

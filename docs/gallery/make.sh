@@ -17,8 +17,12 @@ run cone cone --size 400x200
 run cube cube --size 212x300
 run cornell-box cornell-box --size 300x300 --samples 128
 run caustics caustics --size 400x267 --samples 256
+run sky sky --size 400x267 --samples 200 --method cluster
 run prism prism --size 400x267 --samples 1024
 run fluorescent-poster fluorescent-poster --size 400x200 --samples 256
+for scene in wax milk-and-glass; do
+    run "$scene" "$scene" --size 400x267 --time 60 --threads 2
+done
 for scene in metals glass-physical lamp-room fire-and-ice-physical; do
     run "$scene" "$scene" --size 400x200 --samples 128
 done

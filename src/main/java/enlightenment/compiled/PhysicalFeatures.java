@@ -26,7 +26,7 @@ final class PhysicalFeatures {
         boolean isWeighted = any(surfaces, m -> !m.isBlack && !m.isDelta && m.bsdf != Lambert.INSTANCE)
                 || java.util.Arrays.stream(scene.lights).anyMatch(l -> !l.isPoint && !l.isBall);
         add(
-                lights > 0 && isWeighted,
+                lights > 0 && isWeighted || scene.surroundings != null,
                 "multiple importance sampling of lights and directions",
                 "multiple importance sampling (direct light has closed forms)");
         addCaustics(scene.hasCausticPass(), mirrors);

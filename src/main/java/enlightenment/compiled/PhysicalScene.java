@@ -253,6 +253,11 @@ public final class PhysicalScene {
         return first < 0 ? NO_LIGHT : lightOfFace[first + face];
     }
 
+    /** Whether all rays that meet nothing see the same light. */
+    public boolean isEvenBeyond() {
+        return around == null && surroundings == null;
+    }
+
     /** Whether caustics are the business of a pass of their own, so that paths from the eye leave them out. */
     public boolean hasCausticPass() {
         return caustics != null;

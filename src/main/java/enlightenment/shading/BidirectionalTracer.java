@@ -89,7 +89,7 @@ public final class BidirectionalTracer implements Shader {
 
     @Override
     public boolean seesNothing() {
-        return eye.path.tracer.seesNothing();
+        return eye.path.tracer.seesNothing() && physical.isEvenBeyond();
     }
 
     @Override

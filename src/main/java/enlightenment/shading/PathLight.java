@@ -151,6 +151,11 @@ final class PathLight {
         }
     }
 
+    /** Whether the same light comes from everywhere beyond the scene. */
+    boolean isEvenBeyond() {
+        return infinite == null;
+    }
+
     private void addInfinite() {
         red += infinite.red;
         green += infinite.green;

@@ -88,7 +88,7 @@ public final class PathTracer implements Shader {
 
     @Override
     public boolean seesNothing() {
-        return path.tracer.seesNothing() && physical.around == null;
+        return path.tracer.seesNothing() && physical.isEvenBeyond();
     }
 
     @Override
@@ -178,8 +178,7 @@ public final class PathTracer implements Shader {
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 light.escape(ray, history.gathered, !(hasCausticPass && history.scatteredFirst));
-                value.add(light.red, light.green, light.blue);
-                value.addCertain(light.red, light.green, light.blue, 0);
+                value.addEscaped(light, path.key);
             }
             return false;
         }

@@ -176,6 +176,16 @@ final class PathValue {
         indirectB = Math.fma(throughputB * compression, b, indirectB);
     }
 
+    /** Adds what comes from where the path has left the scene: it is certain only if it is the same everywhere. */
+    void addEscaped(PathLight light, long key) {
+        add(light.red, light.green, light.blue);
+        if (light.isEvenBeyond()) {
+            addCertain(light.red, light.green, light.blue, 0);
+        } else {
+            leaveToChance(key);
+        }
+    }
+
     /** From here on the path is indirect. */
     void beginIndirect() {
         if (isIndirect && !onlyIndirect) {

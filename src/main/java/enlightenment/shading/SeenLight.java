@@ -49,7 +49,7 @@ public final class SeenLight implements Shader {
 
     @Override
     public boolean seesNothing() {
-        return path.tracer.seesNothing();
+        return path.tracer.seesNothing() && physical.isEvenBeyond();
     }
 
     @Override

@@ -237,6 +237,33 @@ class SurroundingsTest {
                 Renderer.render(scene, settings.withThreads(3)).toArray());
     }
 
+    /** Nothing is in the way: each pixel shows the mean of its directions, whatever it is sampled with. */
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void anEmptyViewShowsThePictureItself(BuiltInMethod method) {
+        Background wave = picture("wave", 64, 32, 0, (x, y) -> grey(1 + Math.cos(x / 4.0) + y / 8.0));
+        Scene scene = view(16, 16)
+                .shading(shading(-1, wave))
+                .object(ball(0, 1, -40, 0.5), PhysicalScenes.WHITE)
+                .build();
+        NaiveSky sky = NaiveSky.of(wave);
+        NaiveScene naive = new NaiveScene(scene);
+        List<Image> pictures = Rendered.seeds(
+                scene, RenderSettings.of(scene).withMethod(method).withAntialias(6), 1, 4);
+        for (int y = 0; y < 16; y++) {
+            for (int x = 0; x < 16; x++) {
+                double expected = 0;
+                for (int k = 0; k < 64; k++) {
+                    Vec3 ray = naive.ray((x + (k % 8 + 0.5) / 8) / 16, (y + (k / 8 + 0.5) / 8) / 16)[1];
+                    expected += sky.radiance(ray)[0] / 64;
+                }
+                double mean = Statistics.of(Rendered.means(pictures, x, y, x + 1, y + 1, 0))
+                        .mean();
+                assertEquals(expected, mean, 0.02 * expected, x + ", " + y);
+            }
+        }
+    }
+
     @Test
     void aScaledPictureIsAsManyTimesAsBright() {
         Background.Picture one = picture("scaled", 16, 8, 0, rough());

@@ -220,6 +220,7 @@ class ShippedScenesTest {
                 "lamp-room",
                 "door-ajar",
                 "fluorescent-poster",
+                "sky",
                 "prism",
                 "wax",
                 "milk-and-glass",

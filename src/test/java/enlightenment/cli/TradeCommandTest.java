@@ -165,7 +165,8 @@ class TradeCommandTest {
         String json = CliRun.of("compare", picture, out.resolve("reference.pfm"), "--json")
                 .out();
         double rmse = Double.parseDouble(json.replaceFirst("(?s).*\"rmse\": ([^,]+),.*", "$1"));
-        // Which advice is given depends on measured times; the error of another seed in a picture this small varies by a quarter.
+        // Which advice is given depends on measured times; the error of another seed in a picture this small varies by
+        // a quarter.
         assertTrue(rmse <= 1.5 * target, rmse + " where at most " + target + " was promised\n" + usual.out());
     }
 

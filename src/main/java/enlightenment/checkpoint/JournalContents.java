@@ -59,7 +59,7 @@ final class JournalContents {
             }
         }
         if (hasResults) {
-            throw new JournalException(path + " is the checkpoint of another render: other than here is " + difference
+            throw new JournalException(path + " is the checkpoint of another render, which differs in " + difference
                     + "; it is left as it is");
         }
         return true;

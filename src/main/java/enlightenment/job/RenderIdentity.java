@@ -58,7 +58,7 @@ public record RenderIdentity(ContentHash scene, String settings, String build) {
     public Optional<String> difference(RenderIdentity wanted) {
         List<String> all = new ArrayList<>();
         if (!build.equals(wanted.build)) {
-            all.add("the version (" + build + ", this is " + wanted.build + ")");
+            all.add("the version (" + build + " there, " + wanted.build + " here)");
         }
         if (!scene.equals(wanted.scene)) {
             all.add("the scene or one of its image files");
@@ -86,7 +86,7 @@ public record RenderIdentity(ContentHash scene, String settings, String build) {
             String before = kept.getOrDefault(key, "none");
             String now = wanted.getOrDefault(key, "none");
             if (!before.equals(now)) {
-                changes.add(key + " " + before + ", not " + now);
+                changes.add(key + " " + before + " there, " + now + " here");
             }
         }
         String words = String.join("; ", changes);

@@ -44,7 +44,7 @@ public final class JobContent {
     private static final String MAGIC = "enlightenment job 4";
     private final Map<ContentHash, byte[]> contents;
 
-    private JobContent(Map<ContentHash, byte[]> contents) {
+    JobContent(Map<ContentHash, byte[]> contents) {
         this.contents = contents;
     }
 
@@ -86,13 +86,13 @@ public final class JobContent {
         return new JobContent(all);
     }
 
-    private static ContentHash add(Map<ContentHash, byte[]> contents, byte[] content) {
+    static ContentHash add(Map<ContentHash, byte[]> contents, byte[] content) {
         ContentHash hash = ContentHash.of(content);
         contents.put(hash, content);
         return hash;
     }
 
-    private static byte[] read(Path file) {
+    static byte[] read(Path file) {
         try {
             byte[] bytes = Files.readAllBytes(file);
             Optional<ImageFormat> format = ImageFormat.ofContent(bytes);
@@ -111,7 +111,7 @@ public final class JobContent {
     }
 
     /** A scene's instants, then itself. */
-    private static byte[] scenes(Scene scene, Function<Path, String> names) {
+    static byte[] scenes(Scene scene, Function<Path, String> names) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeInt(scene.instants().size());
@@ -151,7 +151,7 @@ public final class JobContent {
         return SceneReader.readNamed(new String(json, StandardCharsets.UTF_8), names, "the server's scene");
     }
 
-    private static byte[] document(RenderOutline outline, String build, byte[] scenes) {
+    static byte[] document(RenderOutline outline, String build, byte[] scenes) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeUTF(MAGIC);

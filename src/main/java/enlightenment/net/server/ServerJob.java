@@ -1,7 +1,7 @@
 package enlightenment.net.server;
 
-import enlightenment.engine.DividedRender;
-import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.UnitAssembly;
+import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
 import enlightenment.net.checkpoint.CheckpointJournal;
 import enlightenment.net.checkpoint.JournalRecord;
@@ -26,9 +26,9 @@ public final class ServerJob implements Closeable {
     /** Fewer digits may be those of two machines. */
     private static final int FEWEST_DIGITS = 8;
 
-    private final DividedRender render;
+    private final UnitSource units;
     private final JobContent content;
-    private final FilmAssembly film;
+    private final UnitAssembly film;
     private final Consumer<String> log;
 
     /** The hashes of the tiles that are kept. */
@@ -41,23 +41,22 @@ public final class ServerJob implements Closeable {
     private CheckpointJournal journal;
     private Set<Origin.Peer> alreadyExpelled = Set.of();
 
-    public ServerJob(DividedRender render, JobContent content, Consumer<String> log) {
-        this.render = render;
+    /** A job of which nothing is there yet. */
+    public ServerJob(UnitSource units, UnitAssembly film, JobContent content, Consumer<String> log) {
+        this.units = units;
         this.content = content;
         this.log = log;
-        film = render.assembly();
-        kept = new ContentHash[render.units()];
-        results = new ResultJournal(film.needsStore() ? render.units() : 0);
+        this.film = film;
+        kept = new ContentHash[units.units()];
+        results = new ResultJournal(film.needsStore() ? units.units() : 0);
         if (film.needsStore()) {
             film.keepIn(results);
         }
     }
 
-    /** The job of the same picture with more samples; machines that were found out stay expelled. */
-    public ServerJob with(DividedRender more, String build, Set<Origin.Peer> expelled) {
-        ServerJob next = new ServerJob(more, content.with(more.outline(), build), log);
-        next.alreadyExpelled = Set.copyOf(expelled);
-        return next;
+    /** Machines that were found out in a job before this one stay expelled. */
+    public void expelledAlready(Set<Origin.Peer> machines) {
+        alreadyExpelled = Set.copyOf(machines);
     }
 
     /** Goes on from a checkpoint, or begins one. */
@@ -187,11 +186,11 @@ public final class ServerJob implements Closeable {
         }
     }
 
-    public DividedRender render() {
-        return render;
+    public UnitSource units() {
+        return units;
     }
 
-    public FilmAssembly film() {
+    public UnitAssembly film() {
         return film;
     }
 
@@ -213,7 +212,7 @@ public final class ServerJob implements Closeable {
     }
 
     public int tiles() {
-        return render.units();
+        return units.units();
     }
 
     @Override

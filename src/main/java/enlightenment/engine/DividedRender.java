@@ -151,6 +151,20 @@ public final class DividedRender implements UnitSource {
                 Stopwatch.started());
     }
 
+    /** The units of a render whose scene is compiled, and which is planned. */
+    public static DividedRender of(String name, CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
+        return new DividedRender(
+                name,
+                compiled,
+                settings,
+                plan,
+                new Phases(),
+                null,
+                new Rounds(settings.budget()),
+                1,
+                Stopwatch.started());
+    }
+
     @Override
     public int units() {
         return units.count();
@@ -168,7 +182,16 @@ public final class DividedRender implements UnitSource {
 
     /** A picture of which nothing is there yet. */
     public FilmAssembly assembly() {
-        return course.assembly();
+        return assembly(true);
+    }
+
+    /**
+     * The same.
+     *
+     * @param canLose whether units may have to be taken out again, which takes more memory
+     */
+    public FilmAssembly assembly(boolean canLose) {
+        return course.assembly(canLose);
     }
 
     /** Does units, for one thread. */

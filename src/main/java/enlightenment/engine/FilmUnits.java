@@ -15,6 +15,7 @@ public final class FilmUnits implements UnitSource {
 
     private final FrameLayout layout;
     private final IntFunction<DividedRender> frames;
+    private final int[] groups;
 
     /** By their numbers, in the order of their last use. */
     private final Map<Integer, DividedRender> latest = new LinkedHashMap<>();
@@ -22,10 +23,12 @@ public final class FilmUnits implements UnitSource {
     /**
      * Units of frames.
      *
-     * @param frames compiles a frame; its units must be as many as the layout says
+     * @param groups of each frame, how many units of its render are one of the film
+     * @param frames compiles a frame; its groups must be as many as the layout says
      */
-    public FilmUnits(FrameLayout layout, IntFunction<DividedRender> frames) {
+    public FilmUnits(FrameLayout layout, int[] groups, IntFunction<DividedRender> frames) {
         this.layout = layout;
+        this.groups = groups.clone();
         this.frames = frames;
     }
 
@@ -43,7 +46,7 @@ public final class FilmUnits implements UnitSource {
         DividedRender render = latest.remove(frame);
         if (render == null) {
             render = frames.apply(frame);
-            if (render.units() != layout.first(frame + 1) - layout.first(frame)) {
+            if (groups(frame, render).count() != layout.first(frame + 1) - layout.first(frame)) {
                 throw new IllegalStateException("a frame has another number of tiles here");
             }
         }
@@ -52,6 +55,10 @@ public final class FilmUnits implements UnitSource {
             latest.remove(latest.keySet().iterator().next());
         }
         return render;
+    }
+
+    private UnitGroups groups(int frame, DividedRender render) {
+        return UnitGroups.of(render.outline(), groups[frame]);
     }
 
     /** One thread's, with what it has of the frame that it made a unit of last. */
@@ -68,7 +75,8 @@ public final class FilmUnits implements UnitSource {
         public byte[] make(int unit) {
             int wanted = layout.frame(unit);
             if (wanted != frame) {
-                ofFrame = render(wanted).maker(cancelled);
+                DividedRender render = render(wanted);
+                ofFrame = groups(wanted, render).maker(render.maker(cancelled));
                 frame = wanted;
             }
             return ofFrame.make(unit - layout.first(wanted));

@@ -34,9 +34,13 @@ public final class RenderCourse {
         this.time = time;
     }
 
-    /** A picture of which nothing is there yet. */
-    public FilmAssembly assembly() {
-        return new FilmAssembly(outline, phases, round);
+    /**
+     * A picture of which nothing is there yet.
+     *
+     * @param canLose whether units may have to be taken out again, which takes more memory
+     */
+    public FilmAssembly assembly(boolean canLose) {
+        return new FilmAssembly(outline, phases, round, canLose);
     }
 
     /** Which render of the picture this is: 1, or more where those before were not as exact as asked. */

@@ -1,7 +1,7 @@
 package enlightenment.net;
 
+import enlightenment.checkpoint.Origin;
 import enlightenment.engine.UnitAssembly;
-import enlightenment.net.checkpoint.Origin;
 import enlightenment.net.listen.ServerLog;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;

@@ -1,10 +1,10 @@
 package enlightenment.net;
 
+import enlightenment.checkpoint.Origin;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.Origin;
-import enlightenment.net.job.Build;
+import enlightenment.job.Build;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.job.TileData;
@@ -66,7 +66,7 @@ public final class EngineJob implements Closeable {
         DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(log);
         FilmAssembly film = render.assembly();
-        ServerJob job = new ServerJob(render, film, JobContent.of(scene, render.outline(), Build.number()), log);
+        ServerJob job = ServerJob.of(render, film, JobContent.of(scene, render.outline(), Build.number()), log);
         if (checkpoint != null) {
             job.open(checkpoint);
         }

@@ -3,14 +3,12 @@ package enlightenment.net;
 import enlightenment.compiled.SceneImages;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FrameLayout;
-import enlightenment.engine.RenderCourse;
 import enlightenment.engine.Rendered;
 import enlightenment.net.job.FilmContent;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.server.FrameAssemblies;
 import enlightenment.net.server.ServerJob;
 import enlightenment.net.worker.WorkerUnits;
-import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -28,12 +26,6 @@ import java.util.function.IntFunction;
  * one thread.
  */
 final class FilmQueue {
-    /** At most so much memory is taken by frames that are worked at, as a share of what there is. */
-    private static final double SHARE_OF_MEMORY = 0.25;
-
-    /** What a pixel takes while it is worked at, at most: sums of paths and of tiles, and the finished picture. */
-    private static final int BYTES_PER_PIXEL = 256;
-
     /** The threads of a film's units are those of whoever makes them. */
     private static final int THREADS = 1;
 
@@ -61,13 +53,13 @@ final class FilmQueue {
      *
      * @param number 1 for the first, which has all frames
      * @param numbers of the frames
-     * @param courses what is kept of their renders
+     * @param frames what is kept of their renders
      * @param film where they are put together
      */
     record Round(
             int number,
             List<Integer> numbers,
-            List<RenderCourse> courses,
+            List<PlannedFrame> frames,
             FrameAssemblies film,
             FilmContent parts,
             JobContent content,
@@ -83,7 +75,7 @@ final class FilmQueue {
 
         /** The job, afresh. */
         ServerJob job() {
-            return new ServerJob(WorkerUnits.of(parts.frames(), parts.images(), build, THREADS), film, content, log);
+            return ServerJob.of(WorkerUnits.of(parts.frames(), parts.images(), build, THREADS), film, content, log);
         }
     }
 
@@ -105,8 +97,9 @@ final class FilmQueue {
         }
         Map<Integer, Double> samples = new TreeMap<>(more);
         more.clear();
-        return round(before.number + 1, List.copyOf(samples.keySet()), (number, frame) -> before.courses
+        return round(before.number + 1, List.copyOf(samples.keySet()), (number, frame) -> before.frames
                 .get(before.numbers.indexOf(number))
+                .course()
                 .again(frame.scene(), images, samples.get(number), cancelled));
     }
 
@@ -118,8 +111,7 @@ final class FilmQueue {
 
     private Round round(int count, List<Integer> numbers, Plan plan) {
         FilmContent parts = new FilmContent(build);
-        List<RenderCourse> courses = new ArrayList<>();
-        long[] pixels = new long[numbers.size()];
+        List<PlannedFrame> planned = new ArrayList<>();
         for (int number : numbers) {
             if (cancelled.getAsBoolean()) {
                 throw new CancellationException("stopped before all frames were planned");
@@ -127,16 +119,15 @@ final class FilmQueue {
             FilmServer.Frame frame = frames.apply(number);
             DividedRender render = plan.render(number, frame);
             tell(number, render.notes());
-            RenderSettings.Crop region = frame.settings().region();
-            pixels[courses.size()] = (long) region.width() * region.height();
-            parts.add(frame.scene(), render.outline());
-            courses.add(render.course());
+            PlannedFrame kept = PlannedFrame.of(render, numbers.size());
+            parts.add(frame.scene(), render.outline(), kept.group());
+            planned.add(kept);
         }
         FrameLayout layout = new FrameLayout(
                 parts.frames().stream().mapToInt(FilmContent.Frame::tiles).toArray());
-        FrameAssemblies film =
-                new FrameAssemblies(layout, pixels, frame -> courses.get(frame).assembly(), ahead(pixels));
-        latest = new Round(count, numbers, courses, film, parts, parts.content(), log, build);
+        int ahead = planned.stream().mapToInt(PlannedFrame::ahead).min().orElseThrow();
+        FrameAssemblies film = new FrameAssemblies(layout, new PlannedFrame.All(planned), ahead);
+        latest = new Round(count, numbers, planned, film, parts, parts.content(), log, build);
         return latest;
     }
 
@@ -149,21 +140,11 @@ final class FilmQueue {
         }
     }
 
-    /** How many frames may be worked at at once: two at least, so that nobody waits where one ends. */
-    private static int ahead(long[] pixels) {
-        long most = 1;
-        for (long one : pixels) {
-            most = Math.max(most, one);
-        }
-        double bytes = SHARE_OF_MEMORY * Runtime.getRuntime().maxMemory();
-        return (int) Math.max(2, Math.min(bytes / ((double) most * BYTES_PER_PIXEL), pixels.length));
-    }
-
     /** Whether a frame is as exact as was asked; if not it is rendered again in the next round. */
     boolean isEnough(Round round, int frame, Rendered rendered) {
         int number = round.number(frame);
         OptionalDouble samples =
-                round.courses.get(frame).next(rendered, note -> log.accept("frame " + number + ": " + note));
+                round.frames.get(frame).course().next(rendered, note -> log.accept("frame " + number + ": " + note));
         if (samples.isPresent()) {
             more.put(number, samples.getAsDouble());
             return false;

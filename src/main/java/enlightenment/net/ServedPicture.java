@@ -20,11 +20,11 @@ record ServedPicture(DividedRender render, FilmAssembly film, JobContent content
     }
 
     /** The same picture with more samples. */
-    ServedPicture with(DividedRender more, String build) {
-        return of(more, content.with(more.outline(), build));
+    ServedPicture with(DividedRender more) {
+        return of(more, content.with(more.outline()));
     }
 
     ServerJob job(ServerLog log) {
-        return new ServerJob(render, film, content, log::say);
+        return ServerJob.of(render, film, content, log::say);
     }
 }

@@ -108,11 +108,6 @@ final class ServerRound implements StatusServer.Source {
         return log;
     }
 
-    /** The version that workers must have. */
-    String version() {
-        return options.version;
-    }
-
     int port() {
         return acceptor.port();
     }

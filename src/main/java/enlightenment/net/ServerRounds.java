@@ -49,7 +49,7 @@ final class ServerRounds {
             round.end(false);
             return null;
         }
-        ServedPicture next = picture.with(more, round.version());
+        ServedPicture next = picture.with(more);
         picture = next;
         return chain.follow(() -> next.job(round.log()), more.round());
     }

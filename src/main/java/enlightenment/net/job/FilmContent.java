@@ -1,7 +1,9 @@
 package enlightenment.net.job;
 
 import enlightenment.engine.RenderOutline;
+import enlightenment.engine.UnitGroups;
 import enlightenment.file.ContentHash;
+import enlightenment.job.SceneDocument;
 import enlightenment.net.protocol.Limits;
 import enlightenment.scene.Scene;
 import java.io.ByteArrayInputStream;
@@ -10,24 +12,22 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
 /**
- * A job of many pictures. Its document has the build, the number of pictures and, for each, the number of its tiles and its document as
- * {@link JobContent} makes it, with its length before it. Image files that several of them need are one content. The tiles of the first
- * picture come first, then those of the second, and so on.
+ * A job of many pictures. Its document has the build, the number of pictures and, for each, how many of its tiles are one tile of the
+ * job, how many of those it has, and its document as {@link JobContent} makes it, with its length before it. Image files that several of
+ * them need are one content. The tiles of the first picture come first, then those of the second, and so on.
  */
 public final class FilmContent {
     private static final String MAGIC = "enlightenment film 1";
 
     private final String build;
     private final List<Frame> frames = new ArrayList<>();
-    private final Map<Path, ContentHash> byPath = new LinkedHashMap<>();
-    private final Map<ContentHash, byte[]> images = new LinkedHashMap<>();
+    private final SceneDocument.Images images = new SceneDocument.Images();
     private long bytes;
 
     /** A film without pictures. */
@@ -35,41 +35,45 @@ public final class FilmContent {
         this.build = build;
     }
 
-    /** A picture: the number of its tiles, and its document. */
-    public record Frame(int tiles, byte[] document) {}
+    /**
+     * A picture.
+     *
+     * @param group how many consecutive tiles of the picture are one of the job ({@link UnitGroups})
+     * @param tiles number of its tiles in the job
+     * @param document the picture's own
+     */
+    public record Frame(int group, int tiles, byte[] document) {}
 
     /**
      * Adds the next picture.
      *
+     * @param group how many of its tiles are one of the job, at least 1
      * @throws enlightenment.scene.SceneException if an image file cannot be read or the scene cannot be written down
      * @throws IllegalArgumentException if the job is larger than {@link Limits#JOB}
      */
-    public void add(Scene scene, RenderOutline outline) {
-        byte[] document = JobContent.document(outline, build, JobContent.scenes(scene, this::name));
-        frames.add(new Frame(outline.units(), document));
-        bytes += document.length + 2L * Integer.BYTES;
-        long all = bytes + images.values().stream().mapToLong(b -> b.length).sum();
-        if (all > Limits.JOB || images.size() >= Limits.CONTENTS) {
-            throw new IllegalArgumentException("the scenes of " + frames.size() + " frames with their textures have "
-                    + all
-                    + " bytes in " + (images.size() + 1) + " pieces; at most " + Limits.JOB + " in " + Limits.CONTENTS
-                    + " can be sent: fewer frames at once are smaller");
+    public void add(Scene scene, RenderOutline outline, int group) {
+        byte[] document = JobContent.document(
+                outline, build, SceneDocument.of(scene, images).bytes());
+        frames.add(new Frame(group, UnitGroups.of(outline, group).count(), document));
+        bytes += document.length + 3L * Integer.BYTES;
+        Map<ContentHash, byte[]> files = images.contents();
+        long all = bytes + files.values().stream().mapToLong(b -> b.length).sum();
+        if (all > Limits.JOB || files.size() >= Limits.CONTENTS) {
+            throw new IllegalArgumentException(
+                    "the scenes of " + frames.size() + " frames with their textures have " + all + " bytes in "
+                            + (files.size() + 1) + " pieces; at most " + Limits.JOB + " in " + Limits.CONTENTS
+                            + " can be sent: fewer frames at once are smaller");
         }
     }
 
-    private String name(Path file) {
-        return byPath.computeIfAbsent(file, f -> JobContent.add(images, JobContent.read(f)))
-                .toString();
-    }
-
-    /** The documents of the pictures, in their order. */
+    /** The pictures, in their order. */
     public List<Frame> frames() {
         return List.copyOf(frames);
     }
 
     /** The image files. */
     public Map<ContentHash, byte[]> images() {
-        return Map.copyOf(images);
+        return images.contents();
     }
 
     /** The job. */
@@ -80,6 +84,7 @@ public final class FilmContent {
             out.writeUTF(build);
             out.writeInt(frames.size());
             for (Frame frame : frames) {
+                out.writeInt(frame.group);
                 out.writeInt(frame.tiles);
                 out.writeInt(frame.document.length);
                 out.write(frame.document);
@@ -87,15 +92,16 @@ public final class FilmContent {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+        byte[] whole = document.toByteArray();
+        ContentHash hash = ContentHash.of(whole);
         Map<ContentHash, byte[]> all = new LinkedHashMap<>();
-        JobContent.add(all, document.toByteArray());
-        all.putAll(images);
-        return new JobContent(all);
+        all.put(hash, whole);
+        all.putAll(images.contents());
+        return new JobContent(all, hash, build);
     }
 
     /**
-     * The pictures of a job's document: what was added, or the document itself where it is one picture's, of which the number of tiles
-     * is not known then.
+     * The pictures of a job's document: what was added, or the document itself where it is one picture's.
      *
      * @param tiles number of tiles of the whole job
      * @throws IOException if it makes no sense; the message says why
@@ -103,7 +109,7 @@ public final class FilmContent {
     public static List<Frame> read(byte[] document, int tiles, String build) throws IOException {
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(document))) {
             if (!in.readUTF().equals(MAGIC)) {
-                return List.of(new Frame(tiles, document));
+                return List.of(new Frame(1, tiles, document));
             }
             String theirs = in.readUTF();
             if (!theirs.equals(build)) {
@@ -112,16 +118,17 @@ public final class FilmContent {
             List<Frame> frames = new ArrayList<>();
             long sum = 0;
             for (int left = in.readInt(); left > 0; left--) {
+                int group = in.readInt();
                 int mine = in.readInt();
                 int length = in.readInt();
                 sum += mine;
-                if (mine < 1 || sum > tiles || length < 0 || length > in.available()) {
-                    throw new IOException(
-                            "frame " + frames.size() + " of the job has " + mine + " tiles and " + length + " bytes");
+                if (group < 1 || mine < 1 || sum > tiles || length < 0 || length > in.available()) {
+                    throw new IOException("frame " + frames.size() + " of the job has " + mine + " tiles in groups of "
+                            + group + ", and " + length + " bytes");
                 }
-                frames.add(new Frame(mine, in.readNBytes(length)));
+                frames.add(new Frame(group, mine, in.readNBytes(length)));
             }
-            if (sum != tiles) {
+            if (frames.isEmpty() || sum != tiles) {
                 throw new IOException("the job has " + tiles + " tiles at the server, " + sum + " here");
             }
             return frames;

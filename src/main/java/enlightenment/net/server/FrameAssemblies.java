@@ -1,11 +1,12 @@
 package enlightenment.net.server;
 
+import enlightenment.checkpoint.ResultJournal;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.FrameLayout;
 import enlightenment.engine.ResultStore;
 import enlightenment.engine.UnitAssembly;
+import enlightenment.engine.UnitGroups;
 import enlightenment.image.Image;
-import enlightenment.net.checkpoint.ResultJournal;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -17,7 +18,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.function.IntFunction;
 
 /**
  * Where tiles of many pictures become pictures. A picture takes memory from its first tile on until it is whole and
@@ -26,8 +26,7 @@ import java.util.function.IntFunction;
  */
 public final class FrameAssemblies implements UnitAssembly, Closeable {
     private final FrameLayout layout;
-    private final long[] pixels;
-    private final IntFunction<FilmAssembly> empty;
+    private final Frames frames;
     private final int ahead;
 
     /** What is worked at, by the pictures' numbers. */
@@ -39,8 +38,24 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
     private Image latest;
     private int end;
 
-    /** A picture in the making, and what is needed to take tiles out of it. */
-    private record Open(FilmAssembly film, ResultJournal results) {}
+    /** What has to be known of the pictures. */
+    public interface Frames {
+        /** Number of pixels. */
+        long pixels(int frame);
+
+        /** Which units of the picture are one here. */
+        UnitGroups groups(int frame);
+
+        /** An empty picture. */
+        FilmAssembly empty(int frame);
+    }
+
+    /** A picture in the making, the groups of its units that are there, and what is needed to take them out again. */
+    private record Open(FilmAssembly film, UnitGroups groups, BitSet there, ResultJournal results) {
+        int done() {
+            return there.cardinality();
+        }
+    }
 
     /** A picture that is whole. */
     public record Whole(int frame, FilmAssembly film) {}
@@ -48,14 +63,11 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
     /**
      * Pictures of which nothing is there yet.
      *
-     * @param pixels of each
-     * @param empty makes an empty one
      * @param ahead how many from the first on that was not taken may be worked at, at least 1
      */
-    public FrameAssemblies(FrameLayout layout, long[] pixels, IntFunction<FilmAssembly> empty, int ahead) {
+    public FrameAssemblies(FrameLayout layout, Frames frames, int ahead) {
         this.layout = layout;
-        this.pixels = pixels.clone();
-        this.empty = empty;
+        this.frames = frames;
         this.ahead = ahead;
         advance();
     }
@@ -101,15 +113,19 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
         }
         Open there = open.get(frame);
         if (there == null) {
-            FilmAssembly film = empty.apply(frame);
-            ResultJournal results = new ResultJournal(film.needsStore() ? film.units() : 0);
-            if (film.needsStore()) {
-                film.keepIn(results);
-            }
-            there = new Open(film, results);
+            there = opened(frame);
             open.put(frame, there);
         }
         return there;
+    }
+
+    private Open opened(int frame) {
+        FilmAssembly film = frames.empty(frame);
+        ResultJournal results = new ResultJournal(film.needsStore() ? film.units() : 0);
+        if (film.needsStore()) {
+            film.keepIn(results);
+        }
+        return new Open(film, frames.groups(frame), new BitSet(), results);
     }
 
     private int within(int unit) {
@@ -145,41 +161,73 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
 
     @Override
     public int longest(int unit) {
-        return film(unit).longest(within(unit));
+        Open of = of(unit);
+        int group = within(unit);
+        int sum = 0;
+        for (int one = of.groups.first(group); one < of.groups.last(group); one++) {
+            sum += Integer.BYTES + of.film.longest(one);
+        }
+        return sum;
     }
 
     @Override
     public Optional<String> problem(int unit, byte[] bytes) {
-        return unit < 0 || unit >= units()
-                ? Optional.of("there is no such tile")
-                : film(unit).problem(within(unit), bytes);
+        if (unit < 0 || unit >= units()) {
+            return Optional.of("there is no such tile");
+        }
+        Open of = of(unit);
+        int group = within(unit);
+        Optional<List<byte[]>> results = of.groups.split(group, bytes);
+        if (results.isEmpty()) {
+            return Optional.of("it is not the results of a group of tiles");
+        }
+        for (int i = 0; i < results.get().size(); i++) {
+            Optional<String> problem =
+                    of.film.problem(of.groups.first(group) + i, results.get().get(i));
+            if (problem.isPresent()) {
+                return problem;
+            }
+        }
+        return Optional.empty();
     }
 
     /** The picture of a unit as it is; an empty one where nothing is kept, as after it was taken. */
-    private FilmAssembly film(int unit) {
+    private Open of(int unit) {
         int frame = layout.frame(unit);
         synchronized (this) {
             Open there = open.get(frame);
             if (there != null) {
-                return there.film;
+                return there;
             }
         }
-        return empty.apply(frame);
+        return opened(frame);
     }
 
     @Override
     public synchronized void put(int unit, byte[] bytes) {
         int frame = layout.frame(unit);
-        FilmAssembly film = open(frame).film;
-        film.put(within(unit), bytes);
-        whole.set(frame, film.done() == film.units());
+        Open of = open(frame);
+        int group = within(unit);
+        List<byte[]> results = of.groups
+                .split(group, bytes)
+                .orElseThrow(() -> new IllegalArgumentException("unit " + unit + " is not the results of a group"));
+        for (int i = 0; i < results.size(); i++) {
+            of.film.put(of.groups.first(group) + i, results.get(i));
+        }
+        of.there.set(group);
+        whole.set(frame, of.film.done() == of.film.units());
     }
 
     @Override
     public synchronized void remove(int unit) {
         int frame = layout.frame(unit);
         if (taken.get(frame) || open.containsKey(frame)) {
-            open(frame).film.remove(within(unit));
+            Open of = open(frame);
+            int group = within(unit);
+            for (int one = of.groups.first(group); one < of.groups.last(group); one++) {
+                of.film.remove(one);
+            }
+            of.there.clear(group);
             whole.clear(frame);
         }
     }
@@ -188,12 +236,12 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
     public synchronized boolean has(int unit) {
         int frame = layout.frame(unit);
         Open there = open.get(frame);
-        return there == null ? taken.get(frame) : there.film.has(within(unit));
+        return there == null ? taken.get(frame) : there.there.get(within(unit));
     }
 
     @Override
     public synchronized int done() {
-        int sum = open.values().stream().mapToInt(o -> o.film.done()).sum();
+        int sum = open.values().stream().mapToInt(Open::done).sum();
         for (int f = taken.nextSetBit(0); f >= 0; f = taken.nextSetBit(f + 1)) {
             sum += layout.first(f + 1) - layout.first(f);
         }
@@ -204,7 +252,7 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
     public synchronized long pixelsDone() {
         long sum = open.values().stream().mapToLong(o -> o.film.pixelsDone()).sum();
         for (int f = taken.nextSetBit(0); f >= 0; f = taken.nextSetBit(f + 1)) {
-            sum += pixels[f];
+            sum += frames.pixels(f);
         }
         return sum;
     }
@@ -212,8 +260,8 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
     @Override
     public long pixels() {
         long sum = 0;
-        for (long one : pixels) {
-            sum += one;
+        for (int f = 0; f < layout.frames(); f++) {
+            sum += frames.pixels(f);
         }
         return sum;
     }
@@ -221,11 +269,11 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
     @Override
     public synchronized Image image() {
         for (Open one : open.values()) {
-            if (one.film.done() > 0) {
+            if (one.done() > 0) {
                 return one.film.image();
             }
         }
-        return latest == null ? empty.apply(0).image() : latest;
+        return latest == null ? frames.empty(0).image() : latest;
     }
 
     /** False: each picture has one of its own. */

@@ -1,13 +1,17 @@
 package enlightenment.net.server;
 
+import enlightenment.checkpoint.CheckpointJournal;
+import enlightenment.checkpoint.JournalRecord;
+import enlightenment.checkpoint.Origin;
+import enlightenment.checkpoint.Restored;
+import enlightenment.checkpoint.ResultJournal;
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.KeptPlan;
 import enlightenment.engine.UnitAssembly;
 import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.CheckpointJournal;
-import enlightenment.net.checkpoint.JournalRecord;
-import enlightenment.net.checkpoint.Origin;
-import enlightenment.net.checkpoint.Restored;
-import enlightenment.net.checkpoint.ResultJournal;
+import enlightenment.job.RenderIdentity;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.schedule.Action;
 import java.io.Closeable;
@@ -31,6 +35,9 @@ public final class ServerJob implements Closeable {
     private final UnitAssembly film;
     private final Consumer<String> log;
 
+    /** What a checkpoint is of, or null. */
+    private final KeptPlan plan;
+
     /** The hashes of the tiles that are kept. */
     private final ContentHash[] kept;
 
@@ -39,11 +46,29 @@ public final class ServerJob implements Closeable {
 
     private Restored restored = Restored.NOTHING;
     private CheckpointJournal journal;
+
+    /** What the journal calls the plan. */
+    private long key;
+
     private Set<Origin.Peer> alreadyExpelled = Set.of();
 
-    /** A job of which nothing is there yet. */
-    public ServerJob(UnitSource units, UnitAssembly film, JobContent content, Consumer<String> log) {
+    /** The job of one picture. */
+    public static ServerJob of(DividedRender render, FilmAssembly film, JobContent content, Consumer<String> log) {
+        return new ServerJob(render, film, content, KeptPlan.of(render.round(), render.outline()), log);
+    }
+
+    /**
+     * The job of a film, which has no checkpoint.
+     *
+     * @param film where its pictures are put together
+     */
+    public static ServerJob of(UnitSource units, FrameAssemblies film, JobContent content, Consumer<String> log) {
+        return new ServerJob(units, film, content, null, log);
+    }
+
+    private ServerJob(UnitSource units, UnitAssembly film, JobContent content, KeptPlan plan, Consumer<String> log) {
         this.units = units;
+        this.plan = plan;
         this.content = content;
         this.log = log;
         this.film = film;
@@ -73,7 +98,16 @@ public final class ServerJob implements Closeable {
     public void open(Path checkpoint, List<String> pardoned) throws IOException {
         Restored.Builder builder = new Restored.Builder();
         List<String> wrong = new ArrayList<>();
-        journal = CheckpointJournal.open(checkpoint, hash(), tiles(), System.nanoTime(), entry -> {
+        byte[] bytes = plan.toBytes();
+        key = CheckpointJournal.key(bytes);
+        List<Long> planned = new ArrayList<>();
+        journal = CheckpointJournal.open(checkpoint, identity(), true, System.nanoTime(), (about, entry, place) -> {
+            if (entry instanceof JournalRecord.Planned) {
+                planned.add(about);
+            } else if (about != 0 && about != key) {
+                // Of the same picture with another number of samples.
+                return;
+            }
             if (entry instanceof JournalRecord.Kept kept) {
                 String problem = film.problem(kept.tile(), kept.data()).orElse(null);
                 if (problem != null) {
@@ -84,6 +118,10 @@ public final class ServerJob implements Closeable {
             }
             builder.add(entry);
         });
+        if (!planned.contains(key)) {
+            journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
+            journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
+        }
         pardon(pardoned, builder);
         restored = builder.build();
         BitSet there = new BitSet();
@@ -109,6 +147,10 @@ public final class ServerJob implements Closeable {
         }
     }
 
+    private RenderIdentity identity() {
+        return RenderIdentity.of(content.scene(), plan.outline().settings(), content.build());
+    }
+
     private void pardon(List<String> machines, Restored.Builder builder) throws IOException {
         Set<Origin.Peer> expelled = builder.build().expelled();
         for (String digits : machines) {
@@ -123,7 +165,7 @@ public final class ServerJob implements Closeable {
             }
             JournalRecord pardon = new JournalRecord.Pardoned(meant.get(0));
             builder.add(pardon);
-            journal.append(System.nanoTime(), pardon);
+            journal.append(System.nanoTime(), 0, pardon);
             log.accept("machine " + meant.get(0) + " is pardoned");
         }
     }
@@ -137,28 +179,28 @@ public final class ServerJob implements Closeable {
         if (action instanceof Action.Keep a) {
             film.put(a.tile(), a.data().bytes());
             kept[a.tile()] = a.data().hash();
-            write(new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
+            write(key, new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
         } else if (action instanceof Action.Confirm a) {
-            write(new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
+            write(key, new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
         } else if (action instanceof Action.Revoke a) {
             film.remove(a.tile());
-            write(new JournalRecord.Revoked(a.tile()));
+            write(key, new JournalRecord.Revoked(a.tile()));
         } else if (action instanceof Action.Expel a) {
             log.accept("machine " + a.machine() + " expelled: " + a.reason()
                     + (journal == null ? "" : " (started again with --pardon " + a.machine() + " it is let in)"));
-            write(new JournalRecord.Expelled(a.machine()));
+            write(0, new JournalRecord.Expelled(a.machine()));
         } else {
             return false;
         }
         return true;
     }
 
-    private void write(JournalRecord entry) {
+    private void write(long about, JournalRecord entry) {
         if (journal == null) {
             return;
         }
         try {
-            journal.append(System.nanoTime(), entry);
+            journal.append(System.nanoTime(), about, entry);
         } catch (IOException e) {
             giveUpJournal(e);
         }

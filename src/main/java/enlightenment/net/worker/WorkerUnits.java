@@ -4,6 +4,7 @@ import enlightenment.compiled.SceneImages;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmUnits;
 import enlightenment.engine.FrameLayout;
+import enlightenment.engine.UnitGroups;
 import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
 import enlightenment.net.job.FilmContent;
@@ -47,7 +48,8 @@ public final class WorkerUnits {
         WorkerUnits units = new WorkerUnits(images, version, threads);
         List<FilmContent.Frame> frames = FilmContent.read(document, tiles, version);
         DividedRender first = units.render(frames.get(0));
-        return frames.size() == 1 ? first : units.film(frames);
+        boolean isPicture = frames.size() == 1 && frames.get(0).group() == 1;
+        return isPicture ? first : units.film(frames);
     }
 
     /** The units of a film; makers throw an {@link UncheckedIOException} if a frame cannot be used. */
@@ -59,7 +61,8 @@ public final class WorkerUnits {
     private UnitSource film(List<FilmContent.Frame> frames) {
         FrameLayout layout = new FrameLayout(
                 frames.stream().mapToInt(FilmContent.Frame::tiles).toArray());
-        return new FilmUnits(layout, frame -> {
+        int[] groups = frames.stream().mapToInt(FilmContent.Frame::group).toArray();
+        return new FilmUnits(layout, groups, frame -> {
             try {
                 return render(frames.get(frame));
             } catch (IOException e) {
@@ -72,9 +75,9 @@ public final class WorkerUnits {
         JobContent.Document read = JobContent.read(frame.document(), imageHashes, version, threads);
         try {
             DividedRender render = DividedRender.planned(read.scene(), read.settings(), read.plan(), images);
-            if (render.units() != frame.tiles()) {
-                throw new IOException(
-                        "the job has " + frame.tiles() + " tiles at the server, " + render.units() + " here");
+            int tiles = UnitGroups.of(render.outline(), frame.group()).count();
+            if (tiles != frame.tiles()) {
+                throw new IOException("the job has " + frame.tiles() + " tiles at the server, " + tiles + " here");
             }
             return render;
         } catch (IllegalArgumentException | SceneException e) {

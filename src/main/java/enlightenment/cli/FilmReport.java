@@ -1,11 +1,9 @@
 package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
-import enlightenment.json.JsonText;
 import enlightenment.machine.MachineFacts;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
-import enlightenment.work.Stopwatch;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -13,7 +11,6 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import picocli.CommandLine.Option;
-import tools.jackson.core.JsonGenerator;
 
 /** What the making of a film's frames has taken: of each frame, and of all together. */
 final class FilmReport {
@@ -33,7 +30,7 @@ final class FilmReport {
 
     private int kept;
     private int asked;
-    private Stopwatch wall = Stopwatch.started();
+    private long begun;
     private long cpu;
 
     FilmReport() {}
@@ -52,7 +49,7 @@ final class FilmReport {
     void begin(int all, int there) {
         asked = all;
         kept = there;
-        wall = Stopwatch.started();
+        begun = System.nanoTime();
         cpu = MachineFacts.processorNanos();
     }
 
@@ -65,55 +62,29 @@ final class FilmReport {
 
     /** Writes and prints what was asked for, when all frames are there or the film was stopped. */
     void write(Terminal terminal) throws IOException {
-        double seconds = wall.seconds();
+        double seconds = (System.nanoTime() - begun) * NANO;
         double processors = (MachineFacts.processorNanos() - cpu) * NANO;
         if (file != null) {
-            WholeFile.write(file, JsonText.of(json -> film(json, seconds, processors)));
+            WholeFile.write(file, FilmReportJson.of(asked, kept, frames, seconds, processors));
         }
         if (stats) {
             terminal.out().print(table(seconds, processors));
         }
     }
 
-    private void film(JsonGenerator json, double seconds, double processors) {
-        json.writeStartObject();
-        ReportJson.program(json);
-        json.writeNumberProperty("framesAsked", asked);
-        json.writeNumberProperty("framesKept", kept);
-        json.writeNumberProperty("framesRendered", frames.size());
-        json.writeBooleanProperty("complete", isComplete());
-        json.writeNumberProperty("wallSeconds", seconds);
-        json.writeNumberProperty("cpuSeconds", processors);
-        json.writeNumberProperty("rays", rays());
-        json.writeNumberProperty("pixels", pixels());
-        json.writeArrayPropertyStart("frames");
-        frames.forEach((frame, report) -> {
-            json.writeStartObject();
-            json.writeNumberProperty("frame", frame);
-            ReportJson.content(json, report, true);
-            json.writeEndObject();
-        });
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private boolean isComplete() {
-        return kept + frames.size() == asked;
-    }
-
-    private long rays() {
+    static long rays(Map<Integer, RenderReport> frames) {
         return frames.values().stream().mapToLong(RenderReport::rays).sum();
     }
 
-    private long pixels() {
+    static long pixels(Map<Integer, RenderReport> frames) {
         return frames.values().stream().mapToLong(RenderReport::pixels).sum();
     }
 
     private String table(double seconds, double processors) {
         StringBuilder text = new StringBuilder();
         line(text, "frames", "%,18d   %,d of %,d were there already", frames.size(), kept, asked);
-        line(text, "rays in all", "%,18d", rays());
-        line(text, "pixels", "%,18d", pixels());
+        line(text, "rays in all", "%,18d", rays(frames));
+        line(text, "pixels", "%,18d", pixels(frames));
         if (!frames.isEmpty()) {
             ToDoubleFunction<RenderReport> error = r -> r.sampling().estimatedError();
             int worst = worst(error);

@@ -4,6 +4,7 @@ import enlightenment.net.FilmServer;
 import enlightenment.net.ServerOptions;
 import java.io.IOException;
 import java.util.List;
+import java.util.Set;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -28,9 +29,12 @@ final class FilmServing {
 
     /** Fails if options do not go together. */
     void check(CommandSpec command, RenderOptions render, FrameOutput output) {
+        Set<String> ours = CommandSpec.forAnnotatedObject(new ServingOptions())
+                .optionsMap()
+                .keySet();
         List<String> given = command.commandLine().getParseResult().matchedOptions().stream()
-                .filter(o -> o.userObject() == serving)
                 .map(OptionSpec::longestName)
+                .filter(ours::contains)
                 .toList();
         if (!server && !given.isEmpty()) {
             throw CliException.wrongUsage(given.get(0) + " is for --server, which is not given");

@@ -3,7 +3,6 @@ package enlightenment.engine;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
-import enlightenment.compiled.SceneImages;
 import enlightenment.plan.Learned;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
@@ -67,7 +66,7 @@ public final class DividedRender implements UnitSource {
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
     public static DividedRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
-        return prepare(scene, settings, new SceneImages(), cancelled);
+        return prepare(scene, settings, new SharedImages(), cancelled);
     }
 
     /**
@@ -76,11 +75,11 @@ public final class DividedRender implements UnitSource {
      * @param images is asked for image files
      */
     public static DividedRender prepare(
-            Scene scene, RenderSettings settings, SceneImages images, BooleanSupplier cancelled) {
+            Scene scene, RenderSettings settings, SharedImages images, BooleanSupplier cancelled) {
         Stopwatch time = Stopwatch.started();
         PictureMemory.check(settings, 0);
         Phases phases = new Phases();
-        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images));
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images));
         Planner planner = new Planner(compiled, settings, Cancellation.of(cancelled));
         RenderPlan plan = phases.run("plan", () -> planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
@@ -128,7 +127,7 @@ public final class DividedRender implements UnitSource {
      */
     public static DividedRender planned(
             Scene scene, RenderSettings settings, RenderPlan plan, Function<Path, byte[]> files) {
-        return planned(scene, settings, plan, new SceneImages(files));
+        return planned(scene, settings, plan, new SharedImages(files));
     }
 
     /**
@@ -136,9 +135,9 @@ public final class DividedRender implements UnitSource {
      *
      * @param images is asked for image files
      */
-    public static DividedRender planned(Scene scene, RenderSettings settings, RenderPlan plan, SceneImages images) {
+    public static DividedRender planned(Scene scene, RenderSettings settings, RenderPlan plan, SharedImages images) {
         Phases phases = new Phases();
-        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images));
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images));
         return new DividedRender(
                 scene.name(),
                 compiled,

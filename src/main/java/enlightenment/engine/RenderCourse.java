@@ -2,7 +2,6 @@ package enlightenment.engine;
 
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
-import enlightenment.compiled.SceneImages;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
@@ -76,9 +75,9 @@ public final class RenderCourse {
      * @param images is asked for image files
      * @param samples what {@link #next} said
      */
-    public DividedRender again(Scene scene, SceneImages images, double samples, BooleanSupplier cancelled) {
+    public DividedRender again(Scene scene, SharedImages images, double samples, BooleanSupplier cancelled) {
         RenderSettings settings = outline.settings();
-        CompiledScene compiled = SceneCompiler.compile(scene, settings, images);
+        CompiledScene compiled = SceneCompiler.compile(scene, settings, images.images);
         return again(compiled, new Planner(compiled, settings, Cancellation.of(cancelled)), samples);
     }
 

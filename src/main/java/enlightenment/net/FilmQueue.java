@@ -1,9 +1,9 @@
 package enlightenment.net;
 
-import enlightenment.compiled.SceneImages;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FrameLayout;
 import enlightenment.engine.Rendered;
+import enlightenment.engine.SharedImages;
 import enlightenment.net.job.FilmContent;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.server.FrameAssemblies;
@@ -33,7 +33,7 @@ final class FilmQueue {
     private final String build;
     private final Consumer<String> log;
     private final BooleanSupplier cancelled;
-    private final SceneImages images = new SceneImages();
+    private final SharedImages images = new SharedImages();
     private final Set<String> notes = new HashSet<>();
 
     /** The frames that are not exact enough, with the samples that they get. */

@@ -1,9 +1,9 @@
 package enlightenment.net.worker;
 
-import enlightenment.compiled.SceneImages;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmUnits;
 import enlightenment.engine.FrameLayout;
+import enlightenment.engine.SharedImages;
 import enlightenment.engine.UnitGroups;
 import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
@@ -19,7 +19,7 @@ import java.util.Map;
 /** What is to be rendered, from the contents of a job: nothing is read from disks. */
 public final class WorkerUnits {
     private final List<ContentHash> imageHashes;
-    private final SceneImages images;
+    private final SharedImages images;
     private final String version;
     private final int threads;
 
@@ -27,7 +27,7 @@ public final class WorkerUnits {
         imageHashes = List.copyOf(images.keySet());
         Map<String, byte[]> byName = new HashMap<>();
         images.forEach((hash, image) -> byName.put(hash.toString(), image));
-        this.images = new SceneImages(file -> byName.get(file.toString()));
+        this.images = new SharedImages(file -> byName.get(file.toString()));
         this.version = version;
         this.threads = threads;
     }

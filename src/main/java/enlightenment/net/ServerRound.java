@@ -77,7 +77,7 @@ final class ServerRound implements StatusServer.Source {
 
     /** Begins to listen. */
     static ServerRound start(ServerOptions options, ServerLog log, Secrets secrets, ServerJob job) throws IOException {
-        Optional<Path> checkpoint = options.checkpointOfRound();
+        Optional<Path> checkpoint = options.checkpoint;
         if (checkpoint.isPresent()) {
             job.open(checkpoint.get(), options.pardoned);
         }
@@ -99,9 +99,9 @@ final class ServerRound implements StatusServer.Source {
         return start(following, log, coordination.secrets(), more);
     }
 
-    /** The options of the round with this number, which comes after this one. */
-    ServerOptions optionsFor(int round) {
-        return options.following(port(), statusPort(), round);
+    /** The options of the round that comes after this one. */
+    ServerOptions optionsOfNext() {
+        return options.following(port(), statusPort());
     }
 
     ServerLog log() {

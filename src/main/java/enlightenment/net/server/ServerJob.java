@@ -18,6 +18,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashSet;
 import java.util.List;
@@ -100,15 +101,20 @@ public final class ServerJob implements Closeable {
         List<String> wrong = new ArrayList<>();
         byte[] bytes = plan.toBytes();
         key = CheckpointJournal.key(bytes);
-        List<Long> planned = new ArrayList<>();
+        Set<Long> planned = new HashSet<>();
+        Set<Long> ours = new HashSet<>(Set.of(0L, key));
         journal = CheckpointJournal.open(checkpoint, identity(), true, System.nanoTime(), (about, entry, place) -> {
-            if (entry instanceof JournalRecord.Planned) {
+            if (entry instanceof JournalRecord.Planned other) {
                 planned.add(about);
-            } else if (about != 0 && about != key) {
+                KeptPlan.read(other.plan())
+                        .filter(p -> p.hasUnitsOf(plan.outline()))
+                        .ifPresent(p -> ours.add(about));
+            } else if (!ours.contains(about)) {
                 // Of the same picture with another number of samples.
                 return;
             }
-            if (entry instanceof JournalRecord.Kept kept) {
+            JournalRecord plain = withoutGrowth(entry);
+            if (plain instanceof JournalRecord.Kept kept) {
                 String problem = film.problem(kept.tile(), kept.data()).orElse(null);
                 if (problem != null) {
                     wrong.add("tile " + kept.tile() + ": " + problem);
@@ -116,7 +122,7 @@ public final class ServerJob implements Closeable {
                 }
                 film.put(kept.tile(), kept.data());
             }
-            builder.add(entry);
+            builder.add(plain);
         });
         if (!planned.contains(key)) {
             journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
@@ -145,6 +151,17 @@ public final class ServerJob implements Closeable {
         if (film.done() > 0) {
             log.accept("checkpoint: " + film.done() + " of " + tiles() + " tiles are done already");
         }
+    }
+
+    /** A result as workers give it: one that a single process kept may be longer, and would not be taken for the same. */
+    private JournalRecord withoutGrowth(JournalRecord record) {
+        if (record instanceof JournalRecord.Kept kept
+                && kept.tile() < tiles()
+                && kept.data().length > film.longest(kept.tile())) {
+            byte[] plain = Arrays.copyOf(kept.data(), film.longest(kept.tile()));
+            return new JournalRecord.Kept(kept.tile(), kept.origin(), plain);
+        }
+        return record;
     }
 
     private RenderIdentity identity() {

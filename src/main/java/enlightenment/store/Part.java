@@ -26,7 +26,7 @@ record Part(Place place, long samples, String worker, byte[] data) {
         if (tryInsert(c, dialect)) {
             return;
         }
-        Optional<byte[]> there = sound(c, dialect);
+        Optional<byte[]> there = sound(c, dialect, place);
         if (there.isPresent() && Arrays.equals(there.get(), data)) {
             return;
         }
@@ -64,8 +64,8 @@ record Part(Place place, long samples, String worker, byte[] data) {
         }
     }
 
-    /** What is there, unless it is damaged. */
-    private Optional<byte[]> sound(Connection c, Dialect dialect) throws SQLException {
+    /** What is there of a unit, unless it is damaged. */
+    static Optional<byte[]> sound(Connection c, Dialect dialect, Place place) throws SQLException {
         try (PreparedStatement select = c.prepareStatement("SELECT crc, data FROM film_part WHERE " + Place.CONDITION
                 + " AND " + dialect.length("data") + " <= " + Parts.LONGEST)) {
             place.set(select, 1);

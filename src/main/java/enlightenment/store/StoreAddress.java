@@ -3,6 +3,7 @@ package enlightenment.store;
 import enlightenment.text.Plain;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -62,6 +63,17 @@ public record StoreAddress(String url, Optional<Path> file) {
         return path.startsWith("file:")
                 ? new StoreAddress(url, Optional.empty())
                 : new StoreAddress(url, Optional.of(Path.of(path)));
+    }
+
+    /** All files of a store that is one: SQLite keeps two more beside it while it is open. */
+    public List<Path> files() {
+        return file.isEmpty()
+                ? List.of()
+                : List.of(file.get(), sibling(file.get(), "-wal"), sibling(file.get(), "-shm"));
+    }
+
+    private static Path sibling(Path file, String suffix) {
+        return file.resolveSibling(file.getFileName() + suffix);
     }
 
     /** Which kind of database it is, in small letters: what stands between the first two colons. */

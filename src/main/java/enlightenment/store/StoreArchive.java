@@ -1,22 +1,24 @@
 package enlightenment.store;
 
-import java.io.Closeable;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.KeptPlan;
+import enlightenment.film.SampleLog;
+import enlightenment.render.SampleArchive;
 import java.io.IOException;
-import java.sql.PreparedStatement;
-import java.sql.ResultSet;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
+import java.util.Optional;
+import java.util.function.DoubleFunction;
 
 /**
  * Keeps a render in a store. What comes within a fifth of a second is written in one transaction, a unit and its samples never in two:
  * what {@link #tick} or {@link #close} has written is safe, and of what came later a unit is there with its samples or not at all.
  */
-public final class StoreArchive implements Closeable {
+public final class StoreArchive implements SampleArchive {
     static final long WRITE_EVERY_NANOS = 200_000_000L;
 
     /** What waits to be written is no more than this, and one result. */
@@ -25,11 +27,7 @@ public final class StoreArchive implements Closeable {
     private final Database database;
     private final String render;
 
-    /** What a picture's file is to say of itself, by the plan. */
-    private final Function<byte[], Map<String, String>> texts;
-
-    /** How many camera rays are in a result. */
-    private final SampleCount samples;
+    private final DoubleFunction<Map<String, String>> texts;
 
     /** Which samples are wanted with each unit; -1 for none. */
     private final int kind;
@@ -47,77 +45,68 @@ public final class StoreArchive implements Closeable {
     private long lastWrite = System.nanoTime();
     private long damaged;
 
-    /** Counts the camera rays of a result. */
-    @FunctionalInterface
-    public interface SampleCount {
-        long of(byte[] result);
-    }
+    /**
+     * What is to be kept.
+     *
+     * @param row of which render
+     * @param scene its scene as a text, to be looked at
+     * @param texts what the picture's file is to say of itself, by the number of samples per pixel that is planned
+     * @param samples what of camera samples is kept beside results
+     */
+    public record Render(
+            RenderRow row, byte[] scene, DoubleFunction<Map<String, String>> texts, StoredSamples samples) {}
 
-    /** Takes what is kept. */
-    @FunctionalInterface
-    public interface Replay {
-        void result(int unit, byte[] bytes) throws IOException;
-    }
-
-    private StoreArchive(
-            Database database,
-            String render,
-            Function<byte[], Map<String, String>> texts,
-            SampleCount samples,
-            int kind) {
+    private StoreArchive(Database database, Render what) {
         this.database = database;
-        this.render = render;
-        this.texts = texts;
-        this.samples = samples;
-        this.kind = kind;
+        render = what.row.id();
+        texts = what.texts;
+        kind = what.samples.kind;
     }
 
     /**
      * Opens a store, which is made if there is none, for a render, which begins there or goes on.
      *
-     * @param scene the scene's text
-     * @param texts what the picture's file is to say of itself, by the plan
-     * @param kind which samples are to be kept with each unit; -1 for none
      * @throws IOException if the store cannot be used; the message says why
      */
-    public static StoreArchive open(
-            StoreAddress address,
-            StoreLogin login,
-            RenderRow row,
-            byte[] scene,
-            Function<byte[], Map<String, String>> texts,
-            SampleCount samples,
-            int kind)
-            throws IOException {
+    public static StoreArchive open(StoreAddress address, StoreLogin login, Render what) throws IOException {
         Database database = Database.toWrite(address, login, Drivers.ofProgram());
         try {
             database.write(c -> {
-                row.insert(c, database.dialect(), scene);
+                what.row.insert(c, database.dialect(), what.scene);
                 return null;
             });
-            return new StoreArchive(database, row.id(), texts, samples, kind);
+            return new StoreArchive(database, what);
         } catch (IOException | RuntimeException e) {
             database.close();
             throw e;
         }
     }
 
-    /** What messages call it. */
+    @Override
     public String name() {
         return "store " + database.name();
     }
 
-    /** The plans that the render was made by so far. */
+    @Override
     public List<byte[]> plans() throws IOException {
-        return PlanRow.all(database, render).stream().map(PlanRow::data).toList();
+        List<byte[]> plans = new ArrayList<>();
+        for (PlanRow row : PlanRow.all(database, render)) {
+            while (plans.size() < Math.min(row.pass(), PlanRow.MOST)) {
+                plans.add(new byte[0]);
+            }
+            plans.add(row.data());
+        }
+        return plans;
     }
 
-    /** The number of a plan from now on. */
+    @Override
     public int keep(byte[] plan) throws IOException {
-        return PlanRow.numberOf(database, render, plan, texts.apply(plan));
+        double planned = KeptPlan.read(plan).map(p -> p.outline().plan().samples()).orElse(0.0);
+        return PlanRow.numberOf(database, render, plan, texts.apply(planned));
     }
 
     /** Gives away all that is kept of a plan and is whole; where samples are wanted, what has some. */
+    @Override
     public void replay(int plan, Replay to) throws IOException {
         write();
         BitSet given = replayed.computeIfAbsent(plan, p -> new BitSet());
@@ -136,26 +125,25 @@ public final class StoreArchive implements Closeable {
         return damaged;
     }
 
-    /** A unit's result; null if it is not there, or damaged. */
-    public byte[] find(int plan, int unit) throws IOException {
+    @Override
+    public Optional<byte[]> find(int plan, int unit) throws IOException {
         Place place = new Place(render, plan, unit);
         Part part = parts.get(place);
-        return part != null
-                ? part.data()
-                : database.read(c -> {
-                    try (PreparedStatement select = c.prepareStatement("SELECT crc, data FROM film_part WHERE "
-                            + Place.CONDITION + " AND " + database.dialect().length("data") + " <= " + Parts.LONGEST)) {
-                        place.set(select, 1);
-                        try (ResultSet row = select.executeQuery()) {
-                            byte[] data = row.next() ? row.getBytes(2) : null;
-                            return data == null || Checksum.of(data) != row.getLong(1) ? null : data;
-                        }
-                    }
-                });
+        return part != null ? Optional.of(part.data()) : database.read(c -> Part.sound(c, database.dialect(), place));
     }
 
-    /** Keeps samples of a unit, before its result. */
-    public void block(int plan, int unit, int blockKind, int count, byte[] data) throws IOException {
+    @Override
+    public boolean keepsSamples() {
+        return kind >= 0;
+    }
+
+    @Override
+    public boolean keepsRays() {
+        return kind == SampleLog.RAYS;
+    }
+
+    @Override
+    public void keepSamples(int plan, int unit, int blockKind, int count, byte[] data) throws IOException {
         Place place = new Place(render, plan, unit);
         int piece = pieces.merge(place, 1, Integer::sum) - 1;
         blocks.add(new Block(place, blockKind, piece, count, data));
@@ -165,18 +153,18 @@ public final class StoreArchive implements Closeable {
         }
     }
 
-    /** Keeps a result. */
+    @Override
     public void keep(int plan, int unit, String worker, byte[] result) throws IOException {
         Place place = new Place(render, plan, unit);
         pieces.remove(place);
-        Part before = parts.put(place, new Part(place, samples.of(result), worker, result));
+        Part before = parts.put(place, new Part(place, FilmAssembly.cameraRays(result), worker, result));
         waiting += result.length - (before == null ? 0 : before.data().length);
         if (waiting >= MOST_WAITING || System.nanoTime() - lastWrite >= WRITE_EVERY_NANOS) {
             write();
         }
     }
 
-    /** Takes a result out, and its samples. */
+    @Override
     public void remove(int plan, int unit) throws IOException {
         write();
         database.write(c -> {
@@ -185,14 +173,15 @@ public final class StoreArchive implements Closeable {
         });
     }
 
-    /** Time has passed. */
+    @Override
     public void tick() throws IOException {
         if (System.nanoTime() - lastWrite >= WRITE_EVERY_NANOS) {
             write();
         }
     }
 
-    private void write() throws IOException {
+    /** Writes what waits: when this returns, it is safe. */
+    void write() throws IOException {
         lastWrite = System.nanoTime();
         if (parts.isEmpty() && blocks.isEmpty()) {
             return;

@@ -2,7 +2,6 @@ package enlightenment.store;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -15,6 +14,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -40,15 +40,15 @@ class StoreArchiveTest {
     @ValueSource(strings = {"sqlite", "h2"})
     void resultsAreThereAgainInTheOrderOfUnitsWhoeverOpensItNext(String database) throws IOException {
         StoreAddress address = address(database);
-        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, -1)) {
+        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
             assertEquals(0, archive.keep(TestStores.PLAN));
             for (int unit = 2500; unit > 0; unit--) {
                 archive.keep(0, unit, "me", TestStores.result(unit));
             }
-            assertArrayEquals(TestStores.result(7), archive.find(0, 7));
-            assertNull(archive.find(0, 0));
+            assertArrayEquals(TestStores.result(7), archive.find(0, 7).orElseThrow());
+            assertEquals(Optional.empty(), archive.find(0, 0));
         }
-        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, -1)) {
+        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
             assertEquals(1, archive.plans().size());
             assertEquals(1, archive.keep(new byte[] {9}));
             assertEquals(0, archive.keep(TestStores.PLAN));
@@ -76,9 +76,9 @@ class StoreArchiveTest {
     @ValueSource(strings = {"sqlite", "h2"})
     void theSameResultTwiceIsOneAndAnotherIsAnError(String database) throws IOException {
         StoreAddress address = address(database);
-        try (StoreArchive a = TestStores.open(address, StoreLogin.NONE, TestStores.ID, -1);
+        try (StoreArchive a = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE);
                 StoreArchive b =
-                        database.equals("h2") ? null : TestStores.open(address, StoreLogin.NONE, TestStores.ID, -1)) {
+                        database.equals("h2") ? null : TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
             StoreArchive other = b == null ? a : b;
             a.keep(TestStores.PLAN);
             a.keep(0, 5, "a", TestStores.result(5));
@@ -92,7 +92,7 @@ class StoreArchiveTest {
             other.remove(0, 99);
             a.keep(0, 5, "a", TestStores.result(5));
             a.remove(0, 99);
-            assertArrayEquals(longer, a.find(0, 5));
+            assertArrayEquals(longer, a.find(0, 5).orElseThrow());
             a.keep(0, 5, "a", TestStores.result(6));
             IOException e = assertThrows(IOException.class, () -> a.remove(0, 99));
             assertTrue(e.getMessage().contains("computes wrongly"), e.getMessage());
@@ -104,7 +104,7 @@ class StoreArchiveTest {
     @ValueSource(strings = {"sqlite", "h2"})
     void whatWasGivenAwayAndJudgedMayBeReplaced(String database) throws IOException {
         StoreAddress address = address(database);
-        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, -1)) {
+        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
             archive.keep(TestStores.PLAN);
             archive.keep(0, 5, "a", TestStores.result(6));
             assertEquals(1, replayed(archive, 0).size());
@@ -119,7 +119,7 @@ class StoreArchiveTest {
     @ValueSource(strings = {"sqlite"})
     void damagedResultsAreLeftOutAndMadeAgain(String database) throws Exception {
         StoreAddress address = address(database);
-        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, -1)) {
+        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
             archive.keep(TestStores.PLAN);
             for (int unit = 0; unit < 4; unit++) {
                 archive.keep(0, unit, "a", TestStores.result(unit));
@@ -134,7 +134,7 @@ class StoreArchiveTest {
             update.setInt(2, 2);
             update.executeUpdate();
         }
-        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, -1)) {
+        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
             assertEquals(java.util.Set.of(0, 3), replayed(archive, 0).keySet());
             assertEquals(2, archive.damaged());
             archive.keep(0, 1, "b", TestStores.result(1));

@@ -50,15 +50,16 @@ final class RenderStoreCommand extends Subcommand {
         picture.notes().forEach(terminal::say);
         RenderResult result = picture.result();
         if (result.shownPixels() == 0) {
-            throw CliException.failed("nothing of the picture is in the store yet; " + output.name() + " was not written");
+            throw CliException.failed(
+                    "nothing of the picture is in the store yet; " + output.name() + " was not written");
         }
         result = result.withRounding(Rounding.of(result.image(), output.writtenDepth()));
         Image shown = view.view(result.image(), terminal);
         output.write(shown, new PngOptions(output.depth(), picture.texts()), terminal);
         report.write(result, output, terminal);
         if (!result.complete()) {
-            throw CliException.failed("missing: " + picture.missing() + " of " + picture.units() + " units; they are black in "
-                    + output.name());
+            throw CliException.failed("missing: " + picture.missing() + " of " + picture.units()
+                    + " units; they are black in " + output.name());
         }
         LightNotes.tell(result, shown, terminal::say);
         LightNotes.require(result);

@@ -9,7 +9,10 @@ import picocli.CommandLine.Parameters;
 
 /** The store that a command looks into, and which of its renders is meant. */
 final class StoreArgument {
-    @Parameters(index = "0", paramLabel = "STORE", description = "the store: a SQLite file, or the JDBC URL of a database")
+    @Parameters(
+            index = "0",
+            paramLabel = "STORE",
+            description = "the store: a SQLite file, or the JDBC URL of a database")
     private String store;
 
     @Parameters(

@@ -12,7 +12,10 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
 /** {@code enlightenment store-info}: tells what a store holds. */
-@Command(name = "store-info", description = "Tells which renders a store holds, and how much of them.", sortOptions = false)
+@Command(
+        name = "store-info",
+        description = "Tells which renders a store holds, and how much of them.",
+        sortOptions = false)
 final class StoreInfoCommand extends Subcommand {
     private static final double MEGA = 1e6;
     private static final double PERCENT = 100;
@@ -55,15 +58,16 @@ final class StoreInfoCommand extends Subcommand {
                 : facts.units() >= units.getAsInt()
                         ? "complete, " + units.getAsInt() + " units"
                         : facts.units() + " of " + units.getAsInt() + " units"
-                                + String.format(
-                                        Locale.ROOT, " (%.1f %%)", facts.units() * PERCENT / units.getAsInt());
+                                + String.format(Locale.ROOT, " (%.1f %%)", facts.units() * PERCENT / units.getAsInt());
         terminal.show("  pass " + plan.pass() + ": " + share + ", " + facts.samples() + " camera rays, "
                 + mega(facts.bytes()));
         if (facts.blocks() > 0) {
-            terminal.show("    samples: " + facts.kept() + " in " + facts.blocks() + " blocks, " + mega(facts.blockBytes()));
+            terminal.show(
+                    "    samples: " + facts.kept() + " in " + facts.blocks() + " blocks, " + mega(facts.blockBytes()));
         }
         for (SampleStore.Worker worker : store.workers(render, plan)) {
-            terminal.show("    " + worker.name() + ": " + worker.units() + " units, " + worker.samples() + " camera rays");
+            terminal.show(
+                    "    " + worker.name() + ": " + worker.units() + " units, " + worker.samples() + " camera rays");
         }
     }
 

@@ -13,6 +13,7 @@ import enlightenment.store.StoreArchive;
 import enlightenment.store.StoredSamples;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -22,7 +23,8 @@ final class StoreOptions {
     @Option(
             names = "--store",
             paramLabel = "STORE",
-            description = "keep what is done in this store, and go on from it: a SQLite file, or the JDBC URL of a database")
+            description =
+                    "keep what is done in this store, and go on from it: a SQLite file, or the JDBC URL of a database")
     private String store;
 
     @Mixin
@@ -75,7 +77,7 @@ final class StoreOptions {
                 settings.height());
         StoreArchive.Render what = new StoreArchive.Render(
                 row,
-                SceneWriter.toJson(scene.withoutAnimation()).getBytes(StandardCharsets.UTF_8),
+                SceneWriter.toJson(scene.withoutAnimation(), Path::toString).getBytes(StandardCharsets.UTF_8),
                 planned -> PictureText.of(scene, SettingsLine.replayable(settings, planned, frame)),
                 samples);
         return Optional.of(StoreArchive.open(StoreAccess.address(store), access.login(), what));

@@ -3,6 +3,7 @@ package enlightenment.engine;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.film.SampleLog;
 import enlightenment.plan.Learned;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
@@ -201,9 +202,25 @@ public final class DividedRender {
      *     java.util.concurrent.CancellationException}, in the middle of a unit if need be
      */
     public UnitMaker maker(BooleanSupplier cancelled) {
+        return maker(cancelled, null);
+    }
+
+    /**
+     * The same, of whose camera samples a log is kept, which is given away with each unit.
+     *
+     * @param log null for none
+     */
+    public UnitMaker maker(BooleanSupplier cancelled, SampleLog log) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = new UnitWork(units, compiled, outline, counters, Learned.UNSEEN, cancelled);
-        return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
+        Learned learned = log == null ? Learned.UNSEEN : new Learned(null, null, log);
+        UnitWork work = new UnitWork(units, compiled, outline, counters, learned, cancelled);
+        return unit -> {
+            byte[] result = make(Objects.checkIndex(unit, units.count()), work, counters);
+            if (log != null) {
+                log.flush();
+            }
+            return result;
+        };
     }
 
     private byte[] make(int unit, UnitWork work, RayCounters counters) {

@@ -121,6 +121,11 @@ public final class FilmAssembly {
         }
     }
 
+    /** How many camera rays are in the result of a unit. */
+    public static long cameraRays(byte[] bytes) {
+        return ResultHeader.cameraRays(bytes);
+    }
+
     /** Whether a unit is there. */
     public boolean has(int unit) {
         return film.has(unit);

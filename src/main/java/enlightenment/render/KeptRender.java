@@ -54,8 +54,10 @@ final class KeptRender implements PictureRender {
         Thread ticker = archives.startTicking();
         try {
             Workers.run(settings.threads(), missing.length, cancelled, () -> {
-                UnitMaker maker = render.maker(cancelled);
+                Archives.Samples samples = archives.samples(settings.width());
+                UnitMaker maker = render.maker(cancelled, samples.log());
                 return i -> {
+                    samples.beginUnit(missing[i]);
                     byte[] result = maker.make(missing[i]);
                     // First what must not be lost.
                     archives.keep(missing[i], result);

@@ -31,7 +31,8 @@ public record PlanRow(int pass, byte[] data, Map<String, String> texts) {
     private static List<PlanRow> all(Connection c, Dialect dialect, String render) throws SQLException {
         List<PlanRow> rows = new ArrayList<>();
         try (PreparedStatement select = c.prepareStatement("SELECT pass, crc, data, texts FROM render_plan"
-                + " WHERE render_id = ? AND pass >= 0 AND pass < " + MOST + " AND " + dialect.length("data") + " <= " + LONGEST + " AND "
+                + " WHERE render_id = ? AND pass >= 0 AND pass < " + MOST + " AND " + dialect.length("data") + " <= "
+                + LONGEST + " AND "
                 + dialect.length("texts") + " <= " + LONGEST + " ORDER BY pass")) {
             select.setMaxRows(MOST);
             select.setString(1, render);

@@ -126,10 +126,10 @@ public final class SampleStore implements Closeable {
 
     /** What is there of a plan. */
     public Facts facts(RenderRow render, PlanRow plan) throws IOException {
-        String parts = "SELECT COUNT(*), SUM(samples), SUM("
-                + database.dialect().length("data") + ") FROM film_part WHERE render_id = ? AND pass = ?";
-        String blocks = "SELECT COUNT(*), SUM(n), SUM(" + database.dialect().length("data")
-                + ") FROM sample_block WHERE render_id = ? AND pass = ?";
+        String parts = "SELECT COUNT(*), SUM(samples * 1.0), SUM("
+                + database.dialect().length("data") + " * 1.0) FROM film_part WHERE render_id = ? AND pass = ?";
+        String blocks = "SELECT COUNT(*), SUM(n * 1.0), SUM("
+                + database.dialect().length("data") + " * 1.0) FROM sample_block WHERE render_id = ? AND pass = ?";
         return database.read(c -> {
             long[] p = sums(c, parts, render, plan);
             long[] b = sums(c, blocks, render, plan);
@@ -143,7 +143,7 @@ public final class SampleStore implements Closeable {
             select.setInt(2, plan.pass());
             try (ResultSet row = select.executeQuery()) {
                 row.next();
-                return new long[] {row.getLong(1), row.getLong(2), row.getLong(3)};
+                return new long[] {row.getLong(1), (long) row.getDouble(2), (long) row.getDouble(3)};
             }
         }
     }
@@ -159,8 +159,9 @@ public final class SampleStore implements Closeable {
 
     /** Who made the results of a plan: those with the most first, and no more than fifty. */
     public List<Worker> workers(RenderRow render, PlanRow plan) throws IOException {
-        String sql = "SELECT SUBSTR(worker, 1, " + Part.LONGEST_WORKER + "), COUNT(*), SUM(samples) FROM film_part"
-                + " WHERE render_id = ? AND pass = ? GROUP BY worker ORDER BY 2 DESC, 1";
+        String sql =
+                "SELECT SUBSTR(worker, 1, " + Part.LONGEST_WORKER + "), COUNT(*), SUM(samples * 1.0) FROM film_part"
+                        + " WHERE render_id = ? AND pass = ? GROUP BY worker ORDER BY 2 DESC, 1";
         return database.read(c -> {
             List<Worker> workers = new ArrayList<>();
             try (PreparedStatement select = c.prepareStatement(sql)) {
@@ -170,7 +171,7 @@ public final class SampleStore implements Closeable {
                 try (ResultSet row = select.executeQuery()) {
                     while (row.next()) {
                         String name = Plain.line(String.valueOf(row.getString(1)), Part.LONGEST_WORKER);
-                        workers.add(new Worker(name, row.getLong(2), row.getLong(3)));
+                        workers.add(new Worker(name, row.getLong(2), (long) row.getDouble(3)));
                     }
                 }
             }

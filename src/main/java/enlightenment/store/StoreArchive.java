@@ -101,7 +101,8 @@ public final class StoreArchive implements SampleArchive {
 
     @Override
     public int keep(byte[] plan) throws IOException {
-        double planned = KeptPlan.read(plan).map(p -> p.outline().plan().samples()).orElse(0.0);
+        double planned =
+                KeptPlan.read(plan).map(p -> p.outline().plan().samples()).orElse(0.0);
         return PlanRow.numberOf(database, render, plan, texts.apply(planned));
     }
 

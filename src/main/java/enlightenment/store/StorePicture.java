@@ -2,8 +2,8 @@ package enlightenment.store;
 
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.KeptPlan;
-import enlightenment.engine.Rendered;
 import enlightenment.engine.RenderOutline;
+import enlightenment.engine.Rendered;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.RenderResult;
 import java.io.IOException;
@@ -22,8 +22,7 @@ import java.util.OptionalInt;
  * @param missing how many are not there
  * @param notes what is to be told, a line each
  */
-public record StorePicture(
-        RenderResult result, Map<String, String> texts, int units, int missing, List<String> notes) {
+public record StorePicture(RenderResult result, Map<String, String> texts, int units, int missing, List<String> notes) {
 
     /**
      * Puts a picture together.
@@ -89,9 +88,7 @@ public record StorePicture(
     /** How many units a plan has; empty for a plan of another version of the program. */
     public static OptionalInt units(PlanRow plan) {
         try {
-            return outline(plan)
-                    .map(o -> OptionalInt.of(o.units()))
-                    .orElse(OptionalInt.empty());
+            return outline(plan).map(o -> OptionalInt.of(o.units())).orElse(OptionalInt.empty());
         } catch (InvalidValueException | ArithmeticException e) {
             return OptionalInt.empty();
         }

@@ -136,7 +136,8 @@ class MariaDbTest {
     @Test
     void aWrongPasswordIsSaidWithoutItAndWithoutTheOptionsOfTheUrl() {
         StoreLogin wrong = new StoreLogin(Optional.of(USER), Optional.of("secret-word"));
-        IOException e = assertThrows(IOException.class, () -> SampleStore.open(StoreAddress.of(url("pictures")), wrong));
+        IOException e =
+                assertThrows(IOException.class, () -> SampleStore.open(StoreAddress.of(url("pictures")), wrong));
         assertFalse(e.getMessage().contains("secret-word"), e.getMessage());
         assertFalse(e.getMessage().contains("sslMode"), e.getMessage());
         assertTrue(e.getMessage().contains("denied"), e.getMessage());

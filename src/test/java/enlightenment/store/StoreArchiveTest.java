@@ -77,8 +77,9 @@ class StoreArchiveTest {
     void theSameResultTwiceIsOneAndAnotherIsAnError(String database) throws IOException {
         StoreAddress address = address(database);
         try (StoreArchive a = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE);
-                StoreArchive b =
-                        database.equals("h2") ? null : TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
+                StoreArchive b = database.equals("h2")
+                        ? null
+                        : TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
             StoreArchive other = b == null ? a : b;
             a.keep(TestStores.PLAN);
             a.keep(0, 5, "a", TestStores.result(5));

@@ -39,7 +39,7 @@ final class TestStores {
     static byte[] result(int unit) {
         byte[] bytes = new byte[100 + unit % 1000];
         new Random(unit).nextBytes(bytes);
-        return ByteBuffer.wrap(bytes).putInt(unit).array();
+        return ByteBuffer.wrap(bytes).putLong(unit).putLong(bytes.length).array();
     }
 
     /** Samples of a unit. */

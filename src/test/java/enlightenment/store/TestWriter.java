@@ -68,7 +68,8 @@ final class TestWriter {
             int read = 0;
             for (String line = in.readLine(); line != null; line = in.readLine()) {
                 if (++read == lines) {
-                    writer.destroyForcibly();
+                    // The handle leaves the stream open, with what the writer has said.
+                    writer.toHandle().destroyForcibly();
                 }
                 if (line.matches("\\d+")) {
                     last = Integer.parseInt(line);

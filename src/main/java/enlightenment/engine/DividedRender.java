@@ -202,24 +202,81 @@ public final class DividedRender {
      *     java.util.concurrent.CancellationException}, in the middle of a unit if need be
      */
     public UnitMaker maker(BooleanSupplier cancelled) {
-        return maker(cancelled, null);
+        RayCounters counters = new RayCounters(compiled.kindNames.size());
+        UnitWork work = work(counters, cancelled, null);
+        return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
+    }
+
+    /** Whether the method lets more samples be added to the results of tiles. */
+    public boolean canGrow() {
+        if (!units.haveTiles() || units.passes() > 1) {
+            return false;
+        }
+        RenderSettings.Crop region = outline.settings().region();
+        return work(new RayCounters(compiled.kindNames.size()), () -> false, null)
+                        .samples(region.x(), region.y())
+                > 0;
+    }
+
+    private UnitWork work(RayCounters counters, BooleanSupplier cancelled, SampleLog log) {
+        Learned learned = log == null ? Learned.UNSEEN : new Learned(null, null, log);
+        return new UnitWork(units, compiled, outline, counters, learned, cancelled);
+    }
+
+    /** Does units, for one thread, so that more samples can be added to them later. */
+    public interface Growing {
+        /**
+         * Whether the unit with this number can go on from a result.
+         *
+         * @param before what this made of the same tile with fewer samples; has been looked at ({@link FilmAssembly#problem})
+         */
+        boolean canGrow(int unit, byte[] before);
+
+        /**
+         * The result of a unit: that of {@link UnitMaker#make}, followed by what is needed to go on where the method can.
+         *
+         * @param before what it {@linkplain #canGrow can} go on from; null for nothing
+         */
+        byte[] make(int unit, byte[] before);
     }
 
     /**
-     * The same, of whose camera samples a log is kept, which is given away with each unit.
+     * Does units, for one thread, so that more samples can be added to them later.
+     *
+     * @param cancelled as for {@link #maker(BooleanSupplier)}
+     */
+    public Growing growing(BooleanSupplier cancelled) {
+        return growing(cancelled, null);
+    }
+
+    /**
+     * The same, of whose camera samples a log is kept, which is given away with each unit: with all of them where it goes on from nothing.
      *
      * @param log null for none
      */
-    public UnitMaker maker(BooleanSupplier cancelled, SampleLog log) {
+    public Growing growing(BooleanSupplier cancelled, SampleLog log) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        Learned learned = log == null ? Learned.UNSEEN : new Learned(null, null, log);
-        UnitWork work = new UnitWork(units, compiled, outline, counters, learned, cancelled);
-        return unit -> {
-            byte[] result = make(Objects.checkIndex(unit, units.count()), work, counters);
-            if (log != null) {
-                log.flush();
+        UnitWork work = work(counters, cancelled, log);
+        return new Growing() {
+            @Override
+            public boolean canGrow(int unit, byte[] before) {
+                return form.grows(unit, work, before);
             }
-            return result;
+
+            @Override
+            public byte[] make(int unit, byte[] before) {
+                counters.clear();
+                if (before != null) {
+                    counters.add(ResultHeader.counters(before, outline.kinds().size()));
+                }
+                ResultHeader header = new ResultHeader();
+                ByteBuffer out = form.grow(unit, work, header, before);
+                header.write(out.position(0), counters);
+                if (log != null) {
+                    log.flush();
+                }
+                return out.array();
+            }
         };
     }
 

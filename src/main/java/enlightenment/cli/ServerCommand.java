@@ -88,10 +88,7 @@ final class ServerCommand extends Subcommand {
         try (ArchiveList archives = archives(scene, settings);
                 RenderServer server = RenderServer.start(
                         scene, settings, serverOptions.withArchives(archives.all()), terminal.stop())) {
-            serving.joinLines(server.port(), server.pin()).forEach(terminal::say);
-            if (server.statusPort() >= 0) {
-                terminal.say("status: http://127.0.0.1:" + server.statusPort() + "/");
-            }
+            serving.announce(server.port(), server.pin(), server.statusPort(), terminal);
             return server.await(display, terminal.stop());
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());

@@ -1,7 +1,7 @@
 package enlightenment.net.server;
 
 import enlightenment.checkpoint.Origin;
-import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.UnitAssembly;
 import enlightenment.file.ContentHash;
 import enlightenment.render.ResultArchive;
 import java.io.IOException;
@@ -52,7 +52,7 @@ final class JobArchives {
      *
      * @return those units, in ascending order
      */
-    Set<Integer> begin(byte[] plan, FilmAssembly film) {
+    Set<Integer> begin(byte[] plan, UnitAssembly film) {
         each((archive, none) -> {
             plans.put(archive, archive.keep(plan));
             archive.replay(plans.get(archive), (unit, bytes) -> {

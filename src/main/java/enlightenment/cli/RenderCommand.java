@@ -248,7 +248,7 @@ final class RenderCommand extends Subcommand {
         }
         if (!result.complete()) {
             boolean hasPreview = result.shownPixels() > result.report().pixels();
-            throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "");
+            throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "", keep.hint());
         }
         UniformImageHint.tell(scene, settings, result, terminal);
         LightNotes.tell(result, shown, terminal::say);

@@ -7,6 +7,7 @@ import enlightenment.engine.KeptPlan;
 import enlightenment.engine.RenderOutline;
 import enlightenment.film.SampleLog;
 import enlightenment.plan.RenderPlan;
+import enlightenment.plan.Rounds;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -75,6 +76,18 @@ final class Archives {
     }
 
     private synchronized void each(Use use) {
+        // Channels to files close themselves on an interrupted thread.
+        boolean wasInterrupted = Thread.interrupted();
+        try {
+            eachWithoutInterrupt(use);
+        } finally {
+            if (wasInterrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    private void eachWithoutInterrupt(Use use) {
         for (Kept kept : List.copyOf(all)) {
             try {
                 use.of(kept);
@@ -134,7 +147,7 @@ final class Archives {
         if (earlier.isEmpty() || film.film().isComplete()) {
             return;
         }
-        String samples = Double.toString(earlier.get(0).samples());
+        String samples = Rounds.number(earlier.get(0).samples());
         if (!render.canGrow()) {
             note("what is kept has " + samples + " samples per pixel: "
                     + render.plan().method() + " takes others where there are more, so all are taken anew");

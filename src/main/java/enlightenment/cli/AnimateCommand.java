@@ -44,6 +44,9 @@ final class AnimateCommand extends Subcommand {
     private RenderOptions options = new RenderOptions();
 
     @Mixin
+    private WatchOptions watching = new WatchOptions();
+
+    @Mixin
     private ProgressOption progress = new ProgressOption();
 
     private SceneInput input;
@@ -86,12 +89,18 @@ final class AnimateCommand extends Subcommand {
         });
         tellKept(plan, range);
         makeFolder();
-        int faulty = render(new FrameRenderer(film, output, view, options, digests, input, terminal), plan, range);
+        FrameRenderer renderer = new FrameRenderer(film, output, view, options, digests, input, terminal);
+        String title = scene.name().isEmpty() ? input.name() : scene.name();
+        return watching.watch(title, settings, view, true, terminal, w -> renderAll(renderer, plan, files, range, w));
+    }
+
+    private void renderAll(FrameRenderer renderer, FrameFiles plan, List<Path> files, FrameRange range, Watch watch)
+            throws IOException {
+        int faulty = render(renderer, plan, range, watch);
         writeVideo(files, range);
         if (faulty > 0) {
             throw CliException.failed(faulty + (faulty == 1 ? " frame is" : " frames are") + " not as asked");
         }
-        return ExitCode.DONE;
     }
 
     /** As many as can be looked at in some seconds. */
@@ -124,13 +133,14 @@ final class AnimateCommand extends Subcommand {
     }
 
     /** @return how many frames are not as asked */
-    private int render(FrameRenderer renderer, FrameFiles plan, FrameRange range) throws IOException {
+    private int render(FrameRenderer renderer, FrameFiles plan, FrameRange range, Watch watch) throws IOException {
         RenderProgress display = progress.display(terminal.err());
-        FilmProgress told = new FilmProgress(display, plan.missing().size());
+        FilmProgress told = new FilmProgress(watch.over(display), plan.missing().size());
         int done = plan.kept().size();
         int faulty = 0;
         try {
             for (int frame : plan.missing()) {
+                watch.frame(frame);
                 FrameRenderer.Outcome outcome = renderer.render(frame, told);
                 if (outcome == FrameRenderer.Outcome.STOPPED) {
                     throw stopped(done, range, "");

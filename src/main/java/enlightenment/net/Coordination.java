@@ -1,7 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
-import enlightenment.net.listen.ServerLog;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.Action;

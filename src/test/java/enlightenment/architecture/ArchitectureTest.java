@@ -97,6 +97,12 @@ class ArchitectureTest {
             .definedBy("enlightenment.engine")
             .layer("render")
             .definedBy("enlightenment.render")
+            .layer("listen")
+            .definedBy("enlightenment.listen")
+            .layer("status")
+            .definedBy("enlightenment.status")
+            .layer("window")
+            .definedBy("enlightenment.window")
             .layer("net")
             .definedBy("enlightenment.net..")
             .layer("measure")
@@ -112,19 +118,25 @@ class ArchitectureTest {
             .whereLayer("video")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("machine")
-            .mayOnlyBeAccessedByLayers("work", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("work", "status", "net", "measure", "cli")
             .whereLayer("net")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("listen")
+            .mayOnlyBeAccessedByLayers("status", "net", "cli")
+            .whereLayer("status")
+            .mayOnlyBeAccessedByLayers("window", "net", "cli")
+            .whereLayer("window")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("status", "net", "measure", "cli")
             .whereLayer("engine")
             .mayOnlyBeAccessedByLayers("render", "net")
             .whereLayer("plan")
             .mayOnlyBeAccessedByLayers("render", "engine", "net")
             .whereLayer("report")
-            .mayOnlyBeAccessedByLayers("plan", "engine", "render", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("plan", "engine", "render", "status", "net", "measure", "cli")
             .whereLayer("work")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine")
             .whereLayer("nff")
@@ -178,7 +190,7 @@ class ArchitectureTest {
                     "net",
                     "cli")
             .whereLayer("text")
-            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
+            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "listen", "net", "cli")
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")
@@ -189,7 +201,8 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers(
-                    "picture", "texture", "film", "plan", "render", "engine", "net", "measure", "cli", "json");
+                    "picture", "texture", "film", "plan", "render", "engine", "status", "window", "net", "measure",
+                    "cli", "json");
 
     /** Server and workers, from what is said over the wire up to what is exported. */
     @ArchTest
@@ -205,28 +218,20 @@ class ArchitectureTest {
             .definedBy("enlightenment.net.checkpoint")
             .layer("schedule")
             .definedBy("enlightenment.net.schedule")
-            .layer("listen")
-            .definedBy("enlightenment.net.listen")
             .layer("worker")
             .definedBy("enlightenment.net.worker")
             .layer("server")
             .definedBy("enlightenment.net.server")
-            .layer("status")
-            .definedBy("enlightenment.net.status")
             .layer("net")
             .definedBy("enlightenment.net")
             .whereLayer("net")
             .mayNotBeAccessedByAnyLayer()
-            .whereLayer("status")
-            .mayOnlyBeAccessedByLayers("net")
             .whereLayer("server")
             .mayOnlyBeAccessedByLayers("net")
             .whereLayer("worker")
             .mayOnlyBeAccessedByLayers("server", "net")
-            .whereLayer("listen")
-            .mayOnlyBeAccessedByLayers("server", "status", "net")
             .whereLayer("schedule")
-            .mayOnlyBeAccessedByLayers("worker", "server", "status", "net")
+            .mayOnlyBeAccessedByLayers("worker", "server", "net")
             .whereLayer("checkpoint")
             .mayOnlyBeAccessedByLayers("schedule", "server", "net")
             .whereLayer("job")
@@ -262,7 +267,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule serversAndWorkersNeedNoModuleOfTheJdkThatMayBeMissing = noClasses()
             .that()
-            .resideInAPackage("enlightenment.net..")
+            .resideInAnyPackage("enlightenment.net..", "enlightenment.listen", "enlightenment.status")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("com.sun..", "jdk..");
@@ -293,7 +298,7 @@ class ArchitectureTest {
                     "enlightenment.scene.json",
                     "enlightenment.json",
                     "enlightenment.net.protocol",
-                    "enlightenment.net.status")
+                    "enlightenment.status")
             .and()
             .haveSimpleNameNotEndingWith("Json")
             .should()
@@ -328,12 +333,20 @@ class ArchitectureTest {
             .resideInAnyPackage("org.knowm..", "org.apache.batik..", "org.w3c.dom..", "javax.xml..");
 
     @ArchTest
-    static final ArchRule onlyReadingImagesAndChartsUseAwt = noClasses()
+    static final ArchRule onlyReadingImagesChartsAndTheWindowUseAwt = noClasses()
             .that()
-            .resideOutsideOfPackages("enlightenment.codec", "enlightenment.measure.chart")
+            .resideOutsideOfPackages("enlightenment.codec", "enlightenment.measure.chart", "enlightenment.window")
             .should()
             .dependOnClassesThat()
-            .resideInAnyPackage("java.awt..", "javax.imageio..", "javax.swing..");
+            .resideInAnyPackage("java.awt..", "javax.imageio..");
+
+    @ArchTest
+    static final ArchRule onlyTheWindowSeesSwing = noClasses()
+            .that()
+            .resideOutsideOfPackage("enlightenment.window")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("javax.swing..");
 
     @ArchTest
     static final ArchRule whatDecidesPixelsUsesNoFunctionsThatDifferBetweenMachines = noClasses()

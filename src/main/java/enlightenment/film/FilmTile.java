@@ -5,8 +5,8 @@ import enlightenment.color.Encoding;
 import java.util.Arrays;
 
 /**
- * Sums of the samples of a rectangle of pixels: compensated, so that a billion samples lose nothing (Neumaier, "Rounding
- * error analysis of some methods for summing finite sums", 1974); and what the samples tell about their own error.
+ * Sums of the samples of a rectangle of pixels, of which a billion samples lose nothing, and what the samples tell about their own
+ * error.
  */
 public final class FilmTile {
     /**
@@ -15,7 +15,6 @@ public final class FilmTile {
      */
     public static final int BLOCK_SIDE = 8;
 
-    private static final int PER_PIXEL = 6;
     private static final int PER_KNOWN = 4;
 
     /** Up to this many samples of a pixel are kept one by one. */
@@ -29,8 +28,7 @@ public final class FilmTile {
     public final int width;
     public final int height;
 
-    /** Per pixel: sum and compensation of red, green, blue. */
-    private final double[] sums;
+    private final PixelSums sums;
 
     /** Per pixel: the known part of red, green, blue, from which the samples are differences, and {@code ofLight}; null for none. */
     private double[] known;
@@ -79,7 +77,7 @@ public final class FilmTile {
         this.y = y;
         this.width = width;
         this.height = height;
-        sums = new double[PER_PIXEL * width * height];
+        sums = new PixelSums(width * height);
         counts = new int[width * height];
         spreads = new float[2 * width * height];
     }
@@ -110,23 +108,13 @@ public final class FilmTile {
     /** Adds a sample to the pixel in column and row of the whole picture. */
     public void add(int column, int row, double r, double g, double b) {
         int pixel = pixel(column, row);
-        int k = PER_PIXEL * pixel;
         if (isLinear && !(Math.abs(r) + Math.abs(g) + Math.abs(b) < Double.POSITIVE_INFINITY)) {
             lost++;
             counts[pixel]++;
             return;
         }
-        accumulate(k, r);
-        accumulate(k + 2, g);
-        accumulate(k + 4, b);
+        sums.add(pixel, r, g, b);
         counts[pixel]++;
-    }
-
-    private void accumulate(int k, double v) {
-        double sum = sums[k];
-        double t = sum + v;
-        sums[k + 1] += Math.abs(sum) >= Math.abs(v) ? (sum - t) + v : (v - t) + sum;
-        sums[k] = t;
     }
 
     /**
@@ -146,9 +134,8 @@ public final class FilmTile {
     }
 
     /**
-     * Adds the sums, counts and survey rays of a later pass over the same pixels; its sums stay exact to about twice the precision of
-     * doubles (T. J. Dekker, "A floating-point technique for extending the available precision", 1971; the exact sum of two is D. E.
-     * Knuth's). What pixels tell of their error is not kept: {@link TilePasses}.
+     * Adds the sums, counts and survey rays of a later pass over the same pixels; the sums stay exact to about twice the precision of
+     * doubles. What pixels tell of their error is not kept: {@link TilePasses}.
      *
      * @throws IllegalArgumentException if it has other pixels, or the samples of either are differences from something known
      */
@@ -160,14 +147,7 @@ public final class FilmTile {
             throw new IllegalArgumentException("passes of differences");
         }
         lost += later.lost;
-        for (int k = 0; k < sums.length; k += 2) {
-            double a = sums[k];
-            double b = later.sums[k];
-            double t = a + b;
-            double c = t - a;
-            sums[k] = t;
-            sums[k + 1] += later.sums[k + 1] + ((a - (t - c)) + (b - c));
-        }
+        sums.add(later.sums);
         for (int i = 0; i < counts.length; i++) {
             counts[i] = Math.addExact(counts[i], later.counts[i]);
         }
@@ -185,8 +165,7 @@ public final class FilmTile {
             for (int q = 0; q < quarters.length; q++) {
                 sizes[q] = quarters[q].counts[i];
                 for (int c = 0; c < 3; c++) {
-                    int k = PER_PIXEL * i + 2 * c;
-                    means[3 * q + c] = quarters[q].sums[k] + quarters[q].sums[k + 1];
+                    means[3 * q + c] = quarters[q].sums.rounded(i, c);
                 }
             }
             if (isLinear) {
@@ -213,12 +192,12 @@ public final class FilmTile {
 
     /** The sum of the samples of component 0, 1 or 2 of a pixel, rounded; {@link #compensation} has the rest. */
     public double sum(int column, int row, int component) {
-        return sums[PER_PIXEL * pixel(column, row) + 2 * component];
+        return sums.sum(pixel(column, row), component);
     }
 
     /** What has to be added to {@link #sum}. */
     public double compensation(int column, int row, int component) {
-        return sums[PER_PIXEL * pixel(column, row) + 2 * component + 1];
+        return sums.compensation(pixel(column, row), component);
     }
 
     /**
@@ -229,7 +208,7 @@ public final class FilmTile {
      */
     public void put(int column, int row, double[] values, int from, int count) {
         int pixel = pixel(column, row);
-        System.arraycopy(values, from, sums, PER_PIXEL * pixel, PER_PIXEL);
+        sums.put(pixel, values, from);
         counts[pixel] = count;
     }
 
@@ -282,8 +261,7 @@ public final class FilmTile {
 
     /** The mean of a component of a pixel, by its index, without the known part; NaN without samples. */
     double meanDifference(int pixel, int component) {
-        int k = PER_PIXEL * pixel + 2 * component;
-        return (sums[k] + sums[k + 1]) / counts[pixel];
+        return sums.rounded(pixel, component) / counts[pixel];
     }
 
     /** The number of samples of a pixel. */

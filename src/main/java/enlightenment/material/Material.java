@@ -195,22 +195,6 @@ public sealed interface Material
     }
 
     /**
-     * The complex index of refraction eta + i k of a metal, relative to what surrounds it, in each band.
-     *
-     * @param eta the real part, greater than 0
-     * @param k the imaginary part, which absorbs
-     */
-    record Conductor(Rgb eta, Rgb k) {
-        /** Validates the components, as {@link Material} states. */
-        public Conductor {
-            Check.positive("eta", eta.r());
-            Check.positive("eta", eta.g());
-            Check.positive("eta", eta.b());
-            Objects.requireNonNull(k, "k");
-        }
-    }
-
-    /**
      * Glass: light is refracted by Snell's law, or totally reflected; in physical shading Fresnel's equations say how much is
      * reflected.
      *

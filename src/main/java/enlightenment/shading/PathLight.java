@@ -29,7 +29,6 @@ final class PathLight {
     private static final int ALL_AT_FIRST = 4;
 
     private final PhysicalScene physical;
-    private final boolean hasUltraviolet;
     private final PhysicalLight[] lights;
     private final LightPicker picker;
     private final RayCounters counters;
@@ -66,24 +65,8 @@ final class PathLight {
     /** The tint of what passes, at a rough border; null elsewhere. */
     private double[] through;
 
-    /** What was gathered: radiance towards where the path came from; of a Lambertian surface, that of a white one. */
-    double red;
-
-    double green;
-    double blue;
-
-    /** The same of ultraviolet, which surfaces reflect as blue; 0 if nothing in the scene shows it. */
-    double ultraviolet;
-
-    /** The part of it at a matte vertex that no random number has a part in. */
-    double certainRed;
-
-    double certainGreen;
-    double certainBlue;
-    double certainUltraviolet;
-
-    /** What is known of the lights there: a digit to base three for each, hidden, in full view, or a matter of chance. */
-    long views;
+    /** Towards where the path came from; of a Lambertian surface, that of a white one. */
+    final GatheredLight gathered;
 
     /** Whether a random number has a part in what the last light gave. */
     private boolean isByChance;
@@ -94,7 +77,7 @@ final class PathLight {
     PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
         infinite = InfiniteLight.of(scene, counters, path);
         physical = scene.physical;
-        hasUltraviolet = physical.hasUltraviolet;
+        gathered = new GatheredLight(physical.hasUltraviolet);
         lights = physical.lights;
         picker = physical.picker;
         this.counters = counters;
@@ -114,15 +97,7 @@ final class PathLight {
         nx = hit.nx * facing;
         ny = hit.ny * facing;
         nz = hit.nz * facing;
-        red = 0;
-        green = 0;
-        blue = 0;
-        certainRed = 0;
-        certainGreen = 0;
-        certainBlue = 0;
-        ultraviolet = 0;
-        certainUltraviolet = 0;
-        views = 0;
+        gathered.clear();
         shadow.begin();
     }
 
@@ -147,19 +122,13 @@ final class PathLight {
         }
         if (infinite != null) {
             infinite.gatherMatte(sampler, address, isFirst);
-            addInfinite();
+            gathered.add(infinite.red, infinite.green, infinite.blue);
         }
     }
 
     /** Whether the same light comes from everywhere beyond the scene. */
     boolean isEvenBeyond() {
         return infinite == null;
-    }
-
-    private void addInfinite() {
-        red += infinite.red;
-        green += infinite.green;
-        blue += infinite.blue;
     }
 
     /**
@@ -170,14 +139,10 @@ final class PathLight {
      */
     void escape(Ray ray, boolean hasGathered, boolean countsSun) {
         if (infinite == null) {
-            red = physical.backgroundR;
-            green = physical.backgroundG;
-            blue = physical.backgroundB;
+            gathered.set(physical.backgroundR, physical.backgroundG, physical.backgroundB);
         } else {
             infinite.arrive(ray, hasGathered ? pdf : 0, countsSun);
-            red = infinite.red;
-            green = infinite.green;
-            blue = infinite.blue;
+            gathered.set(infinite.red, infinite.green, infinite.blue);
         }
     }
 
@@ -196,28 +161,18 @@ final class PathLight {
             double f = e / (Math.PI * probability);
             add(l, f, f, f);
             if (!isByChance) {
-                certainRed = Math.fma(f, l.r, certainRed);
-                certainGreen = Math.fma(f, l.g, certainGreen);
-                certainBlue = Math.fma(f, l.b, certainBlue);
-                certainUltraviolet = Math.fma(f, l.ultraviolet, certainUltraviolet);
+                gathered.addCertain(l, f);
             }
         }
-        views = 3 * views + (isByChance ? 2 : e > 0 ? 1 : 0);
+        gathered.note(isByChance, e > 0);
     }
 
     /** Adds what arrives of a light's radiance or intensity, if nothing absorbs, times these. */
     private void add(PhysicalLight l, double r, double g, double b) {
         if (shadow.isFiltered) {
-            red = Math.fma(r * shadow.rgb[0], l.r, red);
-            green = Math.fma(g * shadow.rgb[1], l.g, green);
-            blue = Math.fma(b * shadow.rgb[2], l.b, blue);
+            gathered.add(l, r * shadow.rgb[0], g * shadow.rgb[1], b * shadow.rgb[2]);
         } else {
-            red = Math.fma(r, l.r, red);
-            green = Math.fma(g, l.g, green);
-            blue = Math.fma(b, l.b, blue);
-        }
-        if (hasUltraviolet) {
-            ultraviolet = Math.fma(shadow.isFiltered ? b * shadow.rgb[2] : b, l.ultraviolet, ultraviolet);
+            gathered.add(l, r, g, b);
         }
     }
 
@@ -334,7 +289,7 @@ final class PathLight {
         }
         if (infinite != null) {
             infinite.gather(bsdf, s, through, sampler, address, isFirst);
-            addInfinite();
+            gathered.add(infinite.red, infinite.green, infinite.blue);
         }
     }
 

@@ -4,13 +4,11 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import java.util.Arrays;
-import java.util.function.BooleanSupplier;
 
 /**
  * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
@@ -18,22 +16,15 @@ import java.util.function.BooleanSupplier;
  * twice, by sampling a light and by running into it, is weighted so that both together count once ({@link PathLight}). Nothing is
  * clamped: the mean over paths is the solution. See docs/physical-light.md.
  */
-public final class PathTracer implements Shader {
-    private final PhysicalScene physical;
-    private final PathFollower path;
+public final class PathTracer extends EyePathTracer {
     private final PathLight light;
-    private final EyeImages images;
     private final boolean hasCausticPass;
 
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
-    private final PathValue value;
     private final PathHistory history = new PathHistory();
     private final PathConnections connections;
-    private final double[] surface = new double[3];
-    private final double[] pair = new double[2];
-    private final Scattering border = new Scattering();
     private final boolean isAlbedo;
 
     /** Follows paths through media that scatter light; null if there are none. */
@@ -44,9 +35,6 @@ public final class PathTracer implements Shader {
 
     /** Where the path is cut; null for a path that is whole. */
     private PathCut cut;
-
-    /** How many scattering events have used random numbers: the address of the next ones. */
-    private int address;
 
     /** For one thread that follows whole paths. */
     public PathTracer(CompiledScene scene, RayCounters counters) {
@@ -64,36 +52,19 @@ public final class PathTracer implements Shader {
     }
 
     private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
-        value = new PathValue(BandMixing.of(scene.physical));
+        super(scene, counters, new PathValue(BandMixing.of(scene.physical)), showsLamps(part));
         isAlbedo = part == PathPart.ALBEDO;
         endsSoon = part == PathPart.DIRECT || part == PathPart.ALBEDO;
         value.isIndirect = part == PathPart.INDIRECT;
-        physical = scene.physical;
-        path = new PathFollower(scene, counters, physical.maxBounces);
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
         connections = new PathConnections(path.tracer);
-        value.wavelength = isAlbedo ? null : path.glass.wavelength;
+        if (isAlbedo) {
+            value.wavelength = null;
+        }
         hasCausticPass = leavesOut;
         walk = RandomWalk.of(physical, path, value, isAlbedo);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
-        images = new EyeImages(scene, counters, path, part == PathPart.WHOLE || part == PathPart.DIRECT);
-    }
-
-    @Override
-    public void beginTile(double x0, double y0, double x1, double y1) {
-        path.tracer.beginTile(x0, y0, x1, y1);
-        images.beginTile(x0, y0, x1, y1);
-    }
-
-    @Override
-    public boolean seesNothing() {
-        return path.tracer.seesNothing() && physical.isEvenBeyond();
-    }
-
-    @Override
-    public void stopWhen(BooleanSupplier condition) {
-        path.poll.stopWhen(condition);
     }
 
     @Override
@@ -134,6 +105,10 @@ public final class PathTracer implements Shader {
         cut = null;
     }
 
+    private static boolean showsLamps(PathPart part) {
+        return part == PathPart.WHOLE || part == PathPart.DIRECT;
+    }
+
     /** What connects paths of this thread that may be shared. */
     public PathConnections connections() {
         return connections;
@@ -154,11 +129,8 @@ public final class PathTracer implements Shader {
 
     private void begin(Ray ray, Sampler sampler) {
         history.begin();
-        address = 0;
         forgetMirrors();
-        path.begin(ray, sampler);
-        value.begin(path.glass.indexOfRefraction());
-        images.begin(ray);
+        beginPath(ray, sampler);
     }
 
     private void forgetMirrors() {
@@ -178,7 +150,7 @@ public final class PathTracer implements Shader {
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 light.escape(ray, history.gathered, !(hasCausticPass && history.scatteredFirst));
-                value.addEscaped(light, path.key);
+                value.addEscaped(light.gathered, light.isEvenBeyond(), path.key);
             }
             return false;
         }
@@ -271,9 +243,9 @@ public final class PathTracer implements Shader {
 
     private boolean lambertian(Ray ray, Sampler sampler) {
         light.gatherMatte(sampler, address, !history.scattered);
-        value.addReflected(light, surface);
+        value.addReflected(light.gathered, surface);
         if (value.certain) {
-            value.leaveToChance(path.key + light.views);
+            value.leaveToChance(path.key + light.gathered.views);
         }
         boolean seen = gatherMirrored(Lambert.INSTANCE, ray, sampler);
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
@@ -301,7 +273,7 @@ public final class PathTracer implements Shader {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue, light.ultraviolet);
+        value.add(light.gathered);
         boolean seen = gatherMirrored(material.bsdf, ray, sampler);
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
@@ -331,8 +303,7 @@ public final class PathTracer implements Shader {
             sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         }
         address++;
-        path.glass.choose(choice, pair);
-        cross(ray);
+        cross(ray, choice);
         forgetMirrors();
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
@@ -356,16 +327,6 @@ public final class PathTracer implements Shader {
         return survives && path.goesOn();
     }
 
-    /** Crosses the border or is reflected; the surface's colour becomes the weight of that. */
-    private void cross(Ray ray) {
-        boolean through = path.cross(ray);
-        Arrays.fill(surface, path.glass.weight());
-        if (through) {
-            path.filter(surface);
-        }
-        value.enter(path.glass.indexOfRefraction());
-    }
-
     /** At glass that is opaque in part, where chance says that it is. */
     private boolean opaquePart(Ray ray, int surfaceHere, Sampler sampler) {
         path.turnTo(surfaceHere);
@@ -383,7 +344,7 @@ public final class PathTracer implements Shader {
         path.filter(surface);
         path.turnTo(0);
         light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
-        value.add(light.red, light.green, light.blue, light.ultraviolet);
+        value.add(light.gathered);
         return true;
     }
 

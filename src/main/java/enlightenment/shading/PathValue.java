@@ -136,8 +136,13 @@ final class PathValue {
         addCertain(material.glowR, material.glowG, material.glowB, material.glowUltraviolet);
     }
 
+    /** Adds the light that was gathered where the path is. */
+    void add(GatheredLight light) {
+        add(light.red, light.green, light.blue, light.ultraviolet);
+    }
+
     /** Adds what a Lambertian surface of this colour reflects of the light that was gathered there. */
-    void addReflected(PathLight light, double[] color) {
+    void addReflected(GatheredLight light, double[] color) {
         add(color[0] * light.red, color[1] * light.green, color[2] * light.blue, color[2] * light.ultraviolet);
         if (certain) {
             addCertain(
@@ -176,10 +181,14 @@ final class PathValue {
         indirectB = Math.fma(throughputB * compression, b, indirectB);
     }
 
-    /** Adds what comes from where the path has left the scene: it is certain only if it is the same everywhere. */
-    void addEscaped(PathLight light, long key) {
+    /**
+     * Adds what comes from where the path has left the scene.
+     *
+     * @param isEven whether it is the same everywhere: else it is left to chance
+     */
+    void addEscaped(GatheredLight light, boolean isEven, long key) {
         add(light.red, light.green, light.blue);
-        if (light.isEvenBeyond()) {
+        if (isEven) {
             addCertain(light.red, light.green, light.blue, 0);
         } else {
             leaveToChance(key);

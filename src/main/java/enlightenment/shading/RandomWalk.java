@@ -101,7 +101,7 @@ final class RandomWalk {
         boolean gathers = index == 1 || physical.lightsLieInGlass;
         if (gathers) {
             light.gather(medium.phase, event, sampler, address, !history.scattered);
-            value.add(light.red, light.green, light.blue, light.ultraviolet);
+            value.add(light.gathered);
         }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         medium.phase.sample(event, pair[0], pair[1], 0);

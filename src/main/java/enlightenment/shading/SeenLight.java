@@ -1,31 +1,16 @@
 package enlightenment.shading;
 
-import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
-import java.util.Arrays;
-import java.util.function.BooleanSupplier;
 
 /**
  * What the eye sees of things that glow and of the surroundings, straight or by way of mirrors and smooth glass: light that no path from
  * its source can be connected to the eye with ({@link LightTracer}). Paths end at the first surface that scatters light otherwise.
  */
-public final class SeenLight implements Shader {
-    private final PhysicalScene physical;
-    private final PathFollower path;
-    private final EyeImages images;
-    private final PathValue value = new PathValue();
-    private final double[] surface = new double[3];
-    private final double[] pair = new double[2];
-    private final Scattering border = new Scattering();
-
-    /** How many events of glass have used random numbers: the address of the next ones. */
-    private int address;
-
+public final class SeenLight extends EyePathTracer {
     private int events;
 
     /**
@@ -35,35 +20,13 @@ public final class SeenLight implements Shader {
      * @param counters what this thread counts
      */
     public SeenLight(CompiledScene scene, RayCounters counters) {
-        physical = scene.physical;
-        path = new PathFollower(scene, counters, physical.maxBounces);
-        value.wavelength = path.glass.wavelength;
-        images = new EyeImages(scene, counters, path, true);
-    }
-
-    @Override
-    public void beginTile(double x0, double y0, double x1, double y1) {
-        path.tracer.beginTile(x0, y0, x1, y1);
-        images.beginTile(x0, y0, x1, y1);
-    }
-
-    @Override
-    public boolean seesNothing() {
-        return path.tracer.seesNothing() && physical.isEvenBeyond();
-    }
-
-    @Override
-    public void stopWhen(BooleanSupplier condition) {
-        path.poll.stopWhen(condition);
+        super(scene, counters, new PathValue(), true);
     }
 
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
-        address = 0;
         events = 0;
-        path.begin(ray, sampler);
-        value.begin(path.glass.indexOfRefraction());
-        images.begin(ray);
+        beginPath(ray, sampler);
         images.gather(sampler, value);
         while (step(ray, sampler)) {
             events++;
@@ -116,13 +79,7 @@ public final class SeenLight implements Shader {
         if (physical.hasRoughGlass && path.roughBorder(ray, border) != null) {
             return false;
         }
-        path.glass.choose(choice, pair);
-        boolean through = path.cross(ray);
-        Arrays.fill(surface, path.glass.weight());
-        if (through) {
-            path.filter(surface);
-        }
-        value.enter(path.glass.indexOfRefraction());
+        cross(ray, choice);
         if (path.glass.passedStraight()) {
             events--;
             value.filter(surface[0], surface[1], surface[2]);

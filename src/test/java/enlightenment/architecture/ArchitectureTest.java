@@ -97,6 +97,10 @@ class ArchitectureTest {
             .definedBy("enlightenment.engine")
             .layer("render")
             .definedBy("enlightenment.render")
+            .layer("job")
+            .definedBy("enlightenment.job")
+            .layer("checkpoint")
+            .definedBy("enlightenment.checkpoint")
             .layer("listen")
             .definedBy("enlightenment.listen")
             .layer("status")
@@ -114,7 +118,11 @@ class ArchitectureTest {
             .whereLayer("json output")
             .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("file")
-            .mayOnlyBeAccessedByLayers("codec", "image", "video", "json", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("codec", "image", "video", "json", "job", "checkpoint", "net", "measure", "cli")
+            .whereLayer("job")
+            .mayOnlyBeAccessedByLayers("checkpoint", "net", "cli")
+            .whereLayer("checkpoint")
+            .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("video")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("machine")
@@ -130,9 +138,9 @@ class ArchitectureTest {
             .whereLayer("measure")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("status", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("checkpoint", "net", "measure", "cli", "status")
             .whereLayer("engine")
-            .mayOnlyBeAccessedByLayers("render", "net")
+            .mayOnlyBeAccessedByLayers("render", "checkpoint", "net")
             .whereLayer("plan")
             .mayOnlyBeAccessedByLayers("render", "engine", "net")
             .whereLayer("report")
@@ -142,7 +150,7 @@ class ArchitectureTest {
             .whereLayer("nff")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("json")
-            .mayOnlyBeAccessedByLayers("net", "cli")
+            .mayOnlyBeAccessedByLayers("job", "net", "cli")
             .whereLayer("method")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine")
             .whereLayer("shading")
@@ -171,6 +179,7 @@ class ArchitectureTest {
                     "plan",
                     "engine",
                     "render",
+                    "job",
                     "net",
                     "measure",
                     "cli")
@@ -201,8 +210,8 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers(
-                    "picture", "texture", "film", "plan", "render", "engine", "status", "window", "net", "measure",
-                    "cli", "json");
+                    "picture", "texture", "film", "plan", "render", "engine", "job", "status", "window", "net",
+                    "measure", "cli", "json");
 
     /** Server and workers, from what is said over the wire up to what is exported. */
     @ArchTest
@@ -214,8 +223,6 @@ class ArchitectureTest {
             .definedBy("enlightenment.net.protocol")
             .layer("job")
             .definedBy("enlightenment.net.job")
-            .layer("checkpoint")
-            .definedBy("enlightenment.net.checkpoint")
             .layer("schedule")
             .definedBy("enlightenment.net.schedule")
             .layer("worker")
@@ -232,12 +239,10 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("server", "net")
             .whereLayer("schedule")
             .mayOnlyBeAccessedByLayers("worker", "server", "net")
-            .whereLayer("checkpoint")
-            .mayOnlyBeAccessedByLayers("schedule", "server", "net")
             .whereLayer("job")
             .mayOnlyBeAccessedByLayers("schedule", "worker", "server", "net")
             .whereLayer("protocol")
-            .mayOnlyBeAccessedByLayers("job", "checkpoint", "schedule", "worker", "server", "net");
+            .mayOnlyBeAccessedByLayers("job", "schedule", "worker", "server", "net");
 
     /** So that whole renders can be simulated. */
     @ArchTest

@@ -14,6 +14,7 @@ import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
@@ -89,7 +90,7 @@ public final class InvarianceScenes {
     }
 
     private static SceneBuilder furnished() {
-        Material.Conductor copper = new Material.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
+        Conductor copper = new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
         Material checkered = Material.Matte.of(
                 new Texture.Checker(List.of(DisplayRgb.of(0.9, 0.8, 0.7), new Rgb(0.05, 0.1, 0.2)), 5));
         Material glass = Material.Glass.of(linear(1, 0.9, 0.95), 1.5).withAbsorption(new Rgb(0.1, 0.7, 0.3));

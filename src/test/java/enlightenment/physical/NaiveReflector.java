@@ -1,5 +1,6 @@
 package enlightenment.physical;
 
+import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import java.util.SplittableRandom;
@@ -128,7 +129,7 @@ abstract class NaiveReflector {
             if (material.conductor().isEmpty()) {
                 return NaiveFresnel.schlick(cosine, color[band]);
             }
-            Material.Conductor c = material.conductor().get();
+            Conductor c = material.conductor().get();
             double[] eta = {c.eta().r(), c.eta().g(), c.eta().b()};
             double[] k = {c.k().r(), c.k().g(), c.k().b()};
             return color[band] * NaiveFresnel.conductor(cosine, eta[band], k[band]);

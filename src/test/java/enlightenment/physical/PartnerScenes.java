@@ -21,6 +21,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
@@ -42,8 +43,7 @@ final class PartnerScenes {
     private static final Texture WHITE = linear(1, 1, 1);
     private static final Material MIRROR = Material.Mirror.of(linear(0.95, 0.9, 0.85));
     private static final Material GLASS = Material.Glass.of(linear(0.95, 1, 0.9), 1.5);
-    private static final Material.Conductor COPPER =
-            new Material.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
+    private static final Conductor COPPER = new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
     private static final Shape BALL = ball(-0.35, 0.45, -0.1, 0.42);
     private static final Shape BLOCK = new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1));
     private static final Light CEILING = panel(0.05, 1.9, 0, 0.6, WARM, false);

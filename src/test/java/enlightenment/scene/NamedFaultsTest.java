@@ -14,6 +14,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.image.PngOptions;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -61,7 +62,7 @@ class NamedFaultsTest {
                 () -> Material.Matte.of(new Texture.Checker(List.of(DisplayRgb.WHITE, Rgb.gray(2)), 4)));
         fails("roughness: must lie in 0.0..1.0, not 2.0", () -> Material.Matte.of(WHITE)
                 .withRoughness(2));
-        fails("eta: must be a number greater than 0, not 0.0", () -> new Material.Conductor(Rgb.BLACK, Rgb.WHITE));
+        fails("eta: must be a number greater than 0, not 0.0", () -> new Conductor(Rgb.BLACK, Rgb.WHITE));
         fails("exposure: must lie in -1000.0..1000.0, not NaN", () -> new Display(Double.NaN, Tone.CLIP));
         fails("ambient: must lie in 0.0..1.0, not 3.0", () -> new ClassicShading(3, 0, DisplayRgb.BLACK, 1));
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));

@@ -26,12 +26,7 @@ import java.util.function.BooleanSupplier;
  */
 public final class PhysicalClusterMethod implements TileIntegrator {
     private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
-
-    /** Groups of a block; and the most members of one: every other pixel of every other row, and those between. */
-    private static final int GROUPS = 8;
-
-    private static final int MOST_MEMBERS = PIXELS / GROUPS;
-    private static final int STEP = 4;
+    private static final int MOST_MEMBERS = PixelGroup.MOST_MEMBERS;
 
     /** Samples of each pixel in which sharing is tried. */
     private static final int TRIED = 2;
@@ -52,13 +47,11 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final SharingGain sharing = new SharingGain();
     private final Interpolation interpolation = new Interpolation();
     private final Ray ray = new Ray();
-    private int members;
+    private final PixelGroup group = new PixelGroup();
 
     /** Set to the pixels of the group: what they know of a pixel serves all of its samples. */
     private final SobolSampler[] samplers = new SobolSampler[MOST_MEMBERS];
 
-    private final int[] column = new int[MOST_MEMBERS];
-    private final int[] row = new int[MOST_MEMBERS];
     private final int[] count = new int[MOST_MEMBERS];
     private final long[] keys = new long[MOST_MEMBERS];
     private final int[] events = new int[MOST_MEMBERS];
@@ -142,75 +135,54 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private void render(Block block, FilmTile tile) {
         look(block, settings.seed());
         tile.addSurveyRays(survey.rays());
-        for (int group = 0; group < GROUPS; group++) {
-            gather(block, group);
-            if (isWanted(block, tile)) {
-                toPixels(block, settings.seed());
-                renderGroup(block, tile);
+        for (int number = 0; number < PixelGroup.COUNT; number++) {
+            group.gather(block, number);
+            if (group.overlaps(tile)) {
+                toPixels(settings.seed());
+                renderGroup(tile);
             }
         }
     }
 
-    /** Finds the members of a group. */
-    private void gather(Block block, int group) {
-        members = 0;
-        for (int j = group / STEP; j < block.height(); j += STEP / 2) {
-            int shift = (j - group / STEP) % STEP;
-            for (int i = (group + shift) % STEP; i < block.width(); i += STEP) {
-                column[members] = i;
-                row[members++] = j;
-            }
+    private void toPixels(long seed) {
+        for (int m = 0; m < group.members; m++) {
+            samplers[m].pixel(seed, group.x(m), group.y(m));
         }
     }
 
-    private void toPixels(Block block, long seed) {
-        for (int m = 0; m < members; m++) {
-            samplers[m].pixel(seed, block.x() + column[m], block.y() + row[m]);
-        }
-    }
-
-    private boolean isWanted(Block block, FilmTile tile) {
-        for (int m = 0; m < members; m++) {
-            if (tile.contains(block.x() + column[m], block.y() + row[m])) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private void renderGroup(Block block, FilmTile tile) {
+    private void renderGroup(FilmTile tile) {
         int most = 0;
-        for (int m = 0; m < members; m++) {
-            int i = column[m];
-            int j = row[m];
+        for (int m = 0; m < group.members; m++) {
+            int i = group.column[m];
+            int j = group.row[m];
             count[m] = 1
                     << allocation.samples(
                             noise.variance(i, j),
                             noise.edge(i, j),
                             noise.cost(i, j),
-                            Dither.at(block.x() + i, block.y() + j));
+                            Dither.at(group.x(m), group.y(m)));
             most = Math.max(most, count[m]);
             spreads[m].begin(count[m]);
         }
         int done = 1 << firstSamples;
         for (int s = 0; s < most; s++) {
             if (s >= done) {
-                sample(block, s);
+                sample(s);
             }
-            for (int m = 0; m < members; m++) {
+            for (int m = 0; m < group.members; m++) {
                 if (s < count[m]) {
-                    add(block, m, s, tile);
+                    add(m, s, tile);
                 }
             }
         }
-        for (int m = 0; m < members; m++) {
-            finish(block, m, tile);
+        for (int m = 0; m < group.members; m++) {
+            finish(m, tile);
         }
     }
 
-    private void add(Block block, int m, int s, FilmTile tile) {
-        int x = block.x() + column[m];
-        int y = block.y() + row[m];
+    private void add(int m, int s, FilmTile tile) {
+        int x = group.x(m);
+        int y = group.y(m);
         if (!tile.contains(x, y)) {
             return;
         }
@@ -218,7 +190,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         int at = 0;
         if (s < 1 << firstSamples) {
             from = first;
-            at = 3 * ((FilmTile.BLOCK_SIDE * row[m] + column[m] << firstSamples) + s);
+            at = 3 * ((group.inBlock(m) << firstSamples) + s);
             if (s < 2) {
                 samplers[m].sample(s);
                 spreads[m].at(samplers[m].filmX(), samplers[m].filmY());
@@ -230,14 +202,14 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         spreads[m].add(from[at], from[at + 1], from[at + 2]);
     }
 
-    private void finish(Block block, int m, FilmTile tile) {
-        int x = block.x() + column[m];
-        int y = block.y() + row[m];
+    private void finish(int m, FilmTile tile) {
+        int x = group.x(m);
+        int y = group.y(m);
         if (!tile.contains(x, y)) {
             return;
         }
-        if (noise.isQuiet(column[m], row[m])) {
-            interpolation.between(survey, column[m], row[m]);
+        if (noise.isQuiet(group.column[m], group.row[m])) {
+            interpolation.between(survey, group.column[m], group.row[m]);
             tile.known(x, y, interpolation.mean(0), interpolation.mean(1), interpolation.mean(2), 0);
         } else {
             tile.known(x, y, 0, 0, 0, 0);
@@ -264,26 +236,25 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         }
         int tried = Math.min(TRIED, count);
         sharing.begin();
-        for (int group = 0; group < GROUPS; group++) {
-            takeFirst(block, seed, group, 0, tried);
+        for (int number = 0; number < PixelGroup.COUNT; number++) {
+            takeFirst(block, seed, number, 0, tried);
         }
         sharing.finish();
-        for (int group = 0; group < GROUPS; group++) {
-            takeFirst(block, seed, group, tried, count);
+        for (int number = 0; number < PixelGroup.COUNT; number++) {
+            takeFirst(block, seed, number, tried, count);
         }
         noise.finish();
     }
 
     /** Takes some of the first samples of a group's pixels. */
-    private void takeFirst(Block block, long seed, int group, int from, int to) {
-        gather(block, group);
-        toPixels(block, seed);
-        Arrays.fill(count, 0, members, to);
+    private void takeFirst(Block block, long seed, int number, int from, int to) {
+        group.gather(block, number);
+        toPixels(seed);
+        Arrays.fill(count, 0, group.members, to);
         for (int s = from; s < to; s++) {
-            sample(block, s);
-            for (int m = 0; m < members; m++) {
-                System.arraycopy(
-                        colors[m], 0, first, 3 * ((FilmTile.BLOCK_SIDE * row[m] + column[m] << firstSamples) + s), 3);
+            sample(s);
+            for (int m = 0; m < group.members; m++) {
+                System.arraycopy(colors[m], 0, first, 3 * ((group.inBlock(m) << firstSamples) + s), 3);
                 tell(m, s);
             }
         }
@@ -291,8 +262,8 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     /** Tells of a member's last sample. */
     private void tell(int m, int s) {
-        int i = column[m];
-        int j = row[m];
+        int i = group.column[m];
+        int j = group.row[m];
         double known = noise.isQuiet(i, j) ? 0 : 1;
         double[] color = colors[m];
         double[] c = certain[m];
@@ -328,22 +299,22 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     }
 
     /** Takes a sample of each member of the group that has so many. */
-    private void sample(Block block, int index) {
+    private void sample(int index) {
         if (survey.isEmpty()) {
             // All that is seen is certain, and known already.
-            for (int m = 0; m < members; m++) {
+            for (int m = 0; m < group.members; m++) {
                 Arrays.fill(colors[m], 0);
             }
             return;
         }
-        int field = column[0] + row[0] & 1;
+        int field = group.column[0] + group.row[0] & 1;
         boolean shares = sharing.isWorthIt(field);
-        for (int m = 0; m < members; m++) {
+        for (int m = 0; m < group.members; m++) {
             if (index >= count[m]) {
                 continue;
             }
-            int x = block.x() + column[m];
-            int y = block.y() + row[m];
+            int x = group.x(m);
+            int y = group.y(m);
             SobolSampler sampler = samplers[m];
             sampler.sample(index);
             placeX[m] = sampler.filmX();
@@ -359,13 +330,13 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             events[m] = tracer.events();
         }
         if (shares) {
-            sharing.before(field, paths, colors, members, index, count);
+            sharing.before(field, paths, colors, group.members, index, count);
             share(index);
-            sharing.after(field, colors, members, index, count);
+            sharing.after(field, colors, group.members, index, count);
         }
-        for (int m = 0; m < members; m++) {
-            if (index < count[m] && noise.isQuiet(column[m], row[m])) {
-                interpolation.between(survey, column[m], row[m]);
+        for (int m = 0; m < group.members; m++) {
+            if (index < count[m] && noise.isQuiet(group.column[m], group.row[m])) {
+                interpolation.between(survey, group.column[m], group.row[m]);
                 interpolation.subtract(placeX[m], placeY[m], colors[m]);
             }
         }
@@ -373,23 +344,23 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     /** Shares what the second vertices of the group's paths give among all first vertices that see them. */
     private void share(int index) {
-        for (int m = 0; m < members; m++) {
+        for (int m = 0; m < group.members; m++) {
             if (index >= count[m]) {
                 paths[m].clear();
             }
         }
-        connections.begin(paths, members);
-        for (int q = 0; q < members; q++) {
+        connections.begin(paths, group.members);
+        for (int q = 0; q < group.members; q++) {
             if (!paths[q].gives()) {
                 continue;
             }
             connections.from(paths[q]);
             double sum = 0;
-            for (int p = 0; p < members; p++) {
+            for (int p = 0; p < group.members; p++) {
                 shares[p] = connections.share(paths[p]);
                 sum += shares[p];
             }
-            for (int p = 0; p < members; p++) {
+            for (int p = 0; p < group.members; p++) {
                 if (shares[p] > 0) {
                     for (int c = 0; c < 3; c++) {
                         colors[p][c] += paths[p].brings(paths[q], shares[p] / sum, c);

@@ -1,9 +1,9 @@
 package enlightenment.net.server;
 
+import enlightenment.checkpoint.Origin;
 import enlightenment.file.ContentHash;
 import enlightenment.listen.ServerLog;
 import enlightenment.listen.Strangers;
-import enlightenment.net.checkpoint.Origin;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.TileData;
 import enlightenment.net.protocol.Limits;

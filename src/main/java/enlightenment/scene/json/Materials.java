@@ -1,6 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.Rgb;
+import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -180,7 +181,7 @@ final class Materials {
         return f.make(() -> new Material.Glossy(
                 color,
                 roughness,
-                isConductor ? Optional.of(new Material.Conductor(eta, k)) : Optional.empty(),
+                isConductor ? Optional.of(new Conductor(eta, k)) : Optional.empty(),
                 several,
                 radiance,
                 ultraviolet));

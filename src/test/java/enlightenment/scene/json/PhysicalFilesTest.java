@@ -9,6 +9,7 @@ import enlightenment.color.Rgb;
 import enlightenment.color.Tone;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -88,7 +89,7 @@ class PhysicalFilesTest {
                 material("\"type\": \"glossy\", \"color\": \"#fff\", \"roughness\": 0.25"));
         Material.Glossy metal = (Material.Glossy) material(
                 "\"type\": \"glossy\", \"color\": \"#fff\", \"roughness\": 0.25, \"eta\": 0.5, \"k\": [3, 2, 1]");
-        assertEquals(Optional.of(new Material.Conductor(Rgb.gray(0.5), new Rgb(3, 2, 1))), metal.conductor());
+        assertEquals(Optional.of(new Conductor(Rgb.gray(0.5), new Rgb(3, 2, 1))), metal.conductor());
         assertTrue(metal.multipleScattering());
     }
 

@@ -17,6 +17,7 @@ import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -333,8 +334,7 @@ final class RandomScenes {
                         unit(),
                         random.nextBoolean()
                                 ? Optional.empty()
-                                : Optional.of(new Material.Conductor(
-                                        new Rgb(positive(), positive(), positive()), radiance())),
+                                : Optional.of(new Conductor(new Rgb(positive(), positive(), positive()), radiance())),
                         random.nextBoolean(),
                         radiance(),
                         ultraviolet());

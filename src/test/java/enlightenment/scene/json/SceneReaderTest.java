@@ -20,6 +20,7 @@ import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -77,7 +78,7 @@ class SceneReaderTest {
         Material copper = new Material.Glossy(
                 plain(255, 238, 255),
                 0.375,
-                Optional.of(new Material.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14))),
+                Optional.of(new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14))),
                 false,
                 Rgb.gray(1.5),
                 0.25);

@@ -80,10 +80,7 @@ final class ServerCommand extends Subcommand {
     private RenderResult serve(Scene scene, RenderSettings settings, ServerOptions serverOptions) throws IOException {
         RenderProgress display = progress.display(terminal.err());
         try (RenderServer server = RenderServer.start(scene, settings, serverOptions, terminal.stop())) {
-            serving.joinLines(server.port(), server.pin()).forEach(terminal::say);
-            if (server.statusPort() >= 0) {
-                terminal.say("status: http://127.0.0.1:" + server.statusPort() + "/");
-            }
+            serving.announce(server.port(), server.pin(), server.statusPort(), terminal);
             return server.await(display, terminal.stop());
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());

@@ -13,6 +13,7 @@ import enlightenment.window.PictureWindow;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.BindException;
+import java.util.List;
 
 /** What shows a render while it runs: a page, a window, or nothing. */
 final class Watch implements Closeable {
@@ -31,6 +32,7 @@ final class Watch implements Closeable {
     private StatusServer page;
     private PictureWindow window;
     private boolean windowStays;
+    private List<Integer> frames = List.of();
 
     /** What is watched. */
     @FunctionalInterface
@@ -78,10 +80,20 @@ final class Watch implements Closeable {
         }
     }
 
-    /** A frame of a film is next. */
-    void frame(int frame) {
-        if (render != null) {
-            render.title(title + ", frame " + frame);
+    /** What is rendered are these frames of a film, the first of them first. */
+    void frames(List<Integer> all) {
+        frames = all;
+        next(0);
+    }
+
+    /** A frame is done. */
+    void written(int frame) {
+        next(frames.indexOf(frame) + 1);
+    }
+
+    private void next(int place) {
+        if (render != null && place < frames.size()) {
+            render.title(title + ", frame " + frames.get(place));
         }
     }
 

@@ -5,7 +5,6 @@ import enlightenment.listen.ServerLog;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.secure.Secrets;
-import enlightenment.net.server.ServerJob;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
@@ -26,10 +25,10 @@ public final class RenderServer implements Closeable {
     private final ServerRounds rounds;
     private final String pin;
 
-    private RenderServer(ServerRound first, String pin) {
+    private RenderServer(ServerRound first, ServedPicture picture, String pin) {
         this.first = first;
         this.pin = pin;
-        rounds = new ServerRounds(first);
+        rounds = new ServerRounds(first, picture);
     }
 
     /**
@@ -56,10 +55,9 @@ public final class RenderServer implements Closeable {
         Canary.hash();
         DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(log::say);
-        JobContent content = JobContent.of(scene, render.outline(), options.version);
-        ServerJob job = new ServerJob(render, content, log::say);
+        ServedPicture picture = ServedPicture.of(render, JobContent.of(scene, render.outline(), options.version));
         String pin = secrets.tls() == null ? "" : secrets.certificateHash().toString();
-        return new RenderServer(ServerRound.start(options, log, secrets, job), pin);
+        return new RenderServer(ServerRound.start(options, log, secrets, picture.job(log)), picture, pin);
     }
 
     /** The port that it listens at. */

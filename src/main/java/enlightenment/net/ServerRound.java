@@ -84,6 +84,7 @@ final class ServerRound implements StatusSource {
         if (checkpoint.isPresent()) {
             job.open(checkpoint.get(), options.pardoned);
         }
+        job.keepIn(options.archives);
         ServerRound round = new ServerRound(options, log, secrets, job);
         Lobby lobby = new Lobby(round.coordination, round.connections, options.threads, log);
         round.accepting = lobby.startThread(() -> round.acceptor.accept(lobby::welcome, lobby::makeRoom), "accept");

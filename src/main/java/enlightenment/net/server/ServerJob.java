@@ -14,11 +14,13 @@ import enlightenment.file.ContentHash;
 import enlightenment.job.RenderIdentity;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.schedule.Action;
+import enlightenment.render.ResultArchive;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -49,6 +51,8 @@ public final class ServerJob implements Closeable {
 
     /** What the journal calls the plan. */
     private long key;
+
+    private JobArchives archives = JobArchives.NONE;
 
     private Set<Origin.Peer> alreadyExpelled = Set.of();
 
@@ -174,17 +178,35 @@ public final class ServerJob implements Closeable {
         return machines.stream().map(Origin.Peer::toString).sorted().collect(Collectors.joining(", "));
     }
 
+    /** Goes on from archives, after the checkpoint, and keeps in them what is done from now on; of a job of one picture. */
+    public void keepIn(List<ResultArchive> all) {
+        if (all.isEmpty()) {
+            return;
+        }
+        archives = new JobArchives(all, log);
+        List<Restored.Tile> tiles = new ArrayList<>(restored.tiles());
+        for (int tile : archives.begin(plan.toBytes(), film)) {
+            // They are ours: whoever can write there can write anything.
+            kept[tile] = archives.hash(tile);
+            tiles.add(new Restored.Tile(tile, Origin.SERVER, kept[tile], null));
+        }
+        tiles.sort(Comparator.comparingInt(Restored.Tile::tile));
+        restored = new Restored(tiles, restored.expelled());
+    }
+
     /** What is to be kept; false if the action is none of these. */
     public boolean keep(Action action) {
         if (action instanceof Action.Keep a) {
             film.put(a.tile(), a.data().bytes());
             kept[a.tile()] = a.data().hash();
             write(key, new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
+            archives.keep(a.tile(), a.origin(), a.data().bytes());
         } else if (action instanceof Action.Confirm a) {
             write(key, new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
         } else if (action instanceof Action.Revoke a) {
             film.remove(a.tile());
             write(key, new JournalRecord.Revoked(a.tile()));
+            archives.remove(a.tile());
         } else if (action instanceof Action.Expel a) {
             log.accept("machine " + a.machine() + " expelled: " + a.reason()
                     + (journal == null ? "" : " (started again with --pardon " + a.machine() + " it is let in)"));
@@ -219,6 +241,7 @@ public final class ServerJob implements Closeable {
 
     /** Time has passed. */
     public void tick() {
+        archives.tick();
         if (journal != null) {
             try {
                 journal.tick(System.nanoTime());

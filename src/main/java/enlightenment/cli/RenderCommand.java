@@ -72,6 +72,9 @@ final class RenderCommand extends Subcommand {
     private Double preview;
 
     @Mixin
+    private WatchOptions watching = new WatchOptions();
+
+    @Mixin
     private ProgressOption progress = new ProgressOption();
 
     @Option(
@@ -83,6 +86,12 @@ final class RenderCommand extends Subcommand {
 
     @Mixin
     private KeepOptions keep = new KeepOptions();
+
+    @Mixin
+    private StoreOptions store = new StoreOptions();
+
+    @Mixin
+    private SampleOptions samples = new SampleOptions();
 
     private final LongSupplier clock;
     private AovFiles aovFiles;
@@ -112,6 +121,7 @@ final class RenderCommand extends Subcommand {
         RenderSettings settings = PictureOutput.withRounding(
                 options.settings(scene, input.name()), part == null ? output.writtenDepth() : output.depth());
         view.check(scene);
+        samples.check(settings);
         aovFiles.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("-o", output.file());
@@ -120,6 +130,7 @@ final class RenderCommand extends Subcommand {
         files.writes("--dump-chains", chains);
         aovFiles.register(files);
         keep.register(files);
+        store.register(files);
         files.check();
         if (clusters != null) {
             ClusterFile.check(clusters, settings);
@@ -128,10 +139,11 @@ final class RenderCommand extends Subcommand {
             ChainFile.check(chains, settings);
         }
         if (part == null) {
-            renderPicture(scene, settings);
-        } else {
-            renderPart(scene, settings);
+            String title = scene.name().isEmpty() ? input.name() : scene.name();
+            boolean keeps = !output.isStandardOutput();
+            return watching.watch(title, settings, view, keeps, terminal, w -> renderPicture(scene, settings, w));
         }
+        renderPart(scene, settings);
         return ExitCode.DONE;
     }
 
@@ -143,8 +155,10 @@ final class RenderCommand extends Subcommand {
             checkPart();
         }
         keep.check();
-        if (keep.isGiven() && (clusters != null || chains != null)) {
-            throw CliException.wrongUsage("--checkpoint must not be given with --dump-clusters and --dump-chains:"
+        store.check();
+        samples.check(store.isGiven());
+        if ((keep.isGiven() || store.isGiven()) && (clusters != null || chains != null)) {
+            throw CliException.wrongUsage(keptBy() + " must not be given with --dump-clusters and --dump-chains:"
                     + " what is kept does not tell of them");
         }
         boolean hasFurther = !aov.kinds().isEmpty();
@@ -158,10 +172,14 @@ final class RenderCommand extends Subcommand {
         }
     }
 
+    private String keptBy() {
+        return keep.isGiven() ? "--checkpoint" : "--store";
+    }
+
     private void checkPart() {
-        if (keep.isGiven()) {
+        if (keep.isGiven() || store.isGiven()) {
             throw CliException.wrongUsage(
-                    "--checkpoint must not be given with --part: take more parts, of which each is short");
+                    keptBy() + " must not be given with --part: take more parts, of which each is short");
         }
         if (!FileNames.extension(output.file()).equals(".film")) {
             throw CliException.wrongUsage(
@@ -169,12 +187,16 @@ final class RenderCommand extends Subcommand {
         }
         // The depth is that of the picture that is to meet an error.
         boolean isDeep = output.hasDepth() && !options.hasError();
-        boolean hasFurther =
-                !aov.kinds().isEmpty() || preview != null || clusters != null || chains != null || view.isGiven();
+        boolean hasFurther = !aov.kinds().isEmpty()
+                || preview != null
+                || clusters != null
+                || chains != null
+                || view.isGiven()
+                || watching.isAsked();
         if (isDeep || output.hasFormat() || report.isAsked() || hasFurther) {
             throw CliException.wrongUsage(
                     "with --part there is no picture yet: --depth (but for --error), --format,"
-                            + " --exposure, --report, --stats, --aov, --preview, --dump-clusters and --dump-chains must not be given");
+                            + " --exposure, --report, --stats, --aov, --preview, --serve, --window, --dump-clusters and --dump-chains must not be given");
         }
         if (options.hasTime()) {
             throw CliException.wrongUsage(
@@ -207,11 +229,12 @@ final class RenderCommand extends Subcommand {
         }
     }
 
-    private void renderPicture(Scene scene, RenderSettings settings) throws IOException {
+    private void renderPicture(Scene scene, RenderSettings settings, Watch watch) throws IOException {
         RenderResult result;
         try (ArchiveList archives = new ArchiveList(terminal)) {
             keep.open(scene, settings, terminal).ifPresent(archives::add);
-            result = render(scene, settings, archives.all());
+            store.open(scene, settings, frame.number(), samples.wanted()).ifPresent(archives::add);
+            result = render(scene, settings, watch, archives.all());
         } catch (SceneException e) {
             throw SceneFailures.inFile(input.name(), e);
         }
@@ -222,6 +245,7 @@ final class RenderCommand extends Subcommand {
         String line = SettingsLine.replayable(settings, samples, frame.number());
         PngOptions png = new PngOptions(output.depth(), PictureText.of(scene, line));
         Image shown = view.view(result.image(), terminal);
+        watch.rendered(shown, result);
         output.write(shown, png, terminal);
         aovFiles.write(result.auxiliary(), shown, png);
         report.write(result, output, terminal);
@@ -241,12 +265,12 @@ final class RenderCommand extends Subcommand {
         RequestedError.require(result);
     }
 
-    private RenderResult render(Scene scene, RenderSettings settings, List<ResultArchive> archives) {
+    private RenderResult render(Scene scene, RenderSettings settings, Watch watch, List<ResultArchive> archives) {
         RenderProgress display = progress.display(terminal.err());
         RenderProgress told = new BudgetNotes(display, settings.budget(), terminal);
         PreviewWriter writer = preview == null ? null : previewWriter(scene, settings, told);
         RenderRequest request = RenderRequest.of(scene, settings)
-                .withProgress(writer == null ? told : writer)
+                .withProgress(watch.over(writer == null ? told : writer))
                 .withCancelled(terminal.stop())
                 .withAuxiliary(aov.kinds())
                 .withClusters(clusters != null)

@@ -3,6 +3,7 @@ package enlightenment.engine;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.film.SampleLog;
 import enlightenment.plan.Learned;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
@@ -201,7 +202,7 @@ public final class DividedRender implements UnitSource {
     @Override
     public UnitMaker maker(BooleanSupplier cancelled) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = work(counters, cancelled);
+        UnitWork work = work(counters, cancelled, null);
         return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
     }
 
@@ -211,11 +212,14 @@ public final class DividedRender implements UnitSource {
             return false;
         }
         RenderSettings.Crop region = outline.settings().region();
-        return work(new RayCounters(compiled.kindNames.size()), () -> false).samples(region.x(), region.y()) > 0;
+        return work(new RayCounters(compiled.kindNames.size()), () -> false, null)
+                        .samples(region.x(), region.y())
+                > 0;
     }
 
-    private UnitWork work(RayCounters counters, BooleanSupplier cancelled) {
-        return new UnitWork(units, compiled, outline, counters, Learned.UNSEEN, cancelled);
+    private UnitWork work(RayCounters counters, BooleanSupplier cancelled, SampleLog log) {
+        Learned learned = log == null ? Learned.UNSEEN : new Learned(null, null, log);
+        return new UnitWork(units, compiled, outline, counters, learned, cancelled);
     }
 
     /** Does units, for one thread, so that more samples can be added to them later. */
@@ -241,8 +245,17 @@ public final class DividedRender implements UnitSource {
      * @param cancelled as for {@link #maker(BooleanSupplier)}
      */
     public Growing growing(BooleanSupplier cancelled) {
+        return growing(cancelled, null);
+    }
+
+    /**
+     * The same, of whose camera samples a log is kept, which is given away with each unit: with all of them where it goes on from nothing.
+     *
+     * @param log null for none
+     */
+    public Growing growing(BooleanSupplier cancelled, SampleLog log) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = work(counters, cancelled);
+        UnitWork work = work(counters, cancelled, log);
         return new Growing() {
             @Override
             public boolean canGrow(int unit, byte[] before) {
@@ -258,6 +271,9 @@ public final class DividedRender implements UnitSource {
                 ResultHeader header = new ResultHeader();
                 ByteBuffer out = form.grow(unit, work, header, before);
                 header.write(out.position(0), counters);
+                if (log != null) {
+                    log.flush();
+                }
                 return out.array();
             }
         };

@@ -117,6 +117,11 @@ public final class FilmAssembly implements UnitAssembly {
         }
     }
 
+    /** How many camera rays are in the result of a unit. */
+    public static long cameraRays(byte[] bytes) {
+        return ResultHeader.cameraRays(bytes);
+    }
+
     @Override
     public boolean has(int unit) {
         return film.has(unit);

@@ -1,9 +1,9 @@
 package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
-import enlightenment.net.listen.ServerLog;
 import enlightenment.net.secure.Secrets;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
@@ -46,9 +46,10 @@ public final class RenderServer implements Closeable {
             Scene scene, RenderSettings settings, ServerOptions options, BooleanSupplier cancelled) throws IOException {
         CborLibrary.require();
         ServerLog log = new ServerLog(options.log, System::nanoTime);
-        if (options.checkpoint.isPresent() && settings.budget().seconds().isPresent()) {
+        boolean isKept = options.checkpoint.isPresent() || !options.archives.isEmpty();
+        if (isKept && settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException(
-                    "a budget of time is planned anew each time, so that a checkpoint would not fit: give samples");
+                    "a budget of time is planned anew each time, so that what is kept would not fit: give samples");
         }
         // Before what takes long: these files may be of no use.
         Secrets secrets = Secrets.open(options.secrets(), log::say);

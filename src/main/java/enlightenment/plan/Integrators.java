@@ -114,6 +114,11 @@ public final class Integrators {
                 : traits;
     }
 
+    /** Whether a method can tell of its camera samples one by one. */
+    public static boolean recordsSamples(Method method) {
+        return method == BuiltInMethod.RAYTRACE;
+    }
+
     /** Whether level 0 of a method means antialias² samples per pixel, each pixel exactly so many. */
     static boolean hasLevelOfAntialias(Method method) {
         return method == BuiltInMethod.RAYTRACE;
@@ -131,8 +136,7 @@ public final class Integrators {
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
         if (method instanceof BuiltInMethod own) {
             return switch (own) {
-                case RAYTRACE, CLUSTER, METROPOLIS ->
-                    scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+                case RAYTRACE, CLUSTER, METROPOLIS -> scene.hasCausticPass() ? CAUSTIC_PATHS : 0;
                 case LIGHT -> LIGHT_PATHS;
                 case BIDIRECTIONAL -> BidirectionalMethod.PATHS_PER_SAMPLE;
             };
@@ -202,7 +206,10 @@ public final class Integrators {
             return ofExtension(plan, scene, settings, counters);
         }
         return switch (method) {
-            case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
+            case RAYTRACE ->
+                learned.samples() == null
+                        ? RayTraceMethod.of(scene, settings, counters, plan.level())
+                        : RayTraceMethod.recorded(scene, settings, counters, plan.level(), learned.samples());
             case LIGHT -> RayTraceMethod.ofSeenLight(scene, settings, counters, plan.level());
             case BIDIRECTIONAL -> BidirectionalMethod.of(scene, settings, counters, plan.level());
             case CLUSTER ->

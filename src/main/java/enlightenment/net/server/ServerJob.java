@@ -14,12 +14,13 @@ import enlightenment.file.ContentHash;
 import enlightenment.job.RenderIdentity;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.schedule.Action;
+import enlightenment.render.ResultArchive;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -50,6 +51,8 @@ public final class ServerJob implements Closeable {
 
     /** What the journal calls the plan. */
     private long key;
+
+    private JobArchives archives = JobArchives.NONE;
 
     private Set<Origin.Peer> alreadyExpelled = Set.of();
 
@@ -113,16 +116,18 @@ public final class ServerJob implements Closeable {
                 // Of the same picture with another number of samples.
                 return;
             }
-            JournalRecord plain = withoutGrowth(entry);
-            if (plain instanceof JournalRecord.Kept kept) {
-                String problem = film.problem(kept.tile(), kept.data()).orElse(null);
-                if (problem != null) {
-                    wrong.add("tile " + kept.tile() + ": " + problem);
-                    return;
-                }
-                film.put(kept.tile(), kept.data());
+            if (!(entry instanceof JournalRecord.Kept kept)) {
+                builder.add(entry);
+                return;
             }
-            builder.add(plain);
+            byte[] result = PlainResult.of(film, kept.tile(), kept.data());
+            String problem = film.problem(kept.tile(), result).orElse(null);
+            if (problem != null) {
+                wrong.add("tile " + kept.tile() + ": " + problem);
+                return;
+            }
+            film.put(kept.tile(), result);
+            builder.add(new JournalRecord.Kept(kept.tile(), kept.origin(), result));
         });
         if (!planned.contains(key)) {
             journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
@@ -153,17 +158,6 @@ public final class ServerJob implements Closeable {
         }
     }
 
-    /** A result as workers give it: one that a single process kept may be longer, and would not be taken for the same. */
-    private JournalRecord withoutGrowth(JournalRecord record) {
-        if (record instanceof JournalRecord.Kept kept
-                && kept.tile() < tiles()
-                && kept.data().length > film.longest(kept.tile())) {
-            byte[] plain = Arrays.copyOf(kept.data(), film.longest(kept.tile()));
-            return new JournalRecord.Kept(kept.tile(), kept.origin(), plain);
-        }
-        return record;
-    }
-
     private RenderIdentity identity() {
         return RenderIdentity.of(content.scene(), plan.outline().settings(), content.build());
     }
@@ -191,17 +185,35 @@ public final class ServerJob implements Closeable {
         return machines.stream().map(Origin.Peer::toString).sorted().collect(Collectors.joining(", "));
     }
 
+    /** Goes on from archives, after the checkpoint, and keeps in them what is done from now on; of a job of one picture. */
+    public void keepIn(List<ResultArchive> all) {
+        if (all.isEmpty()) {
+            return;
+        }
+        archives = new JobArchives(all, log);
+        List<Restored.Tile> tiles = new ArrayList<>(restored.tiles());
+        for (int tile : archives.begin(plan.toBytes(), film)) {
+            // They are ours: whoever can write there can write anything.
+            kept[tile] = archives.hash(tile);
+            tiles.add(new Restored.Tile(tile, Origin.SERVER, kept[tile], null));
+        }
+        tiles.sort(Comparator.comparingInt(Restored.Tile::tile));
+        restored = new Restored(tiles, restored.expelled());
+    }
+
     /** What is to be kept; false if the action is none of these. */
     public boolean keep(Action action) {
         if (action instanceof Action.Keep a) {
             film.put(a.tile(), a.data().bytes());
             kept[a.tile()] = a.data().hash();
             write(key, new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
+            archives.keep(a.tile(), a.origin(), a.data().bytes());
         } else if (action instanceof Action.Confirm a) {
             write(key, new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
         } else if (action instanceof Action.Revoke a) {
             film.remove(a.tile());
             write(key, new JournalRecord.Revoked(a.tile()));
+            archives.remove(a.tile());
         } else if (action instanceof Action.Expel a) {
             log.accept("machine " + a.machine() + " expelled: " + a.reason()
                     + (journal == null ? "" : " (started again with --pardon " + a.machine() + " it is let in)"));
@@ -236,6 +248,7 @@ public final class ServerJob implements Closeable {
 
     /** Time has passed. */
     public void tick() {
+        archives.tick();
         if (journal != null) {
             try {
                 journal.tick(System.nanoTime());

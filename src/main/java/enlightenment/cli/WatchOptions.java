@@ -60,8 +60,7 @@ final class WatchOptions {
     /** Takes the next argument for the port only if it is a number: what is none may be the scene. */
     static final class PortOrNothing implements IParameterPreprocessor {
         @Override
-        public boolean preprocess(
-                Stack<String> args, CommandSpec command, ArgSpec option, Map<String, Object> info) {
+        public boolean preprocess(Stack<String> args, CommandSpec command, ArgSpec option, Map<String, Object> info) {
             boolean isAttached = info.get("separator") != null && !" ".equals(info.get("separator"));
             if (!isAttached && (args.isEmpty() || !args.peek().matches("\\d+"))) {
                 // As if --serve=0 had been given.

@@ -1,9 +1,11 @@
 package enlightenment.cli;
 
+import enlightenment.file.FilePlace;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
 import enlightenment.render.RenderProgress;
 import enlightenment.scene.Animation;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -49,6 +51,9 @@ final class AnimateCommand extends Subcommand {
 
     @Mixin
     private FilmReport report = new FilmReport();
+
+    @Mixin
+    private WatchOptions watching = new WatchOptions();
 
     @Mixin
     private ProgressOption progress = new ProgressOption();
@@ -102,8 +107,10 @@ final class AnimateCommand extends Subcommand {
         FrameMaker maker = server == null
                 ? new FrameRenderer(film, settings, output, writer, terminal)
                 : new ServedFrames(film, settings, writer, serving, server, terminal);
-        finish(files, range, make(maker, plan, range));
-        return ExitCode.DONE;
+        RenderSettings asWritten = options.settings(scene, input.name());
+        String title = scene.name().isEmpty() ? input.name() : scene.name();
+        return watching.watch(
+                title, asWritten, view, true, terminal, w -> finish(files, range, make(maker, plan, range, w)));
     }
 
     private void finish(List<Path> files, FrameRange range, int faulty) throws IOException {
@@ -117,8 +124,12 @@ final class AnimateCommand extends Subcommand {
         CommandFiles files = new CommandFiles()
                 .reads(argument.file(), scene)
                 .reads("the program of --ffmpeg", video.program())
-                .writes("--video", video.file())
                 .writesNumbered("-o", frames);
+        if (isInNewFolder(video.file())) {
+            files.makes("--video", video.file());
+        } else {
+            files.writes("--video", video.file());
+        }
         report.register(files);
         serving.register(files);
         if (!output.aov().kinds().isEmpty()) {
@@ -130,6 +141,15 @@ final class AnimateCommand extends Subcommand {
                             .toList());
         }
         files.check();
+    }
+
+    /** Whether a file is to lie in the folder of the frames, which will be made. */
+    private boolean isInNewFolder(Path file) throws IOException {
+        Path folder = output.pattern().folder();
+        return file != null
+                && file.getParent() != null
+                && !Files.exists(folder)
+                && FilePlace.same(file.getParent(), folder);
     }
 
     /** As many as can be looked at in some seconds. */
@@ -157,14 +177,16 @@ final class AnimateCommand extends Subcommand {
     }
 
     /** @return how many frames are not as asked */
-    private int make(FrameMaker maker, FrameFiles plan, FrameRange range) throws IOException {
+    private int make(FrameMaker maker, FrameFiles plan, FrameRange range, Watch watch) throws IOException {
         RenderProgress display = progress.display(terminal.err());
         Set<Integer> written = new HashSet<>();
         Set<Integer> faulty = new HashSet<>();
+        watch.frames(plan.missing());
         report.begin(range.count(), plan.kept().size());
         boolean areAllThere;
         try {
-            areAllThere = maker.make(plan.missing(), display, (frame, isFaulty) -> {
+            areAllThere = maker.make(plan.missing(), watch.over(display), (frame, isFaulty) -> {
+                watch.written(frame);
                 written.add(frame);
                 faulty.remove(frame);
                 if (isFaulty) {

@@ -1,8 +1,8 @@
 package enlightenment.net;
 
 import enlightenment.engine.Rendered;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.job.Canary;
-import enlightenment.net.listen.ServerLog;
 import enlightenment.net.secure.Secrets;
 import enlightenment.net.server.FrameAssemblies;
 import enlightenment.render.RenderProgress;
@@ -157,7 +157,7 @@ public final class FilmServer implements Closeable {
             return null;
         }
         round = more;
-        return chain.follow(more::job, more.number());
+        return chain.follow(more::job);
     }
 
     /**

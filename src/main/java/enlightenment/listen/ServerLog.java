@@ -1,0 +1,70 @@
+package enlightenment.listen;
+
+import enlightenment.text.Plain;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+
+/**
+ * What a server tells, a line at a time: plain text of bounded length. What anybody on the network can cause is told seldom, a
+ * few lines a minute about each address and not many about all; how many were left out is told, too.
+ */
+public final class ServerLog {
+    public static final int LONGEST_LINE = 500;
+    public static final int LINES_ABOUT_ONE = 6;
+    static final int LINES_ABOUT_ALL = 30;
+    static final long WINDOW_NANOS = 60_000_000_000L;
+
+    private final Consumer<String> lines;
+    private final LongSupplier clock;
+    private final Map<String, Integer> told = new HashMap<>();
+    private long windowBegan;
+    private int toldOfAll;
+    private long leftOut;
+
+    public ServerLog(Consumer<String> lines, LongSupplier clock) {
+        this.lines = lines;
+        this.clock = clock;
+        windowBegan = clock.getAsLong();
+    }
+
+    /** Tells what those who run or know the server have caused. */
+    public void say(String text) {
+        lines.accept(Plain.line(text, LONGEST_LINE));
+    }
+
+    /** Tells what a stranger has caused, or a shortage; perhaps. */
+    public void seldom(String about, String text) {
+        tick();
+        synchronized (this) {
+            // What is told about an address is remembered for as few addresses as there are lines.
+            int before = told.getOrDefault(about, 0);
+            if (before == LINES_ABOUT_ONE || toldOfAll == LINES_ABOUT_ALL) {
+                leftOut++;
+                return;
+            }
+            told.put(about, before + 1);
+            toldOfAll++;
+        }
+        say(text);
+    }
+
+    /** Time has passed. */
+    public void tick() {
+        long missing;
+        synchronized (this) {
+            if (clock.getAsLong() - windowBegan < WINDOW_NANOS) {
+                return;
+            }
+            windowBegan = clock.getAsLong();
+            told.clear();
+            toldOfAll = 0;
+            missing = leftOut;
+            leftOut = 0;
+        }
+        if (missing > 0) {
+            say("in the last minute " + missing + " more lines about connections of strangers were left out");
+        }
+    }
+}

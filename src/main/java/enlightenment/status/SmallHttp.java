@@ -1,0 +1,237 @@
+package enlightenment.status;
+
+import enlightenment.listen.Acceptor;
+import enlightenment.listen.ServerLog;
+import enlightenment.listen.Strangers;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ThreadFactory;
+import java.util.function.LongSupplier;
+
+/**
+ * As much of HTTP/1.1 (RFC 9112) as a page for one machine takes: requests without a body, one for each connection. Every
+ * connection has an end in sight, and where there are too many the oldest is closed: whoever sends half a request, or
+ * many, keeps nobody else from an answer. (The JDK's own server waits for half a request without end, with one of few threads.)
+ */
+final class SmallHttp implements Closeable {
+    static final int PLACES = 32;
+    static final int MAX_HEAD_BYTES = 8 << 10;
+    static final long REQUEST_TIMEOUT_NANOS = 5_000_000_000L;
+    static final long ANSWER_TIMEOUT_NANOS = 20_000_000_000L;
+
+    private static final int MAX_DRAINED_BYTES = 64 << 10;
+    private static final int DRAIN_TIMEOUT_MILLIS = 200;
+
+    private final Acceptor acceptor;
+    private final Pages pages;
+    private final ThreadFactory threads;
+    private final ServerLog log;
+    private final LongSupplier clock;
+    private final Strangers<Socket> places = new Strangers<>(PLACES, PLACES);
+
+    /** When a connection must have ended. */
+    private final Map<Socket, Long> deadlines = new ConcurrentHashMap<>();
+
+    private SmallHttp(Acceptor acceptor, Pages pages, ThreadFactory threads, ServerLog log, LongSupplier clock) {
+        this.acceptor = acceptor;
+        this.pages = pages;
+        this.threads = threads;
+        this.log = log;
+        this.clock = clock;
+    }
+
+    /** A request; {@code host} is null unless it is named exactly once. */
+    record Request(String method, String path, String query, String host) {
+        /** What the query says a name is, if anything; of bounded length, and nothing but text. */
+        Optional<String> value(String name) {
+            for (String part : query.split("&")) {
+                if (part.startsWith(name + "=")) {
+                    return Optional.of(part.substring(name.length() + 1));
+                }
+            }
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * An answer.
+     *
+     * @param sent is called when it has been sent
+     */
+    record Answer(int code, String type, byte[] body, Runnable sent) {
+        Answer(int code, String type, byte[] body) {
+            this(code, type, body, () -> {});
+        }
+
+        static Answer text(int code, String text) {
+            return new Answer(code, "text/plain; charset=utf-8", text.getBytes(StandardCharsets.UTF_8));
+        }
+    }
+
+    /** Knows the answers. */
+    @FunctionalInterface
+    interface Pages {
+        Answer answer(Request request) throws IOException;
+    }
+
+    /** Begins to answer on loopback. */
+    static SmallHttp start(int port, Pages pages, ThreadFactory threads, ServerLog log, LongSupplier clock)
+            throws IOException {
+        Acceptor acceptor = Acceptor.at(InetAddress.getLoopbackAddress(), port, log);
+        SmallHttp http = new SmallHttp(acceptor, pages, threads, log, clock);
+        http.startThread(() -> acceptor.accept(http::take, http::makeRoom));
+        return http;
+    }
+
+    int port() {
+        return acceptor.port();
+    }
+
+    private void startThread(Runnable work) {
+        Thread thread = threads.newThread(work);
+        thread.setName("status");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void take(Socket socket) {
+        List<Socket> gone;
+        synchronized (places) {
+            gone = places.add(socket, "");
+        }
+        gone.forEach(this::end);
+        deadlines.put(socket, clock.getAsLong() + REQUEST_TIMEOUT_NANOS);
+        try {
+            startThread(() -> serve(socket));
+        } catch (OutOfMemoryError e) {
+            end(socket);
+            log.seldom("threads", "no thread for a status request: " + e.getMessage());
+        }
+    }
+
+    private void makeRoom() {
+        Socket oldest;
+        synchronized (places) {
+            oldest = places.oldest();
+        }
+        if (oldest != null) {
+            end(oldest);
+        }
+    }
+
+    private void serve(Socket socket) {
+        try {
+            Request request = read(socket.getInputStream());
+            deadlines.computeIfPresent(socket, (s, old) -> clock.getAsLong() + ANSWER_TIMEOUT_NANOS);
+            Answer answer = request == null ? badRequest() : pages.answer(request);
+            write(socket.getOutputStream(), answer);
+            socket.shutdownOutput();
+            answer.sent.run();
+            drain(socket);
+        } catch (IOException | RuntimeException | OutOfMemoryError e) {
+            // Nobody waits for the answer any more, or it cannot be made now: the page asks again.
+            end(socket);
+        } finally {
+            end(socket);
+        }
+    }
+
+    private static Answer badRequest() {
+        return Answer.text(400, "this is no request for a page\n");
+    }
+
+    /** The request; null if it is none. */
+    private static Request read(InputStream in) throws IOException {
+        StringBuilder head = new StringBuilder();
+        while (head.indexOf("\r\n\r\n", Math.max(head.length() - 4, 0)) < 0) {
+            int next = head.length() == MAX_HEAD_BYTES ? -1 : in.read();
+            if (next < 0) {
+                return null;
+            }
+            head.append((char) next);
+        }
+        String[] lines = head.toString().split("\r\n");
+        String[] words = lines.length == 0 ? new String[0] : lines[0].split(" ", -1);
+        if (words.length != 3 || !words[2].startsWith("HTTP/1.")) {
+            return null;
+        }
+        String host = null;
+        int hosts = 0;
+        for (String line : lines) {
+            int colon = line.indexOf(':');
+            if (colon > 0 && line.substring(0, colon).equalsIgnoreCase("host")) {
+                host = line.substring(colon + 1).strip();
+                hosts++;
+            }
+        }
+        int mark = words[1].indexOf('?');
+        String path = mark < 0 ? words[1] : words[1].substring(0, mark);
+        String query = mark < 0 ? "" : words[1].substring(mark + 1);
+        return new Request(words[0], path, query, hosts == 1 ? host : null);
+    }
+
+    private static void write(OutputStream out, Answer answer) throws IOException {
+        String head = "HTTP/1.1 " + answer.code + " " + (answer.code == 200 ? "OK" : "No") + "\r\nContent-Type: "
+                + answer.type + "\r\nContent-Length: " + answer.body.length
+                + "\r\nConnection: close\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\n"
+                + "Cross-Origin-Resource-Policy: same-origin\r\nReferrer-Policy: no-referrer\r\n"
+                + "Content-Security-Policy: default-src 'none'; img-src 'self'; connect-src 'self'; style-src 'self'; "
+                + "script-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n\r\n";
+        byte[] first = head.getBytes(StandardCharsets.US_ASCII);
+        byte[] all = Arrays.copyOf(first, first.length + answer.body.length);
+        System.arraycopy(answer.body, 0, all, first.length, answer.body.length);
+        out.write(all);
+        out.flush();
+    }
+
+    /** Lets a body that nobody wanted pass, as closing over it may take the answer from who sends it. */
+    private static void drain(Socket socket) throws IOException {
+        socket.setSoTimeout(DRAIN_TIMEOUT_MILLIS);
+        byte[] buffer = new byte[4 << 10];
+        for (int n = 0, sum = 0; n >= 0 && sum < MAX_DRAINED_BYTES; sum += n) {
+            n = socket.getInputStream().read(buffer);
+        }
+    }
+
+    boolean isClosed() {
+        return acceptor.isClosed();
+    }
+
+    /** Ends what should have ended by now. */
+    void check(long now) {
+        deadlines.forEach((socket, deadline) -> {
+            if (now - deadline > 0) {
+                end(socket);
+            }
+        });
+    }
+
+    private void end(Socket socket) {
+        synchronized (places) {
+            places.remove(socket);
+        }
+        deadlines.remove(socket);
+        try {
+            socket.close();
+        } catch (IOException e) {
+            // It is closed for us in any case.
+            return;
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        acceptor.close();
+        deadlines.keySet().forEach(this::end);
+    }
+}

@@ -6,12 +6,14 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatScale;
+import enlightenment.machine.MachineFacts;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
 import java.util.List;
+import java.util.concurrent.atomic.LongAdder;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 
@@ -20,12 +22,17 @@ final class Trial {
     /** Keeps the trial's random numbers apart from the picture's. */
     private static final long PURPOSE = 0x747269616cL;
 
+    private static final double NANO = 1e-9;
+
     /** So many paths at a time: enough that who begins and ends does not matter, few enough to be stopped soon. */
     private static final int AT_ONCE = 1 << 12;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final SamplePlans plans;
+
+    /** Nanoseconds of processors that went into pieces. */
+    private final LongAdder worked = new LongAdder();
 
     Trial(CompiledScene scene, RenderSettings settings, SamplePlans plans) {
         this.scene = scene;
@@ -36,6 +43,17 @@ final class Trial {
     /** What pixels are, and how they become what a screen takes. */
     DisplayCurve display() {
         return scene.display;
+    }
+
+    /** Seconds of processor time that all trials so far have taken themselves; 0 where nobody can tell. */
+    double processorSeconds() {
+        return worked.sum() * NANO;
+    }
+
+    private void work(Runnable piece) {
+        long before = MachineFacts.threadNanos();
+        piece.run();
+        worked.add(MachineFacts.threadNanos() - before);
     }
 
     /** What a trial for a time does: a part of the picture, and of a method whose paths may end anywhere some of the paths. */
@@ -128,12 +146,12 @@ final class Trial {
             // Not before: what is not a piece of the work cannot be ended in its middle.
             method.stopWhen(stop);
             SplatBatch out = new SplatBatch(region.x(), region.y(), region.width(), region.height(), scale);
-            return (IntConsumer) i -> {
+            return (IntConsumer) i -> work(() -> {
                 out.begin(AT_ONCE);
                 method.trace((long) i * AT_ONCE, AT_ONCE, out);
                 // Nobody looks at them, but they take time.
                 out.sums();
-            };
+            });
         });
     }
 
@@ -144,7 +162,7 @@ final class Trial {
             TileIntegrator method =
                     (TileIntegrator) Integrators.of(plan, scene, settings, new RayCounters(scene.kindNames.size()));
             method.stopWhen(stop);
-            return (IntConsumer) i -> method.render(blocks.get(i));
+            return (IntConsumer) i -> work(() -> method.render(blocks.get(i)));
         });
     }
 }

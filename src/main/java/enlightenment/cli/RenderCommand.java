@@ -9,12 +9,14 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
+import enlightenment.render.ResultArchive;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import picocli.CommandLine.Command;
@@ -79,6 +81,9 @@ final class RenderCommand extends Subcommand {
             description = "render only part I of N, into a .film file; 'merge' makes a picture of all N")
     private PartNumber part;
 
+    @Mixin
+    private KeepOptions keep = new KeepOptions();
+
     private final LongSupplier clock;
     private AovFiles aovFiles;
     private SceneInput input;
@@ -114,6 +119,7 @@ final class RenderCommand extends Subcommand {
         files.writes("--dump-clusters", clusters);
         files.writes("--dump-chains", chains);
         aovFiles.register(files);
+        keep.register(files);
         files.check();
         if (clusters != null) {
             ClusterFile.check(clusters, settings);
@@ -136,6 +142,11 @@ final class RenderCommand extends Subcommand {
         } else {
             checkPart();
         }
+        keep.check();
+        if (keep.isGiven() && (clusters != null || chains != null)) {
+            throw CliException.wrongUsage("--checkpoint must not be given with --dump-clusters and --dump-chains:"
+                    + " what is kept does not tell of them");
+        }
         boolean hasFurther = !aov.kinds().isEmpty();
         if (output.isStandardOutput() && (hasFurther || preview != null)) {
             throw CliException.wrongUsage((hasFurther ? "--aov writes files beside" : "--preview replaces")
@@ -148,6 +159,10 @@ final class RenderCommand extends Subcommand {
     }
 
     private void checkPart() {
+        if (keep.isGiven()) {
+            throw CliException.wrongUsage(
+                    "--checkpoint must not be given with --part: take more parts, of which each is short");
+        }
         if (!FileNames.extension(output.file()).equals(".film")) {
             throw CliException.wrongUsage(
                     "with --part, -o must name a file that ends in .film, not \"" + output.file() + "\"");
@@ -193,7 +208,13 @@ final class RenderCommand extends Subcommand {
     }
 
     private void renderPicture(Scene scene, RenderSettings settings) throws IOException {
-        RenderResult result = render(scene, settings);
+        RenderResult result;
+        try (ArchiveList archives = new ArchiveList(terminal)) {
+            keep.open(scene, settings, terminal).ifPresent(archives::add);
+            result = render(scene, settings, archives.all());
+        } catch (SceneException e) {
+            throw SceneFailures.inFile(input.name(), e);
+        }
         if (result.shownPixels() == 0) {
             throw CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
         }
@@ -220,7 +241,7 @@ final class RenderCommand extends Subcommand {
         RequestedError.require(result);
     }
 
-    private RenderResult render(Scene scene, RenderSettings settings) {
+    private RenderResult render(Scene scene, RenderSettings settings, List<ResultArchive> archives) {
         RenderProgress display = progress.display(terminal.err());
         RenderProgress told = new BudgetNotes(display, settings.budget(), terminal);
         PreviewWriter writer = preview == null ? null : previewWriter(scene, settings, told);
@@ -230,13 +251,12 @@ final class RenderCommand extends Subcommand {
                 .withAuxiliary(aov.kinds())
                 .withClusters(clusters != null)
                 .withChains(chains != null)
+                .withArchives(archives)
                 .withProgressive(writer != null);
         try {
             return Renderer.render(request);
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());
-        } catch (SceneException e) {
-            throw SceneFailures.inFile(input.name(), e);
         } finally {
             if (writer != null) {
                 writer.finish();

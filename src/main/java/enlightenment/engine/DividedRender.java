@@ -146,6 +146,20 @@ public final class DividedRender {
                 Stopwatch.started());
     }
 
+    /** The units of a render whose scene is compiled, and which is planned. */
+    public static DividedRender of(String name, CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
+        return new DividedRender(
+                name,
+                compiled,
+                settings,
+                plan,
+                new Phases(),
+                null,
+                new Rounds(settings.budget()),
+                1,
+                Stopwatch.started());
+    }
+
     /** Number of units of work, counted from 0. */
     public int units() {
         return units.count();
@@ -163,7 +177,16 @@ public final class DividedRender {
 
     /** A picture of which nothing is there yet. */
     public FilmAssembly assembly() {
-        return new FilmAssembly(outline, phases, round);
+        return assembly(true);
+    }
+
+    /**
+     * The same.
+     *
+     * @param canLose whether units may have to be taken out again, which takes more memory
+     */
+    public FilmAssembly assembly(boolean canLose) {
+        return new FilmAssembly(outline, phases, round, canLose);
     }
 
     /** Does units, for one thread. */

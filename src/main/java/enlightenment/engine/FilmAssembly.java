@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Puts results of units together to a picture: in any order, each as often as one likes, also in place of another. For use by
@@ -41,17 +42,18 @@ public final class FilmAssembly {
 
     /** A picture of which nothing is there yet. */
     public FilmAssembly(RenderOutline outline) {
-        this(outline, new Phases(), 1);
+        this(outline, new Phases(), 1, true);
     }
 
-    FilmAssembly(RenderOutline outline, Phases phases, int round) {
+    /** @param canLose whether units may have to be taken out again */
+    FilmAssembly(RenderOutline outline, Phases phases, int round, boolean canLose) {
         this.round = round;
         this.outline = outline;
         this.phases = phases;
         units = WorkUnits.forMachines(outline.settings(), outline.plan());
         PictureMemory.check(outline.settings(), units.imagesBeside());
         form = ResultForm.of(units, outline);
-        film = PictureFilm.of(units, outline, true);
+        film = PictureFilm.of(units, outline, canLose);
         counters = new RayCounters[units.count()];
         surveyRays = new long[units.count()];
         lost = new long[units.count()];
@@ -129,6 +131,24 @@ public final class FilmAssembly {
         return film.done();
     }
 
+    /**
+     * Those that are not there, in an order that is good for the threads of one process: batches first, then tiles scattered over the
+     * picture, for the reasons of {@link TileGrid}.
+     */
+    public int[] missing() {
+        int batches = units.batches();
+        int passes = units.passes();
+        int tiles = (units.count() - batches) / passes;
+        int stride = tiles == 0 ? 0 : TileGrid.stride(tiles);
+        IntStream scattered = IntStream.range(0, tiles).flatMap(i -> {
+            int first = batches + (int) ((long) i * stride % tiles) * passes;
+            return IntStream.range(first, first + passes);
+        });
+        return IntStream.concat(IntStream.range(0, batches), scattered)
+                .filter(unit -> !has(unit))
+                .toArray();
+    }
+
     /** How much is there, in pixels: a unit that is a share of several pixels counts as that share of them. */
     public long pixelsDone() {
         return film.pixelsDone();
@@ -139,6 +159,11 @@ public final class FilmAssembly {
         return film.pixels();
     }
 
+    /** The picture in the making. */
+    public PictureFilm film() {
+        return film;
+    }
+
     /** The picture so far; what is missing is black. */
     public synchronized Image image() {
         return film.image();
@@ -147,18 +172,32 @@ public final class FilmAssembly {
     /** The picture so far with its report, whose phase of rendering began with this assembly. */
     public synchronized Rendered result() {
         phases.add("render", time.seconds());
-        Image image = phases.run("finish", film::image);
+        Image image = phases.run("finish", this::finished);
+        double rounding = Rounding.of(image, outline.settings().budget().depth());
+        return new Rendered(image, report(phases, rounding, round), film.isComplete(), film.shownPixels());
+    }
+
+    /** The picture so far, which knows what its samples are. */
+    public synchronized Image finished() {
+        film.samplesAreDifferences(!differences.isEmpty());
+        film.samplesAreLost(Arrays.stream(lost).sum());
+        return film.image();
+    }
+
+    /**
+     * What was done.
+     *
+     * @param took what the phases of the render took
+     * @param rounding the error of rounding the picture to the depth of its file
+     * @param number which round of the render it is
+     */
+    public synchronized RenderReport report(Phases took, double rounding, int number) {
         RayCounters all = new RayCounters(outline.kinds().size());
         for (RayCounters one : counters) {
             if (one != null) {
                 all.add(one);
             }
         }
-        film.samplesAreDifferences(!differences.isEmpty());
-        film.samplesAreLost(Arrays.stream(lost).sum());
-        double rounding = Rounding.of(image, outline.settings().budget().depth());
-        RenderReport report =
-                Reports.of(outline, film, all, Arrays.stream(surveyRays).sum(), phases, rounding, round, peakMemory);
-        return new Rendered(image, report, film.isComplete(), film.shownPixels());
+        return Reports.of(outline, film, all, Arrays.stream(surveyRays).sum(), took, rounding, number, peakMemory);
     }
 }

@@ -44,7 +44,7 @@ public final class TileGrid implements TileCut {
      * scattered over the picture. So an unfinished picture shows something of everything, and the just-in-time compiler
      * sees the whole scene before it decides what is common (measured: a third less compiling, docs/benchmarks.md).
      */
-    private static int stride(int tiles) {
+    static int stride(int tiles) {
         double goldenSection = (Math.sqrt(5) - 1) / 2;
         int step = Math.max((int) (tiles * goldenSection), 1);
         while (!BigInteger.valueOf(step).gcd(BigInteger.valueOf(tiles)).equals(BigInteger.ONE)) {

@@ -260,7 +260,7 @@ final class Coordination implements ServerConnection.Host {
 
     /** What goes on with more samples: machines that were found out stay expelled. */
     synchronized ServerJob jobFollowing(DividedRender more) {
-        return job.with(more, options.version, coordinator.expelled());
+        return job.with(more, coordinator.expelled());
     }
 
     /** Decides nothing from now on; false if that was so already. */

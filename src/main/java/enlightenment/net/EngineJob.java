@@ -1,10 +1,10 @@
 package enlightenment.net;
 
+import enlightenment.checkpoint.Origin;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.Origin;
-import enlightenment.net.job.Build;
+import enlightenment.job.Build;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.job.TileData;

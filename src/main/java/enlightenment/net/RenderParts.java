@@ -3,7 +3,7 @@ package enlightenment.net;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.file.ContentHash;
-import enlightenment.net.job.Build;
+import enlightenment.job.Build;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.job.PartFile;
 import enlightenment.render.RenderProgress;

@@ -1,7 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.check.Check;
-import enlightenment.net.job.Build;
+import enlightenment.job.Build;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.CoordinatorSettings;

@@ -2,7 +2,7 @@ package enlightenment.net;
 
 import enlightenment.check.Check;
 import enlightenment.file.ContentHash;
-import enlightenment.net.job.Build;
+import enlightenment.job.Build;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Timing;
 import enlightenment.net.secure.Token;

@@ -45,8 +45,7 @@ public final class Planner {
      */
     public RenderPlan plan(Stopwatch time, double previewed) {
         Budget budget = settings.budget();
-        Integrators.blindSpot(settings.method(), scene).ifPresent(notes::add);
-        noteCrop();
+        noteScene();
         if (budget.isNone()) {
             return plans.ofAntialias();
         }
@@ -64,6 +63,17 @@ public final class Planner {
             samples = Math.min(samples, n);
         }
         return plans.of(samples, by);
+    }
+
+    /** A plan that was made for this budget before. */
+    public RenderPlan known(RenderPlan plan) {
+        noteScene();
+        return plan;
+    }
+
+    private void noteScene() {
+        Integrators.blindSpot(settings.method(), scene).ifPresent(notes::add);
+        noteCrop();
     }
 
     private double samplesForError(double most, Stopwatch time) {

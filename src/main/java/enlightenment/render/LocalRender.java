@@ -27,7 +27,7 @@ import jdk.jfr.FlightRecorder;
  * One render in this process. Threads take units of work from a counter; each is a pure function, so who takes which does not
  * matter.
  */
-final class LocalRender {
+final class LocalRender implements PictureRender {
     private final CompiledScene scene;
     private final RenderOutline outline;
     private final RenderProgress progress;
@@ -87,8 +87,8 @@ final class LocalRender {
         }
     }
 
-    /** The chains that were asked for, in an order that does not depend on threads: those of a group as they were followed. */
-    List<PathChain> chains() {
+    @Override
+    public List<PathChain> chains() {
         if (chains == null) {
             return List.of();
         }
@@ -99,7 +99,8 @@ final class LocalRender {
         return sorted;
     }
 
-    void run() {
+    @Override
+    public void run() {
         Workers.run(outline.settings().threads(), units.count(), cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
@@ -138,8 +139,8 @@ final class LocalRender {
         }
     }
 
-    /** The ray clusters that were asked for, in an order that does not depend on threads. */
-    List<RayCluster> clusters() {
+    @Override
+    public List<RayCluster> clusters() {
         if (clusters == null) {
             return List.of();
         }
@@ -152,28 +153,23 @@ final class LocalRender {
         return sorted;
     }
 
-    /** What was rendered, in full precision. */
-    PictureFilm film() {
+    @Override
+    public PictureFilm film() {
         return film;
     }
 
-    /** The picture as it stands: the film, and what the preview shows where that is not finished. */
-    Image image() {
+    @Override
+    public Image image() {
         return preview == null || film.isComplete() ? film.image() : film.completed(preview.image());
     }
 
-    /** How many pixels are not black for want of samples. */
-    long shownPixels() {
+    @Override
+    public long shownPixels() {
         return preview == null ? film.shownPixels() : preview.shownPixels();
     }
 
-    /**
-     * What was done.
-     *
-     * @param rounding the error of rounding the picture to the depth of its file
-     * @param round how often the picture was rendered
-     */
-    RenderReport report(Phases phases, double rounding, int round) {
+    @Override
+    public RenderReport report(Phases phases, double rounding, int round) {
         RayCounters all = new RayCounters(scene.kindNames.size());
         for (RayCounters one : counters) {
             all.add(one);

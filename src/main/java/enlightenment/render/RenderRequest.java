@@ -5,6 +5,7 @@ import enlightenment.scene.Scene;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
@@ -23,6 +24,8 @@ import java.util.function.BooleanSupplier;
  *     picture to show; they take about a seventh more time. A method whose paths may end anywhere needs none
  * @param clusters whether to tell of the ray clusters
  * @param chains whether to tell of the Markov chains
+ * @param archives where the results of units of work are kept, and taken from; of this scene and these settings, as far as the budget is
+ *     not concerned. They are not closed
  */
 public record RenderRequest(
         Scene scene,
@@ -32,9 +35,14 @@ public record RenderRequest(
         Set<Auxiliary> auxiliary,
         boolean progressive,
         boolean clusters,
-        boolean chains) {
+        boolean chains,
+        List<ResultArchive> archives) {
 
-    /** Copies the set; nothing may be null. */
+    /**
+     * Copies the set and the list; nothing may be null.
+     *
+     * @throws IllegalArgumentException if there are archives, and ray clusters or chains are asked for: what is kept does not tell of them
+     */
     public RenderRequest {
         Objects.requireNonNull(scene, "scene");
         Objects.requireNonNull(settings, "settings");
@@ -43,6 +51,10 @@ public record RenderRequest(
         EnumSet<Auxiliary> copy = EnumSet.noneOf(Auxiliary.class);
         copy.addAll(auxiliary);
         auxiliary = Collections.unmodifiableSet(copy);
+        archives = List.copyOf(archives);
+        if (!archives.isEmpty() && (clusters || chains)) {
+            throw new IllegalArgumentException("results that are kept do not tell of ray clusters and chains");
+        }
     }
 
     /** Just the picture, as the scene asks for it, on all processors. */
@@ -52,27 +64,28 @@ public record RenderRequest(
 
     /** Just the picture. */
     public static RenderRequest of(Scene scene, RenderSettings settings) {
-        return new RenderRequest(scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false, false);
+        return new RenderRequest(
+                scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false, false, List.of());
     }
 
     /** The same request with other settings. */
     public RenderRequest withSettings(RenderSettings value) {
-        return new RenderRequest(scene, value, progress, cancelled, auxiliary, progressive, clusters, chains);
+        return new RenderRequest(scene, value, progress, cancelled, auxiliary, progressive, clusters, chains, archives);
     }
 
     /** The same request with another listener. */
     public RenderRequest withProgress(RenderProgress value) {
-        return new RenderRequest(scene, settings, value, cancelled, auxiliary, progressive, clusters, chains);
+        return new RenderRequest(scene, settings, value, cancelled, auxiliary, progressive, clusters, chains, archives);
     }
 
     /** The same request, ended by something else; it must be quick to answer. */
     public RenderRequest withCancelled(BooleanSupplier value) {
-        return new RenderRequest(scene, settings, progress, value, auxiliary, progressive, clusters, chains);
+        return new RenderRequest(scene, settings, progress, value, auxiliary, progressive, clusters, chains, archives);
     }
 
     /** The same request for other things beside the colours. */
     public RenderRequest withAuxiliary(Set<Auxiliary> value) {
-        return new RenderRequest(scene, settings, progress, cancelled, value, progressive, clusters, chains);
+        return new RenderRequest(scene, settings, progress, cancelled, value, progressive, clusters, chains, archives);
     }
 
     /** The same request for other things beside the colours. */
@@ -84,16 +97,22 @@ public record RenderRequest(
 
     /** The same request with or without the ray clusters. */
     public RenderRequest withClusters(boolean value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, value, chains);
+        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, value, chains, archives);
     }
 
     /** The same request with or without the Markov chains. */
     public RenderRequest withChains(boolean value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, clusters, value);
+        return new RenderRequest(
+                scene, settings, progress, cancelled, auxiliary, progressive, clusters, value, archives);
     }
 
     /** The same request with or without coarse passes first. */
     public RenderRequest withProgressive(boolean value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, value, clusters, chains);
+        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, value, clusters, chains, archives);
+    }
+
+    /** The same request with other archives. */
+    public RenderRequest withArchives(List<ResultArchive> value) {
+        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, value);
     }
 }

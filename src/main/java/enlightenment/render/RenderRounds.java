@@ -25,11 +25,15 @@ final class RenderRounds {
     private final Phases phases;
     private final Stopwatch time;
 
+    /** Where the results of units are kept, or null. */
+    private final Archives archives;
+
     /**
      * @param preview what is shown where nothing is finished yet, or null
      * @param pass what is told of pixels beside their colours, as far as it needs rays of its own
      * @param parts what is told of the beginnings of paths
      * @param time since the render began
+     * @param archives where the results of units are kept, or null
      */
     RenderRounds(
             RenderRequest request,
@@ -39,7 +43,8 @@ final class RenderRounds {
             AuxiliaryPass pass,
             PathPartPass parts,
             Phases phases,
-            Stopwatch time) {
+            Stopwatch time,
+            Archives archives) {
         this.request = request;
         settings = request.settings();
         this.scene = scene;
@@ -49,6 +54,7 @@ final class RenderRounds {
         this.parts = parts;
         this.phases = phases;
         this.time = time;
+        this.archives = archives;
     }
 
     /** The last picture that became whole; if not even the first did, what there is of it. */
@@ -65,18 +71,21 @@ final class RenderRounds {
             best = result;
             double now = time.seconds();
             OptionalDouble next = rounds.next(result.report(), now - before, now);
-            if (next.isEmpty() || request.cancelled().getAsBoolean()) {
+            RenderPlan kept = archives == null
+                    ? null
+                    : archives.planFor(settings, round + 1).orElse(null);
+            if (next.isEmpty() && kept == null || request.cancelled().getAsBoolean()) {
                 return best;
             }
-            request.progress().note(rounds.note(result.report(), next.getAsDouble()));
+            double n = kept == null ? next.getAsDouble() : kept.samples();
+            request.progress().note(rounds.note(result.report(), n));
             phases.again();
-            plan = phases.run(
-                    "plan", () -> planner.withSamples(next.getAsDouble(), rounds.decidedBy(next.getAsDouble())));
+            plan = kept != null ? kept : phases.run("plan", () -> planner.withSamples(n, rounds.decidedBy(n)));
             request.progress().planned(plan.samples(), plan.decidedBy());
         }
     }
 
-    private RenderResult render(RenderPlan plan, int round) {
+    private LocalRender local(RenderPlan plan) {
         LocalRender render = new LocalRender(
                 request.scene().name(), scene, settings, plan, request.progress(), request.cancelled(), preview);
         if (request.clusters()) {
@@ -85,6 +94,12 @@ final class RenderRounds {
         if (request.chains()) {
             render.gatherChains();
         }
+        return render;
+    }
+
+    private RenderResult render(RenderPlan plan, int round) {
+        PictureRender render =
+                archives == null ? local(plan) : new KeptRender(request, scene, plan, archives, round, preview);
         if (parts.isNeeded()) {
             // Before the picture: what is left of that if the render is stopped has its parts.
             phases.run("auxiliary", () -> parts.run(plan, request.cancelled()));

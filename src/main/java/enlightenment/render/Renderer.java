@@ -125,7 +125,11 @@ public final class Renderer {
         // Paths that may end anywhere show something of the whole picture from the first on.
         boolean previewed = request.progressive() && settings.method().kind() == Method.Kind.TILES;
         Planner planner = new Planner(scene, settings, cancelled);
-        RenderPlan plan = phases.run("plan", () -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share()));
+        Archives archives =
+                request.archives().isEmpty() ? null : new Archives(request.archives(), request.progress()::note);
+        Optional<RenderPlan> kept = archives == null ? Optional.empty() : archives.planFor(settings, 1);
+        RenderPlan plan = phases.run("plan", () -> kept.map(planner::known)
+                .orElseGet(() -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share())));
         PictureMemory.check(settings, images + (plan.lightPaths() > 0 ? PictureMemory.IMAGES_OF_ADDED_SPLATS : 0));
         planner.notes().forEach(request.progress()::note);
         request.progress().planned(plan.samples(), plan.decidedBy());
@@ -134,7 +138,7 @@ public final class Renderer {
             phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
         }
         RenderRequest stoppable = request.withCancelled(cancelled);
-        return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time).run(plan);
+        return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time, archives).run(plan);
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */

@@ -97,6 +97,10 @@ class ArchitectureTest {
             .definedBy("enlightenment.engine")
             .layer("render")
             .definedBy("enlightenment.render")
+            .layer("job")
+            .definedBy("enlightenment.job")
+            .layer("checkpoint")
+            .definedBy("enlightenment.checkpoint")
             .layer("net")
             .definedBy("enlightenment.net..")
             .layer("measure")
@@ -108,7 +112,11 @@ class ArchitectureTest {
             .whereLayer("json output")
             .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("file")
-            .mayOnlyBeAccessedByLayers("codec", "image", "video", "json", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("codec", "image", "video", "json", "job", "checkpoint", "net", "measure", "cli")
+            .whereLayer("job")
+            .mayOnlyBeAccessedByLayers("checkpoint", "net", "cli")
+            .whereLayer("checkpoint")
+            .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("video")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("machine")
@@ -118,9 +126,9 @@ class ArchitectureTest {
             .whereLayer("measure")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("checkpoint", "net", "measure", "cli")
             .whereLayer("engine")
-            .mayOnlyBeAccessedByLayers("render", "net")
+            .mayOnlyBeAccessedByLayers("render", "checkpoint", "net")
             .whereLayer("plan")
             .mayOnlyBeAccessedByLayers("render", "engine", "net")
             .whereLayer("report")
@@ -130,7 +138,7 @@ class ArchitectureTest {
             .whereLayer("nff")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("json")
-            .mayOnlyBeAccessedByLayers("net", "cli")
+            .mayOnlyBeAccessedByLayers("job", "net", "cli")
             .whereLayer("method")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine")
             .whereLayer("shading")
@@ -159,6 +167,7 @@ class ArchitectureTest {
                     "plan",
                     "engine",
                     "render",
+                    "job",
                     "net",
                     "measure",
                     "cli")
@@ -189,7 +198,7 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers(
-                    "picture", "texture", "film", "plan", "render", "engine", "net", "measure", "cli", "json");
+                    "picture", "texture", "film", "plan", "render", "engine", "job", "net", "measure", "cli", "json");
 
     /** Server and workers, from what is said over the wire up to what is exported. */
     @ArchTest
@@ -201,8 +210,6 @@ class ArchitectureTest {
             .definedBy("enlightenment.net.protocol")
             .layer("job")
             .definedBy("enlightenment.net.job")
-            .layer("checkpoint")
-            .definedBy("enlightenment.net.checkpoint")
             .layer("schedule")
             .definedBy("enlightenment.net.schedule")
             .layer("listen")
@@ -227,12 +234,10 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("server", "status", "net")
             .whereLayer("schedule")
             .mayOnlyBeAccessedByLayers("worker", "server", "status", "net")
-            .whereLayer("checkpoint")
-            .mayOnlyBeAccessedByLayers("schedule", "server", "net")
             .whereLayer("job")
             .mayOnlyBeAccessedByLayers("schedule", "worker", "server", "net")
             .whereLayer("protocol")
-            .mayOnlyBeAccessedByLayers("job", "checkpoint", "schedule", "worker", "server", "net");
+            .mayOnlyBeAccessedByLayers("job", "schedule", "worker", "server", "net");
 
     /** So that whole renders can be simulated. */
     @ArchTest

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.net.job.Build;
+import enlightenment.job.Build;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Method;

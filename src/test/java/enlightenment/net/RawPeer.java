@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.net.job.Build;
+import enlightenment.job.Build;
 import enlightenment.net.job.Canary;
 import enlightenment.net.protocol.Frames;
 import enlightenment.net.protocol.Limits;

@@ -1,11 +1,9 @@
 package enlightenment.net.job;
 
+import enlightenment.engine.OutlineBytes;
 import enlightenment.engine.RenderOutline;
 import enlightenment.file.ContentHash;
-import enlightenment.image.Image;
-import enlightenment.image.ImageFiles;
-import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
+import enlightenment.job.SceneDocument;
 import enlightenment.net.protocol.Limits;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Animation;
@@ -13,7 +11,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
-import enlightenment.scene.json.SceneWriter;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
@@ -21,31 +18,29 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
 
 /**
  * A job as contents that are addressed by their hashes. The first is the job's document: build, settings, plan, the kinds of
  * primitives that tiles count (for clients that do not read scenes), the number of the scene's instants, these, each with its length
- * before it, and the scene, in which image files are named by their hashes too; so its hash is the hash of everything that decides bits. The others are the image files.
- *
- * <p>Files of whole numbers that are not PNG travel as PNG files of the same texels: two JDKs may decode the same JPEG file
- * differently.
+ * before it, and the scene, in which image files are named by their hashes too ({@link SceneDocument}); so its hash is the hash of
+ * everything that decides bits. The others are the image files.
  */
 public final class JobContent {
     private static final String MAGIC = "enlightenment job 4";
     private final Map<ContentHash, byte[]> contents;
+    private final ContentHash scene;
+    private final String build;
 
-    private JobContent(Map<ContentHash, byte[]> contents) {
+    private JobContent(Map<ContentHash, byte[]> contents, ContentHash scene, String build) {
         this.contents = contents;
+        this.scene = scene;
+        this.build = build;
     }
 
     /**
@@ -55,80 +50,38 @@ public final class JobContent {
      * @throws IllegalArgumentException if the job is larger than {@link Limits#JOB}
      */
     public static JobContent of(Scene scene, RenderOutline outline, String build) {
-        Map<Path, ContentHash> byPath = new LinkedHashMap<>();
-        Map<ContentHash, byte[]> images = new LinkedHashMap<>();
-        Function<Path, String> names =
-                file -> byPath.computeIfAbsent(file, f -> add(images, read(f))).toString();
+        SceneDocument document = SceneDocument.of(scene);
         Map<ContentHash, byte[]> all = new LinkedHashMap<>();
-        add(all, document(outline, build, scenes(scene, names)));
-        all.putAll(images);
+        add(all, document(outline, build, document.bytes()));
+        all.putAll(document.images());
         long bytes = all.values().stream().mapToLong(b -> b.length).sum();
         if (bytes > Limits.JOB || all.size() > Limits.CONTENTS) {
             throw new IllegalArgumentException("scene and textures have " + bytes + " bytes in " + all.size()
                     + " pieces; at most " + Limits.JOB + " in " + Limits.CONTENTS + " can be sent");
         }
-        return new JobContent(all);
+        return new JobContent(all, document.hash(), build);
     }
 
     /** The job of rendering the same scene by another plan. */
-    public JobContent with(RenderOutline outline, String build) {
+    public JobContent with(RenderOutline outline) {
         Map<ContentHash, byte[]> all = new LinkedHashMap<>();
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(contents.get(hash())))) {
             in.readUTF();
             in.readUTF();
-            SettingsBytes.read(in, 1);
-            SettingsBytes.readTexts(in);
+            OutlineBytes.read(in, 1);
+            OutlineBytes.readTexts(in);
             add(all, document(outline, build, in.readAllBytes()));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
         hashes().stream().skip(1).forEach(image -> all.put(image, content(image)));
-        return new JobContent(all);
+        return new JobContent(all, scene, build);
     }
 
     private static ContentHash add(Map<ContentHash, byte[]> contents, byte[] content) {
         ContentHash hash = ContentHash.of(content);
         contents.put(hash, content);
         return hash;
-    }
-
-    private static byte[] read(Path file) {
-        try {
-            byte[] bytes = Files.readAllBytes(file);
-            Optional<ImageFormat> format = ImageFormat.ofContent(bytes);
-            if (format.isPresent()
-                    && (format.get() == ImageFormat.PNG || format.get().holdsFloats())) {
-                return bytes;
-            }
-            Image image = ImageFiles.read(file);
-            ByteArrayOutputStream png = new ByteArrayOutputStream();
-            ImageFiles.toPng(image, png, PngOptions.DEFAULT);
-            return png.toByteArray();
-        } catch (IOException e) {
-            throw new SceneException(List.of(new SceneException.Problem(
-                    file.toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));
-        }
-    }
-
-    /** A scene's instants, then itself. */
-    private static byte[] scenes(Scene scene, Function<Path, String> names) {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (DataOutputStream out = new DataOutputStream(bytes)) {
-            out.writeInt(scene.instants().size());
-            for (Scene instant : scene.instants()) {
-                byte[] json = json(instant, names);
-                out.writeInt(json.length);
-                out.write(json);
-            }
-            out.write(json(scene, names));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return bytes.toByteArray();
-    }
-
-    private static byte[] json(Scene scene, Function<Path, String> names) {
-        return SceneWriter.toJson(scene.withoutAnimation(), names).getBytes(StandardCharsets.UTF_8);
     }
 
     private static Scene readScenes(DataInputStream in, Set<String> names) throws IOException {
@@ -156,13 +109,23 @@ public final class JobContent {
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeUTF(MAGIC);
             out.writeUTF(build);
-            SettingsBytes.write(out, outline.settings(), outline.plan());
-            SettingsBytes.write(out, outline.kinds());
+            OutlineBytes.write(out, outline.settings(), outline.plan());
+            OutlineBytes.write(out, outline.kinds());
             out.write(scenes);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
         return bytes.toByteArray();
+    }
+
+    /** The hash of the scene with its image files ({@link SceneDocument#hash}). */
+    public ContentHash scene() {
+        return scene;
+    }
+
+    /** The version that the job is of. */
+    public String build() {
+        return build;
     }
 
     /** The hash of the job. */
@@ -201,8 +164,8 @@ public final class JobContent {
             if (!theirs.equals(build)) {
                 throw new IOException("the job is of version " + theirs + ", this is " + build);
             }
-            SettingsBytes.Decided decided = SettingsBytes.read(in, threads);
-            SettingsBytes.readTexts(in);
+            OutlineBytes.Decided decided = OutlineBytes.read(in, threads);
+            OutlineBytes.readTexts(in);
             Set<String> names = Set.copyOf(
                     images.stream().map(ContentHash::toString).distinct().toList());
             return new Document(readScenes(in, names), decided.settings(), decided.plan());

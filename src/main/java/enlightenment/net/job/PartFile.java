@@ -1,10 +1,11 @@
 package enlightenment.net.job;
 
 import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.OutlineBytes;
 import enlightenment.engine.RenderOutline;
 import enlightenment.file.ContentHash;
 import enlightenment.file.WholeFile;
-import enlightenment.film.SplatScale;
+import enlightenment.job.Build;
 import java.io.BufferedInputStream;
 import java.io.Closeable;
 import java.io.DataInputStream;
@@ -71,12 +72,10 @@ public final class PartFile implements Closeable {
     private static void writeHead(DataOutputStream out, Head head) throws IOException {
         out.writeUTF(Build.number());
         out.write(head.job().toBytes());
-        SettingsBytes.write(out, head.outline());
-        out.writeInt(head.outline().splatScale().exponent());
-        SettingsBytes.write(out, head.outline().display());
+        OutlineBytes.write(out, head.outline());
         List<String> text = new ArrayList<>();
         head.text().forEach((key, value) -> text.addAll(List.of(key, value)));
-        SettingsBytes.write(out, text);
+        OutlineBytes.write(out, text);
         out.writeInt(head.part());
         out.writeInt(head.parts());
     }
@@ -92,10 +91,8 @@ public final class PartFile implements Closeable {
                 throw new IOException(file + ": was made by version " + build + ", this is " + Build.number());
             }
             ContentHash job = ContentHash.fromBytes(in.readNBytes(ContentHash.BYTES));
-            RenderOutline outline = SettingsBytes.readOutline(in, 1)
-                    .withSplatScale(new SplatScale(in.readInt()))
-                    .withDisplay(SettingsBytes.readDisplay(in));
-            List<String> list = SettingsBytes.readTexts(in);
+            RenderOutline outline = OutlineBytes.readOutline(in, 1);
+            List<String> list = OutlineBytes.readTexts(in);
             Map<String, String> text = new LinkedHashMap<>();
             for (int i = 0; i + 1 < list.size(); i += 2) {
                 text.put(list.get(i), list.get(i + 1));

@@ -1,6 +1,6 @@
 package enlightenment.net.schedule;
 
-import enlightenment.net.checkpoint.Origin;
+import enlightenment.checkpoint.Origin;
 import enlightenment.net.job.TileData;
 
 /** What a {@link Coordinator} wants done, in this order. */

@@ -1,8 +1,8 @@
 package enlightenment.net.schedule;
 
+import enlightenment.checkpoint.Origin;
+import enlightenment.checkpoint.Restored;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.Origin;
-import enlightenment.net.checkpoint.Restored;
 import enlightenment.sampling.Hash;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,6 +1,6 @@
 package enlightenment.net.schedule;
 
-import enlightenment.net.checkpoint.Origin;
+import enlightenment.checkpoint.Origin;
 import java.util.Collection;
 import java.util.List;
 import java.util.OptionalDouble;

@@ -1,7 +1,7 @@
 package enlightenment.net.schedule;
 
+import enlightenment.checkpoint.Origin;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.Origin;
 import java.util.LinkedHashMap;
 import java.util.Map;
 

@@ -1,7 +1,7 @@
 package enlightenment.net.server;
 
+import enlightenment.checkpoint.Origin;
 import enlightenment.engine.DividedRender;
-import enlightenment.net.checkpoint.Origin;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.schedule.Event;
 import enlightenment.net.schedule.WorkerCore;

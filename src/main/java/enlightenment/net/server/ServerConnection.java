@@ -1,7 +1,7 @@
 package enlightenment.net.server;
 
+import enlightenment.checkpoint.Origin;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.Origin;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.TileData;
 import enlightenment.net.listen.ServerLog;

@@ -1,13 +1,15 @@
 package enlightenment.net.server;
 
+import enlightenment.checkpoint.CheckpointJournal;
+import enlightenment.checkpoint.JournalRecord;
+import enlightenment.checkpoint.Origin;
+import enlightenment.checkpoint.Restored;
+import enlightenment.checkpoint.ResultJournal;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.KeptPlan;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.CheckpointJournal;
-import enlightenment.net.checkpoint.JournalRecord;
-import enlightenment.net.checkpoint.Origin;
-import enlightenment.net.checkpoint.Restored;
-import enlightenment.net.checkpoint.ResultJournal;
+import enlightenment.job.RenderIdentity;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.schedule.Action;
 import java.io.Closeable;
@@ -39,6 +41,10 @@ public final class ServerJob implements Closeable {
 
     private Restored restored = Restored.NOTHING;
     private CheckpointJournal journal;
+
+    /** What the journal calls the plan. */
+    private long key;
+
     private Set<Origin.Peer> alreadyExpelled = Set.of();
 
     public ServerJob(DividedRender render, JobContent content, Consumer<String> log) {
@@ -54,8 +60,8 @@ public final class ServerJob implements Closeable {
     }
 
     /** The job of the same picture with more samples; machines that were found out stay expelled. */
-    public ServerJob with(DividedRender more, String build, Set<Origin.Peer> expelled) {
-        ServerJob next = new ServerJob(more, content.with(more.outline(), build), log);
+    public ServerJob with(DividedRender more, Set<Origin.Peer> expelled) {
+        ServerJob next = new ServerJob(more, content.with(more.outline()), log);
         next.alreadyExpelled = Set.copyOf(expelled);
         return next;
     }
@@ -74,7 +80,16 @@ public final class ServerJob implements Closeable {
     public void open(Path checkpoint, List<String> pardoned) throws IOException {
         Restored.Builder builder = new Restored.Builder();
         List<String> wrong = new ArrayList<>();
-        journal = CheckpointJournal.open(checkpoint, hash(), tiles(), System.nanoTime(), entry -> {
+        byte[] plan = KeptPlan.of(render.round(), render.outline()).toBytes();
+        key = CheckpointJournal.key(plan);
+        List<Long> planned = new ArrayList<>();
+        journal = CheckpointJournal.open(checkpoint, identity(), true, System.nanoTime(), (about, entry, place) -> {
+            if (entry instanceof JournalRecord.Planned) {
+                planned.add(about);
+            } else if (about != 0 && about != key) {
+                // Of the same picture with another number of samples.
+                return;
+            }
             if (entry instanceof JournalRecord.Kept kept) {
                 String problem = film.problem(kept.tile(), kept.data()).orElse(null);
                 if (problem != null) {
@@ -85,6 +100,10 @@ public final class ServerJob implements Closeable {
             }
             builder.add(entry);
         });
+        if (!planned.contains(key)) {
+            journal.append(System.nanoTime(), key, new JournalRecord.Planned(plan));
+            journal.append(System.nanoTime(), key, new JournalRecord.Planned(plan));
+        }
         pardon(pardoned, builder);
         restored = builder.build();
         BitSet there = new BitSet();
@@ -110,6 +129,10 @@ public final class ServerJob implements Closeable {
         }
     }
 
+    private RenderIdentity identity() {
+        return RenderIdentity.of(content.scene(), render.outline().settings(), content.build());
+    }
+
     private void pardon(List<String> machines, Restored.Builder builder) throws IOException {
         Set<Origin.Peer> expelled = builder.build().expelled();
         for (String digits : machines) {
@@ -124,7 +147,7 @@ public final class ServerJob implements Closeable {
             }
             JournalRecord pardon = new JournalRecord.Pardoned(meant.get(0));
             builder.add(pardon);
-            journal.append(System.nanoTime(), pardon);
+            journal.append(System.nanoTime(), 0, pardon);
             log.accept("machine " + meant.get(0) + " is pardoned");
         }
     }
@@ -138,28 +161,28 @@ public final class ServerJob implements Closeable {
         if (action instanceof Action.Keep a) {
             film.put(a.tile(), a.data().bytes());
             kept[a.tile()] = a.data().hash();
-            write(new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
+            write(key, new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
         } else if (action instanceof Action.Confirm a) {
-            write(new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
+            write(key, new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
         } else if (action instanceof Action.Revoke a) {
             film.remove(a.tile());
-            write(new JournalRecord.Revoked(a.tile()));
+            write(key, new JournalRecord.Revoked(a.tile()));
         } else if (action instanceof Action.Expel a) {
             log.accept("machine " + a.machine() + " expelled: " + a.reason()
                     + (journal == null ? "" : " (started again with --pardon " + a.machine() + " it is let in)"));
-            write(new JournalRecord.Expelled(a.machine()));
+            write(0, new JournalRecord.Expelled(a.machine()));
         } else {
             return false;
         }
         return true;
     }
 
-    private void write(JournalRecord entry) {
+    private void write(long about, JournalRecord entry) {
         if (journal == null) {
             return;
         }
         try {
-            journal.append(System.nanoTime(), entry);
+            journal.append(System.nanoTime(), about, entry);
         } catch (IOException e) {
             giveUpJournal(e);
         }

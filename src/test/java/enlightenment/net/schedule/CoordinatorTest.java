@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.checkpoint.Origin;
+import enlightenment.checkpoint.Restored;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.Origin;
-import enlightenment.net.checkpoint.Restored;
 import enlightenment.net.job.TileData;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

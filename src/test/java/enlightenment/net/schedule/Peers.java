@@ -1,7 +1,7 @@
 package enlightenment.net.schedule;
 
+import enlightenment.checkpoint.Origin;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.Origin;
 import enlightenment.net.secure.Handshake;
 import java.nio.charset.StandardCharsets;
 

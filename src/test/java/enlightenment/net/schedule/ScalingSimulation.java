@@ -1,7 +1,7 @@
 package enlightenment.net.schedule;
 
+import enlightenment.checkpoint.Restored;
 import enlightenment.engine.RenderOutline;
-import enlightenment.net.checkpoint.Restored;
 import enlightenment.net.protocol.Limits;
 import enlightenment.plan.RenderPlan;
 import enlightenment.render.TestScenes;

@@ -1,10 +1,10 @@
 package enlightenment.net.schedule;
 
+import enlightenment.checkpoint.CheckpointJournal;
+import enlightenment.checkpoint.JournalRecord;
+import enlightenment.checkpoint.Origin;
+import enlightenment.checkpoint.Restored;
 import enlightenment.file.ContentHash;
-import enlightenment.net.checkpoint.CheckpointJournal;
-import enlightenment.net.checkpoint.JournalRecord;
-import enlightenment.net.checkpoint.Origin;
-import enlightenment.net.checkpoint.Restored;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;

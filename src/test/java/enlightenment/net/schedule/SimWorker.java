@@ -1,6 +1,6 @@
 package enlightenment.net.schedule;
 
-import enlightenment.net.checkpoint.Origin;
+import enlightenment.checkpoint.Origin;
 import enlightenment.net.protocol.Limits;
 import java.util.Optional;
 import java.util.Set;

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.file.ContentHash;
+import enlightenment.job.Build;
 import enlightenment.net.Farm;
 import enlightenment.net.RawPeer;
-import enlightenment.net.job.Build;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;

@@ -1,8 +1,9 @@
-package enlightenment.net.checkpoint;
+package enlightenment.checkpoint;
 
 import enlightenment.file.ContentHash;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 
 /** One entry of a {@link CheckpointJournal}. A later one about the same tile or machine overrules an earlier one. */
 public sealed interface JournalRecord {
@@ -64,11 +65,30 @@ public sealed interface JournalRecord {
         }
     }
 
+    /** What units are rendered by: {@code engine.KeptPlan}. */
+    record Planned(byte[] plan) implements JournalRecord {
+        @Override
+        public byte[] encode() {
+            return ByteBuffer.allocate(1 + plan.length).put(PLANNED).put(plan).array();
+        }
+    }
+
+    /** What the render is, in words: the header has hashes only. */
+    record About(String settings, String build) implements JournalRecord {
+        @Override
+        public byte[] encode() {
+            byte[] text = (settings + "\n" + build).getBytes(StandardCharsets.UTF_8);
+            return ByteBuffer.allocate(1 + text.length).put(ABOUT).put(text).array();
+        }
+    }
+
     byte KEPT = 1;
     byte CONFIRMED = 2;
     byte REVOKED = 3;
     byte EXPELLED = 4;
     byte PARDONED = 5;
+    byte PLANNED = 6;
+    byte ABOUT = 7;
 
     /** The body of the record. */
     byte[] encode();
@@ -83,9 +103,19 @@ public sealed interface JournalRecord {
      *
      * @throws JournalException if it makes no sense
      */
-    static JournalRecord decode(byte[] body, int tiles) throws IOException {
-        ByteBuffer in = ByteBuffer.wrap(body);
+    static JournalRecord decode(ByteBuffer in) throws IOException {
         byte kind = in.get();
+        if (kind == PLANNED) {
+            return new Planned(rest(in));
+        }
+        if (kind == ABOUT) {
+            String[] texts = new String(rest(in), StandardCharsets.UTF_8).split("\n", 2);
+            return new About(texts[0], texts.length < 2 ? "" : texts[1]);
+        }
+        return ofUnits(kind, in);
+    }
+
+    private static JournalRecord ofUnits(byte kind, ByteBuffer in) throws IOException {
         boolean isOfMachine = kind == EXPELLED || kind == PARDONED;
         boolean isOfTile = kind == KEPT || kind == CONFIRMED || kind == REVOKED;
         int tile = isOfTile && in.remaining() >= Integer.BYTES ? in.getInt() : -1;
@@ -93,7 +123,7 @@ public sealed interface JournalRecord {
         if (isOfMachine && origin instanceof Origin.Peer machine) {
             return kind == EXPELLED ? new Expelled(machine) : new Pardoned(machine);
         }
-        if (tile < 0 || tile >= tiles || (origin == null && kind != REVOKED)) {
+        if (tile < 0 || (origin == null && kind != REVOKED)) {
             throw senseless(kind);
         }
         if (kind == REVOKED) {
@@ -107,9 +137,13 @@ public sealed interface JournalRecord {
             in.get(hash);
             return new Confirmed(tile, origin, ContentHash.fromBytes(hash));
         }
-        byte[] data = new byte[in.remaining()];
-        in.get(data);
-        return new Kept(tile, origin, data);
+        return new Kept(tile, origin, rest(in));
+    }
+
+    private static byte[] rest(ByteBuffer in) {
+        byte[] rest = new byte[in.remaining()];
+        in.get(rest);
+        return rest;
     }
 
     private static IOException senseless(byte kind) {

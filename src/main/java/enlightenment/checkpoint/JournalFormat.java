@@ -1,43 +1,55 @@
-package enlightenment.net.checkpoint;
+package enlightenment.checkpoint;
 
 import enlightenment.file.ContentHash;
-import enlightenment.net.protocol.Limits;
+import enlightenment.job.RenderIdentity;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.zip.CRC32C;
 
 /**
  * The bytes of a {@link CheckpointJournal}. Most significant byte first.
  *
- * <p>A header of 56 bytes, twice: magic (8), job hash (32), number of tiles (4), sign (8), CRC32C of these (4). Then records:
- * the sign (8), length of the body (4), CRC32C of both (4), body, CRC32C of the body (4).
+ * <p>A header of 116 bytes, twice: magic (8), hashes of the scene, of the text of the settings and of that of the version (32 each), sign
+ * (8), CRC32C of these (4). Then records: the sign (8), length of the body (4), CRC32C of both (4), body, CRC32C of the body (4).
  *
  * <p>The sign is drawn at random for each journal and never leaves the machine: it tells where a record begins when what
  * stands before it is damaged, and nobody who sends tiles can write something into them that would be taken for a record.
  */
 final class JournalFormat {
-    static final int HEADER_BYTES = 56;
+    static final int HEADER_BYTES = 116;
 
     /** Where records begin: after both headers. */
     static final int START = 2 * HEADER_BYTES;
 
     static final int RECORD_HEAD = 16;
     static final int RECORD_TAIL = Integer.BYTES;
-    static final int LONGEST_BODY = Limits.FRAME + (64 << 10);
+    static final int LONGEST_BODY = 1 << 30;
 
     private static final String FORMAT = "ENLJRN";
-    private static final byte[] MAGIC = (FORMAT + "02").getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = (FORMAT + "03").getBytes(StandardCharsets.US_ASCII);
 
     private JournalFormat() {}
 
     /** What a journal belongs to, and the sign of its records. */
-    record Header(ContentHash job, int tiles, long sign) {
+    record Header(ContentHash scene, ContentHash settings, ContentHash build, long sign) {
+        /** That of a new journal. */
+        static Header of(RenderIdentity render, long sign) {
+            return new Header(render.scene(), hash(render.settings()), hash(render.build()), sign);
+        }
+
+        private static ContentHash hash(String text) {
+            return ContentHash.of(text.getBytes(StandardCharsets.UTF_8));
+        }
+
         byte[] encode() {
             ByteBuffer header = ByteBuffer.allocate(HEADER_BYTES);
-            header.put(MAGIC).put(job.toBytes()).putInt(tiles).putLong(sign);
+            header.put(MAGIC).put(scene.toBytes()).put(settings.toBytes()).put(build.toBytes());
+            header.putLong(sign);
             return header.putInt(checksum(header.array(), 0, header.position())).array();
         }
 
@@ -50,15 +62,34 @@ final class JournalFormat {
                 return null;
             }
             ByteBuffer in = ByteBuffer.wrap(bytes, at + MAGIC.length, HEADER_BYTES - MAGIC.length);
-            byte[] job = new byte[ContentHash.BYTES];
-            in.get(job);
-            return new Header(ContentHash.fromBytes(job), in.getInt(), in.getLong());
+            return new Header(hash(in), hash(in), hash(in), in.getLong());
         }
 
-        /** Whether these bytes, fewer than one header, are the beginning of one of this job. */
-        boolean beginsLike(byte[] bytes) {
-            int known = Math.min(bytes.length, MAGIC.length + ContentHash.BYTES + Integer.BYTES);
-            return bytes.length < HEADER_BYTES && Arrays.equals(bytes, 0, known, encode(), 0, known);
+        private static ContentHash hash(ByteBuffer in) {
+            byte[] hash = new byte[ContentHash.BYTES];
+            in.get(hash);
+            return ContentHash.fromBytes(hash);
+        }
+
+        /** Whether these bytes, fewer than one header, are the beginning of one. */
+        static boolean beginsLike(byte[] bytes) {
+            int known = Math.min(bytes.length, MAGIC.length);
+            return bytes.length < HEADER_BYTES && Arrays.equals(bytes, 0, known, MAGIC, 0, known);
+        }
+
+        /** Which of the three differ, in words; empty if none does. */
+        String difference(Header wanted) {
+            List<String> all = new ArrayList<>();
+            if (!build.equals(wanted.build)) {
+                all.add("the version");
+            }
+            if (!scene.equals(wanted.scene)) {
+                all.add("the scene or one of its image files");
+            }
+            if (!settings.equals(wanted.settings)) {
+                all.add("the settings");
+            }
+            return String.join(" and ", all);
         }
 
         /** A body as a record. */

@@ -1,4 +1,4 @@
-package enlightenment.net.job;
+package enlightenment.engine;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -24,7 +24,7 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
 /** Settings as bytes: those of the method in use, whichever it is, and no others. */
-class SettingsBytesTest {
+class OutlineBytesTest {
     private static final RenderSettings SETTINGS = RenderSettings.of(Scene.builder()
                     .camera(new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 1), new Vec3(0, 1, 0), 40))
                     .build())
@@ -32,12 +32,12 @@ class SettingsBytesTest {
 
     private static byte[] bytes(RenderSettings s) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        SettingsBytes.write(new DataOutputStream(bytes), s, new RenderPlan(s.method(), 1, 4, "samples"));
+        OutlineBytes.write(new DataOutputStream(bytes), s, new RenderPlan(s.method(), 1, 4, "samples"));
         return bytes.toByteArray();
     }
 
     private static RenderSettings again(byte[] bytes) throws IOException {
-        return SettingsBytes.read(new DataInputStream(new ByteArrayInputStream(bytes)), 1)
+        return OutlineBytes.read(new DataInputStream(new ByteArrayInputStream(bytes)), 1)
                 .settings();
     }
 

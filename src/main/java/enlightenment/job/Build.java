@@ -1,4 +1,4 @@
-package enlightenment.net.job;
+package enlightenment.job;
 
 import java.lang.module.ModuleDescriptor;
 

@@ -1,4 +1,4 @@
-package enlightenment.net.checkpoint;
+package enlightenment.checkpoint;
 
 import java.io.IOException;
 

@@ -1,9 +1,9 @@
-package enlightenment.net.job;
+package enlightenment.engine;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.Tone;
-import enlightenment.engine.RenderOutline;
+import enlightenment.film.SplatScale;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
 import enlightenment.scene.ChosenSettings;
@@ -20,18 +20,19 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Settings and what was decided from them as bytes. What has no influence on the picture (threads) is left out, so that the
- * same picture has the same bytes.
+ * Settings, what was decided from them, and whole outlines as bytes. What has no influence on the picture (threads) is left out, so that
+ * the same picture has the same bytes.
  */
-final class SettingsBytes {
+public final class OutlineBytes {
     /** Largest number of texts in a list. */
     private static final int MAX_TEXTS = 1_000;
 
     private static final int MAX_TEXT_BYTES = 1 << 20;
 
-    private SettingsBytes() {}
+    private OutlineBytes() {}
 
-    static void write(DataOutputStream out, RenderSettings s, RenderPlan plan) throws IOException {
+    /** Writes what {@link #read} reads. */
+    public static void write(DataOutputStream out, RenderSettings s, RenderPlan plan) throws IOException {
         text(out, s.method().word());
         out.writeInt(s.width());
         out.writeInt(s.height());
@@ -92,7 +93,7 @@ final class SettingsBytes {
     }
 
     /** Settings that were read, and the plan. */
-    record Decided(RenderSettings settings, RenderPlan plan) {}
+    public record Decided(RenderSettings settings, RenderPlan plan) {}
 
     /**
      * Reads what {@link #write} wrote.
@@ -100,7 +101,7 @@ final class SettingsBytes {
      * @param threads what the settings are to say of threads
      * @throws IllegalArgumentException if a value is out of range
      */
-    static Decided read(DataInputStream in, int threads) throws IOException {
+    public static Decided read(DataInputStream in, int threads) throws IOException {
         Method method = Method.named(text(in));
         int width = in.readInt();
         int height = in.readInt();
@@ -131,28 +132,39 @@ final class SettingsBytes {
         return value == 0 ? OptionalDouble.empty() : OptionalDouble.of(value);
     }
 
-    static void write(DataOutputStream out, RenderOutline outline) throws IOException {
+    /** Writes what {@link #readOutline} reads. */
+    public static void write(DataOutputStream out, RenderOutline outline) throws IOException {
         text(out, outline.sceneName());
         write(out, outline.settings(), outline.plan());
         write(out, outline.features());
         write(out, outline.kinds());
+        out.writeInt(outline.splatScale().exponent());
+        write(out, outline.display());
     }
 
-    static RenderOutline readOutline(DataInputStream in, int threads) throws IOException {
+    /**
+     * Reads an outline.
+     *
+     * @param threads what the settings are to say of threads
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public static RenderOutline readOutline(DataInputStream in, int threads) throws IOException {
         String name = text(in);
         Decided decided = read(in, threads);
-        return new RenderOutline(name, decided.settings(), decided.plan(), readTexts(in), readTexts(in));
+        return new RenderOutline(name, decided.settings(), decided.plan(), readTexts(in), readTexts(in))
+                .withSplatScale(new SplatScale(in.readInt()))
+                .withDisplay(readDisplay(in));
     }
 
     /** The kind of the pixels' numbers, exposure, and kind of the tone curve. */
-    static void write(DataOutputStream out, DisplayCurve curve) throws IOException {
+    private static void write(DataOutputStream out, DisplayCurve curve) throws IOException {
         out.writeBoolean(curve.encoding() == Encoding.LINEAR);
         out.writeDouble(curve.exposure());
         out.writeByte(curve.tone().ordinal());
     }
 
     /** @throws IllegalArgumentException for what is no curve */
-    static DisplayCurve readDisplay(DataInputStream in) throws IOException {
+    private static DisplayCurve readDisplay(DataInputStream in) throws IOException {
         boolean isLinear = in.readBoolean();
         double exposure = in.readDouble();
         int tone = in.readUnsignedByte();
@@ -163,14 +175,20 @@ final class SettingsBytes {
         return isLinear ? DisplayCurve.of(exposure, tones[tone]) : DisplayCurve.NONE;
     }
 
-    static void write(DataOutputStream out, List<String> texts) throws IOException {
+    /** Writes a list of texts. */
+    public static void write(DataOutputStream out, List<String> texts) throws IOException {
         out.writeInt(texts.size());
         for (String text : texts) {
             text(out, text);
         }
     }
 
-    static List<String> readTexts(DataInputStream in) throws IOException {
+    /**
+     * Reads a list of texts.
+     *
+     * @throws IllegalArgumentException if there are too many, or one is too long
+     */
+    public static List<String> readTexts(DataInputStream in) throws IOException {
         int count = in.readInt();
         if (count < 0 || count > MAX_TEXTS) {
             throw new IllegalArgumentException("a list of " + count + " texts");

@@ -1,4 +1,4 @@
-package enlightenment.net.checkpoint;
+package enlightenment.checkpoint;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -16,6 +16,7 @@ final class JournalScan {
     private final long length;
     private long at = JournalFormat.START;
     private long end = JournalFormat.START;
+    private long place;
     private int gaps;
     private long lostBytes;
 
@@ -30,6 +31,7 @@ final class JournalScan {
         while (at <= length - JournalFormat.RECORD_HEAD - JournalFormat.RECORD_TAIL) {
             byte[] body = body(at);
             if (body != null) {
+                place = at;
                 if (at > end) {
                     gaps++;
                     lostBytes += at - end;
@@ -43,8 +45,18 @@ final class JournalScan {
         return null;
     }
 
+    /** Where the record begins that {@link #next} gave last. */
+    long place() {
+        return place;
+    }
+
     /** The body of the record that begins there, or null if none does, or a damaged one. */
-    private byte[] body(long place) throws IOException {
+    private byte[] body(long start) throws IOException {
+        return body(file, header, start, length);
+    }
+
+    /** The same for a file of that length. */
+    static byte[] body(FileChannel file, JournalFormat.Header header, long place, long length) throws IOException {
         ByteBuffer head = ByteBuffer.allocate(JournalFormat.RECORD_HEAD);
         JournalFormat.readFully(file, head, place);
         int size = head.getInt(Long.BYTES);

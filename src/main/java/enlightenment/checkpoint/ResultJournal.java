@@ -1,4 +1,4 @@
-package enlightenment.net.checkpoint;
+package enlightenment.checkpoint;
 
 import enlightenment.engine.ResultStore;
 import java.io.Closeable;

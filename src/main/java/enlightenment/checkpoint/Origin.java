@@ -1,4 +1,4 @@
-package enlightenment.net.checkpoint;
+package enlightenment.checkpoint;
 
 import enlightenment.file.ContentHash;
 import java.nio.BufferUnderflowException;

@@ -1,4 +1,4 @@
-package enlightenment.net.checkpoint;
+package enlightenment.checkpoint;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.file.ContentHash;
+import enlightenment.job.RenderIdentity;
 import enlightenment.net.schedule.Peers;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,9 +24,20 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class CheckpointJournalTest {
-    private static final ContentHash JOB = ContentHash.of(new byte[] {1});
-    private static final ContentHash OTHER = ContentHash.of(new byte[] {2});
-    private static final int TILES = 10;
+    private static final RenderIdentity RENDER =
+            new RenderIdentity(ContentHash.of(new byte[] {1}), "method raytrace, seed 1", "1.0");
+    private static final RenderIdentity OTHER =
+            new RenderIdentity(ContentHash.of(new byte[] {1}), "method raytrace, seed 2", "1.0");
+
+    /** The key of a plan. */
+    private static final long PLAN = 0x1122334455667788L;
+
+    /** Before and after the body of a record, and before what it says. */
+    private static final int AROUND = 20 + Long.BYTES;
+
+    /** Where what was written begins: behind the record that says what the journal is of. */
+    private static final int START =
+            JournalFormat.START + AROUND + new JournalRecord.About(RENDER.settings(), RENDER.build()).encode().length;
 
     private static final List<JournalRecord> RECORDS = List.of(
             new JournalRecord.Kept(3, Peers.machine("machine-ü"), new byte[] {1, 2, 3, 4, 5}),
@@ -46,13 +59,19 @@ class CheckpointJournalTest {
     }
 
     /** As a server opens it, but without waiting for the disk. */
-    private CheckpointJournal journal(ContentHash job, CheckpointJournal.Reader reader) throws IOException {
-        return CheckpointJournal.open(file, job, TILES, 0, reader, channel -> {});
+    private CheckpointJournal journal(RenderIdentity job, CheckpointJournal.Reader reader) throws IOException {
+        CheckpointJournal.Reader rest = (plan, record, place) -> {
+            if (!(record instanceof JournalRecord.About)) {
+                assertEquals(PLAN, plan);
+                reader.record(plan, record, place);
+            }
+        };
+        return CheckpointJournal.open(file, job, true, 0, rest, channel -> {});
     }
 
-    private List<String> open(ContentHash job) throws IOException {
+    private List<String> open(RenderIdentity job) throws IOException {
         List<String> found = new ArrayList<>();
-        journal(job, r -> found.add(text(r))).close();
+        journal(job, (plan, r, p) -> found.add(text(r))).close();
         return found;
     }
 
@@ -67,9 +86,9 @@ class CheckpointJournalTest {
     }
 
     private byte[] write() throws IOException {
-        try (CheckpointJournal journal = journal(JOB, r -> {})) {
+        try (CheckpointJournal journal = journal(RENDER, (plan, r, p) -> {})) {
             for (JournalRecord record : RECORDS) {
-                journal.append(0, record);
+                journal.append(0, PLAN, record);
             }
         }
         return Files.readAllBytes(file);
@@ -78,16 +97,16 @@ class CheckpointJournalTest {
     @Test
     void whatWasWrittenIsReadInItsOrder() throws IOException {
         write();
-        assertEquals(texts(RECORDS), open(JOB));
+        assertEquals(texts(RECORDS), open(RENDER));
     }
 
     @Test
     void aFileCutAtAnyByteKeepsEveryRecordThatIsWholeAndGoesOn() throws IOException {
         byte[] whole = write();
         List<Integer> ends = new ArrayList<>();
-        int at = JournalFormat.START;
+        int at = START;
         for (JournalRecord record : RECORDS) {
-            at += 20 + record.encode().length;
+            at += AROUND + record.encode().length;
             ends.add(at);
         }
         assertEquals(whole.length, at);
@@ -97,24 +116,24 @@ class CheckpointJournalTest {
             int length = cut;
             int complete = (int) ends.stream().filter(end -> end <= length).count();
             List<String> found = new ArrayList<>();
-            try (CheckpointJournal journal = journal(JOB, r -> found.add(text(r)))) {
-                int good = complete == 0 ? JournalFormat.START : ends.get(complete - 1);
+            try (CheckpointJournal journal = journal(RENDER, (plan, r, p) -> found.add(text(r)))) {
+                int good = complete > 0 ? ends.get(complete - 1) : cut >= START ? START : JournalFormat.START;
                 assertEquals(Math.max(cut - good, 0), journal.cutBytes(), "cut at " + cut);
-                journal.append(0, more);
+                journal.append(0, PLAN, more);
             }
             assertEquals(texts(RECORDS.subList(0, complete)), found, "cut at " + cut);
             List<JournalRecord> expected = new ArrayList<>(RECORDS.subList(0, complete));
             expected.add(more);
-            assertEquals(texts(expected), open(JOB), "cut at " + cut);
+            assertEquals(texts(expected), open(RENDER), "cut at " + cut);
         }
     }
 
-    /** Number of the record that a byte belongs to; -1 for the headers. */
+    /** Number of the record that a byte belongs to; -1 for the headers and the record about the render. */
     private static int recordAt(int at) {
-        int end = JournalFormat.START;
+        int end = START;
         int record = -1;
         while (at >= end) {
-            end += 20 + RECORDS.get(++record).encode().length;
+            end += AROUND + RECORDS.get(++record).encode().length;
         }
         return record;
     }
@@ -147,15 +166,15 @@ class CheckpointJournalTest {
                 int lost = recordAt(at);
                 List<JournalRecord> rest = lost < 0 ? RECORDS : without(lost, lost + 1);
                 String place = "bit " + bit + " of byte " + at;
-                assertEquals(texts(rest), open(JOB), place);
+                assertEquals(texts(rest), open(RENDER), place);
                 boolean isLast = lost == RECORDS.size() - 1;
-                try (CheckpointJournal journal = journal(JOB, r -> {})) {
-                    assertEquals(lost < 0 || isLast ? 0 : 1, journal.gaps(), place);
-                    journal.append(0, RECORDS.get(0));
+                try (CheckpointJournal journal = journal(RENDER, (plan, r, p) -> {})) {
+                    assertEquals(at < JournalFormat.START || isLast ? 0 : 1, journal.gaps(), place);
+                    journal.append(0, PLAN, RECORDS.get(0));
                 }
                 List<JournalRecord> more = new ArrayList<>(rest);
                 more.add(RECORDS.get(0));
-                assertEquals(texts(more), open(JOB), place);
+                assertEquals(texts(more), open(RENDER), place);
             }
         }
     }
@@ -173,7 +192,7 @@ class CheckpointJournalTest {
 
     private void checkMissing(int... lengths) throws IOException {
         byte[] whole = write();
-        for (int at = JournalFormat.START; at < whole.length; at++) {
+        for (int at = START; at < whole.length; at++) {
             for (int length : lengths) {
                 int end = Math.min(at + length, whole.length);
                 byte[] overwritten = whole.clone();
@@ -183,12 +202,12 @@ class CheckpointJournalTest {
                 }
                 Files.write(file, overwritten);
                 List<JournalRecord> rest = without(recordAt(at), recordAt(end - 1) + 1);
-                assertEquals(texts(rest), open(JOB), length + " bytes at " + at + " overwritten");
+                assertEquals(texts(rest), open(RENDER), length + " bytes at " + at + " overwritten");
                 byte[] cut = Arrays.copyOf(whole, whole.length - (end - at));
                 System.arraycopy(whole, end, cut, at, whole.length - end);
                 Files.write(file, cut);
                 // Where the same bytes follow, the others seem to be the ones that are missing.
-                List<String> found = open(JOB);
+                List<String> found = open(RENDER);
                 assertTrue(
                         found.containsAll(
                                 texts(without(recordAt(at), Math.min(recordAt(end - 1) + 2, RECORDS.size())))),
@@ -199,21 +218,21 @@ class CheckpointJournalTest {
 
     @Test
     void nobodyCanPutRecordsIntoTheBytesOfATile() throws IOException {
-        byte[] planted = new JournalFormat.Header(JOB, TILES, 0x0123456789abcdefL)
+        byte[] planted = JournalFormat.Header.of(RENDER, 0x0123456789abcdefL)
                 .record(new JournalRecord.Expelled(Peers.machine("honest")).encode())
                 .array();
         List<byte[]> signs = new ArrayList<>();
         for (int i = 0; i < 2; i++) {
             Files.deleteIfExists(file);
-            try (CheckpointJournal journal = journal(JOB, r -> {})) {
-                journal.append(0, new JournalRecord.Kept(0, Peers.machine("liar"), planted));
-                journal.append(0, new JournalRecord.Revoked(1));
+            try (CheckpointJournal journal = journal(RENDER, (plan, r, p) -> {})) {
+                journal.append(0, PLAN, new JournalRecord.Kept(0, Peers.machine("liar"), planted));
+                journal.append(0, PLAN, new JournalRecord.Revoked(1));
             }
             byte[] damaged = Files.readAllBytes(file);
             signs.add(Arrays.copyOfRange(damaged, JournalFormat.START, JournalFormat.START + 8));
-            damaged[JournalFormat.START + 8] ^= 1;
+            damaged[START + 8] ^= 1;
             Files.write(file, damaged);
-            assertEquals(List.of(text(new JournalRecord.Revoked(1))), open(JOB));
+            assertEquals(List.of(text(new JournalRecord.Revoked(1))), open(RENDER));
         }
         assertFalse(Arrays.equals(signs.get(0), signs.get(1)), "the sign cannot be known");
     }
@@ -226,7 +245,7 @@ class CheckpointJournalTest {
             damaged[at] ^= 4;
             damaged[JournalFormat.HEADER_BYTES + at] ^= 8;
             Files.write(file, damaged);
-            assertThrows(JournalException.class, () -> open(JOB), "byte " + at);
+            assertThrows(JournalException.class, () -> open(RENDER), "byte " + at);
             assertArrayEquals(damaged, Files.readAllBytes(file));
         }
     }
@@ -238,7 +257,7 @@ class CheckpointJournalTest {
             byte[] damaged = whole.clone();
             damaged[at] ^= 4;
             Files.write(file, damaged);
-            open(JOB);
+            open(RENDER);
             assertArrayEquals(whole, Files.readAllBytes(file));
         }
     }
@@ -247,7 +266,8 @@ class CheckpointJournalTest {
     void aCheckpointOfAnotherVersionIsRefusedByThatNameAndLeftAsItIs() throws IOException {
         byte[] old = Arrays.copyOf("ENLJRN01".getBytes(), 48);
         Files.write(file, old);
-        String message = assertThrows(JournalException.class, () -> open(JOB)).getMessage();
+        String message =
+                assertThrows(JournalException.class, () -> open(RENDER)).getMessage();
         assertTrue(message.contains("is a checkpoint of another version"), message);
         assertArrayEquals(old, Files.readAllBytes(file));
     }
@@ -264,11 +284,10 @@ class CheckpointJournalTest {
     }
 
     @Test
-    void theJournalOfAnotherJobIsRefusedWithBothHashes() throws IOException {
+    void theJournalOfAnotherRenderIsRefusedWithWhatDiffers() throws IOException {
         byte[] whole = write();
         String message = assertThrows(JournalException.class, () -> open(OTHER)).getMessage();
-        assertTrue(message.contains(JOB.toString()), message);
-        assertTrue(message.contains(OTHER.toString()), message);
+        assertTrue(message.contains("the settings (seed 1 there, 2 here)"), message);
         assertArrayEquals(whole, Files.readAllBytes(file));
     }
 
@@ -276,20 +295,21 @@ class CheckpointJournalTest {
     void aFileThatIsNoJournalIsNotTouched() throws IOException {
         byte[] letter = "Dear Ryan, here is the picture of the spheres that you wanted to see.".getBytes();
         Files.write(file, letter);
-        String message = assertThrows(JournalException.class, () -> open(JOB)).getMessage();
+        String message =
+                assertThrows(JournalException.class, () -> open(RENDER)).getMessage();
         assertTrue(message.contains("is not a checkpoint"), message);
         assertArrayEquals(letter, Files.readAllBytes(file));
     }
 
     @Test
     void twoServersCannotHaveTheSameJournal() throws IOException {
-        CheckpointJournal first = journal(JOB, r -> {});
+        CheckpointJournal first = journal(RENDER, (plan, r, p) -> {});
         try (first) {
             String message =
-                    assertThrows(JournalException.class, () -> open(JOB)).getMessage();
+                    assertThrows(JournalException.class, () -> open(RENDER)).getMessage();
             assertTrue(message.contains("in use"), message);
         }
-        assertEquals(List.of(), open(JOB));
+        assertEquals(List.of(), open(RENDER));
     }
 
     @Test
@@ -297,24 +317,24 @@ class CheckpointJournalTest {
         long millis = 1_000_000;
         long start = Long.MAX_VALUE - 100 * millis;
         AtomicInteger forced = new AtomicInteger();
-        try (CheckpointJournal journal =
-                CheckpointJournal.open(file, JOB, TILES, start, r -> {}, channel -> forced.incrementAndGet())) {
+        try (CheckpointJournal journal = CheckpointJournal.open(
+                file, RENDER, true, start, (plan, r, at) -> {}, channel -> forced.incrementAndGet())) {
             assertEquals(1, forced.get(), "the header");
-            journal.append(start + 199 * millis, RECORDS.get(0));
+            journal.append(start + 199 * millis, PLAN, RECORDS.get(0));
             journal.tick(start + 200 * millis - 1);
             assertEquals(1, forced.get());
             journal.tick(start + 200 * millis);
             assertEquals(2, forced.get());
             journal.tick(start + 500 * millis);
             assertEquals(2, forced.get(), "nothing was written");
-            journal.append(start + 399 * millis, RECORDS.get(1));
+            journal.append(start + 399 * millis, PLAN, RECORDS.get(1));
             assertEquals(2, forced.get());
-            journal.append(start + 400 * millis, RECORDS.get(2));
+            journal.append(start + 400 * millis, PLAN, RECORDS.get(2));
             assertEquals(3, forced.get());
-            journal.append(start + 401 * millis, RECORDS.get(3));
+            journal.append(start + 401 * millis, PLAN, RECORDS.get(3));
         }
         assertEquals(4, forced.get());
-        assertEquals(texts(RECORDS.subList(0, 4)), open(JOB));
+        assertEquals(texts(RECORDS.subList(0, 4)), open(RENDER));
     }
 
     @Test
@@ -347,12 +367,12 @@ class CheckpointJournalTest {
     void noMachineIsReadAsTheServer() throws IOException {
         for (String name : new String[] {"local", "", "the server", "\0"}) {
             JournalRecord kept = new JournalRecord.Kept(1, Peers.machine(name), new byte[9]);
-            JournalRecord.Kept read = (JournalRecord.Kept) JournalRecord.decode(kept.encode(), TILES);
+            JournalRecord.Kept read = (JournalRecord.Kept) JournalRecord.decode(ByteBuffer.wrap(kept.encode()));
             assertEquals(Peers.machine(name), read.origin());
         }
         byte[] expelled = new JournalRecord.Expelled(Peers.machine("x")).encode();
         byte[] server = Arrays.copyOf(expelled, 2);
         server[1] = Origin.SERVER_KIND;
-        assertThrows(JournalException.class, () -> JournalRecord.decode(server, TILES));
+        assertThrows(JournalException.class, () -> JournalRecord.decode(ByteBuffer.wrap(server)));
     }
 }

@@ -1,0 +1,36 @@
+package enlightenment.cli;
+
+import enlightenment.render.ResultArchive;
+import java.io.Closeable;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The archives of a render, which are closed together; one that cannot be does not cost the picture. */
+final class ArchiveList implements Closeable {
+    private final List<ResultArchive> all = new ArrayList<>();
+    private final Terminal terminal;
+
+    ArchiveList(Terminal terminal) {
+        this.terminal = terminal;
+    }
+
+    void add(ResultArchive archive) {
+        all.add(archive);
+    }
+
+    List<ResultArchive> all() {
+        return List.copyOf(all);
+    }
+
+    @Override
+    public void close() {
+        for (ResultArchive archive : all) {
+            try {
+                archive.close();
+            } catch (IOException e) {
+                terminal.say(archive.name() + ": " + e.getMessage());
+            }
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package enlightenment.job;
+
+import enlightenment.file.ContentHash;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.ImageFormat;
+import enlightenment.image.PngOptions;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.json.SceneWriter;
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * A scene as bytes, in which image files are named by the hashes of their contents: the number of the scene's instants, these, each with
+ * its length before it, and the scene. So their hash tells the scene from all others, wherever its files lie.
+ *
+ * <p>Files of whole numbers that are not PNG are kept as PNG files of the same texels: two JDKs may decode the same JPEG file
+ * differently.
+ */
+public final class SceneDocument {
+    private final byte[] bytes;
+    private final Map<ContentHash, byte[]> images;
+
+    private SceneDocument(byte[] bytes, Map<ContentHash, byte[]> images) {
+        this.bytes = bytes;
+        this.images = Collections.unmodifiableMap(images);
+    }
+
+    /**
+     * The document of a scene.
+     *
+     * @throws SceneException if an image file cannot be read or the scene cannot be written down
+     */
+    public static SceneDocument of(Scene scene) {
+        Map<Path, ContentHash> byPath = new LinkedHashMap<>();
+        Map<ContentHash, byte[]> images = new LinkedHashMap<>();
+        Function<Path, String> names =
+                file -> byPath.computeIfAbsent(file, f -> add(images, read(f))).toString();
+        return new SceneDocument(scenes(scene, names), images);
+    }
+
+    private static ContentHash add(Map<ContentHash, byte[]> contents, byte[] content) {
+        ContentHash hash = ContentHash.of(content);
+        contents.put(hash, content);
+        return hash;
+    }
+
+    private static byte[] read(Path file) {
+        try {
+            byte[] bytes = Files.readAllBytes(file);
+            Optional<ImageFormat> format = ImageFormat.ofContent(bytes);
+            if (format.isPresent()
+                    && (format.get() == ImageFormat.PNG || format.get().holdsFloats())) {
+                return bytes;
+            }
+            Image image = ImageFiles.read(file);
+            ByteArrayOutputStream png = new ByteArrayOutputStream();
+            ImageFiles.toPng(image, png, PngOptions.DEFAULT);
+            return png.toByteArray();
+        } catch (IOException e) {
+            throw new SceneException(List.of(new SceneException.Problem(
+                    file.toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));
+        }
+    }
+
+    private static byte[] scenes(Scene scene, Function<Path, String> names) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (DataOutputStream out = new DataOutputStream(bytes)) {
+            out.writeInt(scene.instants().size());
+            for (Scene instant : scene.instants()) {
+                byte[] json = json(instant, names);
+                out.writeInt(json.length);
+                out.write(json);
+            }
+            out.write(json(scene, names));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.toByteArray();
+    }
+
+    private static byte[] json(Scene scene, Function<Path, String> names) {
+        return SceneWriter.toJson(scene.withoutAnimation(), names).getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** The bytes; not to be changed. */
+    public byte[] bytes() {
+        return bytes;
+    }
+
+    /** The contents of the image files, by their hashes. */
+    public Map<ContentHash, byte[]> images() {
+        return images;
+    }
+
+    /** What tells the scene and its image files from all others. */
+    public ContentHash hash() {
+        return ContentHash.of(bytes);
+    }
+}

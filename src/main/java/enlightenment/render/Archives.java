@@ -1,0 +1,177 @@
+package enlightenment.render;
+
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.KeptPlan;
+import enlightenment.engine.RenderOutline;
+import enlightenment.plan.RenderPlan;
+import enlightenment.scene.RenderSettings;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/**
+ * The archives of a render. For use by several threads; one that fails is not used any more, since the picture is worth more than what is
+ * kept of it.
+ */
+final class Archives {
+    private static final long TICK_MILLIS = 200;
+
+    /** Who made the results, as far as archives tell. */
+    private static final String WORKER = "local";
+
+    private final Consumer<String> listener;
+
+    /** Held while whoever waits for the render is told something: one thing at a time. */
+    private final Object telling = new Object();
+
+    private final List<Kept> all = new ArrayList<>();
+
+    /** An archive, what it calls the plan of this round, and which of its units it has. */
+    private static final class Kept {
+        final ResultArchive archive;
+        int plan;
+        final BitSet units = new BitSet();
+
+        Kept(ResultArchive archive) {
+            this.archive = archive;
+        }
+    }
+
+    /** What an archive is asked for. */
+    @FunctionalInterface
+    private interface Use {
+        void of(Kept kept) throws IOException;
+    }
+
+    /** @param notes hears what cannot be kept, and what is there already */
+    Archives(List<ResultArchive> archives, Consumer<String> notes) {
+        listener = notes;
+        archives.forEach(archive -> all.add(new Kept(archive)));
+    }
+
+    /** Held while whoever waits for the render is told something: one thing at a time. */
+    Object telling() {
+        return telling;
+    }
+
+    private void note(String text) {
+        synchronized (telling) {
+            listener.accept(text);
+        }
+    }
+
+    private synchronized void each(Use use) {
+        for (Kept kept : List.copyOf(all)) {
+            try {
+                use.of(kept);
+            } catch (IOException e) {
+                all.remove(kept);
+                note(kept.archive.name() + ": " + e.getMessage()
+                        + "; it is not used any more, the render goes on without");
+            }
+        }
+    }
+
+    /** The plan that was made for these settings before, in that round. */
+    Optional<RenderPlan> planFor(RenderSettings settings, int round) {
+        List<RenderPlan> found = new ArrayList<>();
+        each(kept -> {
+            for (byte[] plan : kept.archive.plans()) {
+                KeptPlan.read(plan)
+                        .filter(p -> p.isFor(settings, round))
+                        .ifPresent(p -> found.add(p.outline().plan()));
+            }
+        });
+        return found.stream().findFirst();
+    }
+
+    /** Begins a round: takes over what is kept of its units. */
+    void begin(int round, RenderOutline outline, FilmAssembly film) {
+        byte[] plan = KeptPlan.of(round, outline).toBytes();
+        each(kept -> {
+            kept.plan = kept.archive.keep(plan);
+            kept.units.clear();
+            replay(kept, outline, film);
+        });
+        each(kept -> complete(kept, film));
+        if (film.done() > 0) {
+            note(film.done() + " of " + film.units() + " units are kept from before, "
+                    + film.pixelsDone() * 100 / Math.max(film.pixels(), 1) + " % of the picture");
+        }
+    }
+
+    /** The results of this plan, and of those that have the same units. */
+    private void replay(Kept kept, RenderOutline outline, FilmAssembly film) throws IOException {
+        List<byte[]> plans = kept.archive.plans();
+        List<String> wrong = new ArrayList<>();
+        for (int i = 0; i < plans.size(); i++) {
+            boolean isSame = i == kept.plan
+                    || KeptPlan.read(plans.get(i))
+                            .filter(p -> p.hasUnitsOf(outline))
+                            .isPresent();
+            if (!isSame) {
+                continue;
+            }
+            kept.archive.replay(i, (unit, result) -> {
+                Optional<String> problem = film.problem(unit, result);
+                if (problem.isPresent()) {
+                    wrong.add("unit " + unit + ": " + problem.get());
+                } else {
+                    kept.units.set(unit);
+                    if (!film.has(unit)) {
+                        film.put(unit, result);
+                    }
+                }
+            });
+        }
+        if (!wrong.isEmpty()) {
+            note(kept.archive.name() + ": " + wrong.size() + " results make no sense and are rendered again, such as "
+                    + wrong.get(0));
+        }
+    }
+
+    /** Gives an archive what others have. */
+    private void complete(Kept kept, FilmAssembly film) throws IOException {
+        for (int unit = 0; unit < film.units() && all.size() > 1; unit++) {
+            if (!film.has(unit) || kept.units.get(unit)) {
+                continue;
+            }
+            for (Kept other : all) {
+                Optional<byte[]> result =
+                        other.units.get(unit) ? other.archive.find(other.plan, unit) : Optional.empty();
+                if (result.isPresent() && !kept.units.get(unit)) {
+                    kept.archive.keep(kept.plan, unit, WORKER, result.get());
+                    kept.units.set(unit);
+                }
+            }
+        }
+    }
+
+    /** Keeps the result of a unit. */
+    void keep(int unit, byte[] result) {
+        each(kept -> kept.archive.keep(kept.plan, unit, WORKER, result));
+    }
+
+    /** Lets archives know that time passes, until this is interrupted. */
+    Thread startTicking() {
+        Thread ticker = new Thread(
+                () -> {
+                    try {
+                        while (true) {
+                            Thread.sleep(TICK_MILLIS);
+                            each(kept -> kept.archive.tick());
+                        }
+                    } catch (InterruptedException e) {
+                        // The render is over.
+                        return;
+                    }
+                },
+                "enlightenment-archives");
+        ticker.setDaemon(true);
+        ticker.start();
+        return ticker;
+    }
+}

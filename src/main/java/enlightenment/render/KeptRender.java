@@ -1,0 +1,113 @@
+package enlightenment.render;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.PictureFilm;
+import enlightenment.engine.UnitMaker;
+import enlightenment.image.Image;
+import enlightenment.plan.RenderPlan;
+import enlightenment.report.RenderReport;
+import enlightenment.scene.RenderSettings;
+import enlightenment.work.Phases;
+import enlightenment.work.Workers;
+import java.util.function.BooleanSupplier;
+
+/**
+ * A render whose units are kept: those that are not yet are done, as bytes, by the threads of this process. The picture is that of
+ * {@link LocalRender}, bit for bit.
+ */
+final class KeptRender implements PictureRender {
+    private final DividedRender render;
+    private final FilmAssembly assembly;
+    private final RenderRequest request;
+    private final BooleanSupplier cancelled;
+    private final Archives archives;
+    private final int round;
+
+    /** What is shown where nothing is finished yet, or null. */
+    private final Preview preview;
+
+    /** @param preview what is shown where nothing is finished yet, or null */
+    KeptRender(
+            RenderRequest request,
+            CompiledScene scene,
+            RenderPlan plan,
+            Archives archives,
+            int round,
+            Preview preview) {
+        this.request = request;
+        this.archives = archives;
+        this.round = round;
+        this.preview = preview;
+        cancelled = request.cancelled();
+        render = DividedRender.of(request.scene().name(), scene, request.settings(), plan);
+        assembly = render.assembly(false);
+    }
+
+    @Override
+    public void run() {
+        RenderSettings settings = request.settings();
+        archives.begin(round, render.outline(), assembly);
+        int[] missing = assembly.missing();
+        tell();
+        Thread ticker = archives.startTicking();
+        try {
+            Workers.run(settings.threads(), missing.length, cancelled, () -> {
+                UnitMaker maker = render.maker(cancelled);
+                return i -> {
+                    byte[] result = maker.make(missing[i]);
+                    // First what must not be lost.
+                    archives.keep(missing[i], result);
+                    assembly.put(missing[i], result);
+                    tell();
+                };
+            });
+        } finally {
+            ticker.interrupt();
+        }
+    }
+
+    private void tell() {
+        synchronized (archives.telling()) {
+            if (assembly.done() > 0) {
+                request.progress().progress(assembly.pixelsDone(), assembly.pixels(), this::image);
+            }
+        }
+    }
+
+    @Override
+    public PictureFilm film() {
+        return assembly.film();
+    }
+
+    @Override
+    public Image image() {
+        Image image = assembly.finished();
+        return preview == null || film().isComplete() ? image : overPreview(image);
+    }
+
+    /** Finished pixels, and where there are none what the preview shows, with what paths have brought so far. */
+    private Image overPreview(Image finished) {
+        RenderSettings.Crop region = request.settings().region();
+        Image coarse = film().completed(preview.image());
+        float[] rgb = coarse.toArray();
+        float[] fine = finished.toArray();
+        for (int i = 0; i < region.width() * region.height(); i++) {
+            if (film().samples(region.x() + i % region.width(), region.y() + i / region.width()) > 0) {
+                System.arraycopy(fine, 3 * i, rgb, 3 * i, 3);
+            }
+        }
+        return new Image(region.width(), region.height(), rgb, coarse.curve());
+    }
+
+    @Override
+    public long shownPixels() {
+        return preview == null ? film().shownPixels() : Math.max(film().shownPixels(), preview.shownPixels());
+    }
+
+    @Override
+    public RenderReport report(Phases phases, double rounding, int number) {
+        return assembly.report(phases, rounding, number);
+    }
+}

@@ -6,14 +6,14 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatScale;
-import enlightenment.machine.MachineFacts;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.Stopwatch;
 import enlightenment.work.Workers;
 import java.util.List;
-import java.util.concurrent.atomic.LongAdder;
+import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 
@@ -22,8 +22,6 @@ final class Trial {
     /** Keeps the trial's random numbers apart from the picture's. */
     private static final long PURPOSE = 0x747269616cL;
 
-    private static final double NANO = 1e-9;
-
     /** So many paths at a time: enough that who begins and ends does not matter, few enough to be stopped soon. */
     private static final int AT_ONCE = 1 << 12;
 
@@ -31,8 +29,8 @@ final class Trial {
     private final RenderSettings settings;
     private final SamplePlans plans;
 
-    /** Nanoseconds of processors that went into pieces. */
-    private final LongAdder worked = new LongAdder();
+    /** Seconds of processors that went into pieces. */
+    private final DoubleAdder worked = new DoubleAdder();
 
     Trial(CompiledScene scene, RenderSettings settings, SamplePlans plans) {
         this.scene = scene;
@@ -47,13 +45,13 @@ final class Trial {
 
     /** Seconds of processor time that all trials so far have taken themselves; 0 where nobody can tell. */
     double processorSeconds() {
-        return worked.sum() * NANO;
+        return worked.sum();
     }
 
     private void work(Runnable piece) {
-        long before = MachineFacts.threadNanos();
+        double before = Stopwatch.threadSeconds();
         piece.run();
-        worked.add(MachineFacts.threadNanos() - before);
+        worked.add(Stopwatch.threadSeconds() - before);
     }
 
     /** What a trial for a time does: a part of the picture, and of a method whose paths may end anywhere some of the paths. */

@@ -4,7 +4,6 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.PictureFilm;
-import enlightenment.engine.UnitMaker;
 import enlightenment.image.Image;
 import enlightenment.plan.RenderPlan;
 import enlightenment.report.RenderReport;
@@ -48,18 +47,23 @@ final class KeptRender implements PictureRender {
     @Override
     public void run() {
         RenderSettings settings = request.settings();
-        archives.begin(round, render.outline(), assembly);
+        archives.begin(round, render, assembly);
         int[] missing = assembly.missing();
         tell();
         Thread ticker = archives.startTicking();
         try {
             Workers.run(settings.threads(), missing.length, cancelled, () -> {
-                UnitMaker maker = render.maker(cancelled);
+                Archives.Samples samples = archives.samples(settings.width());
+                DividedRender.Growing maker = render.growing(cancelled, samples.log());
                 return i -> {
-                    byte[] result = maker.make(missing[i]);
+                    int unit = missing[i];
+                    samples.beginUnit(unit);
+                    // Samples are to be told, all of them: then nothing is taken over.
+                    byte[] earlier = samples.log() == null ? archives.earlier(unit, assembly, maker) : null;
+                    byte[] result = maker.make(unit, earlier);
                     // First what must not be lost.
-                    archives.keep(missing[i], result);
-                    assembly.put(missing[i], result);
+                    archives.keep(unit, result);
+                    assembly.put(unit, result);
                     tell();
                 };
             });

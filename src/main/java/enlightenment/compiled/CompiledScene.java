@@ -116,7 +116,6 @@ public final class CompiledScene {
             List<String> features,
             List<String> absent,
             DisplayCurve display,
-            boolean isBlurred,
             CompiledScene... instants) {
         this.display = display;
         this.instants = instants;
@@ -125,7 +124,7 @@ public final class CompiledScene {
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
         physical = shading instanceof PhysicalShading p
-                ? new PhysicalScene(p, frame, surroundings, compiled, points, !isBlurred)
+                ? new PhysicalScene(p, frame, surroundings, compiled, points)
                 : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
@@ -253,5 +252,20 @@ public final class CompiledScene {
             lightStarts = new LightStarts(this, false);
         }
         return lightStarts;
+    }
+
+    /** The moments that the picture is the mean of: this scene alone where there are no {@link #instants}. */
+    public CompiledScene[] moments() {
+        return instants.length == 0 ? new CompiledScene[] {this} : instants.clone();
+    }
+
+    /** Whether caustics are the business of a pass of their own, at any moment. */
+    public boolean hasCausticPass() {
+        for (CompiledScene moment : moments()) {
+            if (moment.physical != null && moment.physical.hasCausticPass()) {
+                return true;
+            }
+        }
+        return false;
     }
 }

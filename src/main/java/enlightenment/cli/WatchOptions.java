@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
+import java.util.Map;
 import java.util.Stack;
 import picocli.CommandLine.IParameterPreprocessor;
 import picocli.CommandLine.Model.ArgSpec;
@@ -59,11 +60,10 @@ final class WatchOptions {
     /** Takes the next argument for the port only if it is a number: what is none may be the scene. */
     static final class PortOrNothing implements IParameterPreprocessor {
         @Override
-        public boolean preprocess(
-                Stack<String> args, CommandSpec command, ArgSpec option, java.util.Map<String, Object> info) {
+        public boolean preprocess(Stack<String> args, CommandSpec command, ArgSpec option, Map<String, Object> info) {
             boolean isAttached = info.get("separator") != null && !" ".equals(info.get("separator"));
             if (!isAttached && (args.isEmpty() || !args.peek().matches("\\d+"))) {
-                // Empty: as if --serve=0 had been given.
+                // As if --serve=0 had been given.
                 args.push("0");
             }
             return false;

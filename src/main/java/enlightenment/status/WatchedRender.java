@@ -51,6 +51,10 @@ public final class WatchedRender implements StatusSource {
 
     private volatile State state = State.PREPARING;
     private volatile boolean isWanted = true;
+
+    /** Whether there is no memory for a copy of the picture. */
+    private volatile boolean isTooLarge;
+
     private String title;
     private long done;
     private long total;
@@ -119,6 +123,16 @@ public final class WatchedRender implements StatusSource {
         notifyAll();
     }
 
+    private void take(Supplier<Image> soFar, long now) {
+        try {
+            Image image = soFar.get();
+            take(image, clock.getAsLong() - now);
+        } catch (OutOfMemoryError e) {
+            // What is left is for the render: it goes on without being seen.
+            isTooLarge = true;
+        }
+    }
+
     private synchronized void take(Image image, long nanos) {
         picture = image;
         number++;
@@ -169,11 +183,10 @@ public final class WatchedRender implements StatusSource {
                 total = ofAll;
                 timeLeft.at(now, isDone, ofAll);
                 long pause = Math.max(PERIOD_NANOS, (long) (took / SHARE));
-                isDue = isDone == ofAll || isWanted && (picture == null || now - taken >= pause);
+                isDue = !isTooLarge && (isDone == ofAll || isWanted && (picture == null || now - taken >= pause));
             }
             if (isDue) {
-                Image image = soFar.get();
-                take(image, clock.getAsLong() - now);
+                take(soFar, now);
             }
         }
     }

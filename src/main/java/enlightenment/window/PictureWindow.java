@@ -37,6 +37,7 @@ public final class PictureWindow implements Closeable {
     private static final double SHARE = 0.02;
 
     private static final long PATIENCE_MILLIS = 200;
+    private static final long SHORTAGE_NANOS = 10_000_000_000L;
 
     private final StatusSource source;
     private final Runnable whenClosed;
@@ -75,6 +76,9 @@ public final class PictureWindow implements Closeable {
         } catch (HeadlessException | AWTError | LinkageError e) {
             throw new NoDisplayException(e);
         } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof OutOfMemoryError error) {
+                throw error;
+            }
             throw new NoDisplayException(e.getCause());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -142,7 +146,12 @@ public final class PictureWindow implements Closeable {
     private void look() {
         try {
             while (!closed.await(PERIOD_MILLIS, TimeUnit.MILLISECONDS)) {
-                lookOnce();
+                try {
+                    lookOnce();
+                } catch (OutOfMemoryError e) {
+                    // The render needs what there is; perhaps there is more the next time, which is not soon.
+                    nextNanos = System.nanoTime() + SHORTAGE_NANOS;
+                }
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

@@ -133,6 +133,16 @@ class WatchedRenderTest {
     }
 
     @Test
+    void whereThereIsNoMemoryForACopyTheRenderGoesOnUnseen() {
+        progress.progress(1, 3, () -> {
+            throw new OutOfMemoryError("none for this");
+        });
+        progress.progress(2, 3, this::copied);
+        assertEquals(0, copies.get());
+        assertEquals(66, watched.status().percent());
+    }
+
+    @Test
     void theLastPictureIsAlwaysTaken() {
         progress.progress(1, 2, this::copied);
         progress.progress(2, 2, this::copied);

@@ -195,6 +195,8 @@ class StoreCommandsTest {
         assertSame(direct, picture);
         assertEquals((int) sql(store, "SELECT SUM(samples) FROM film_part"), (int)
                 sql(store, "SELECT SUM(n) FROM sample_block"));
+        sql(store, "DELETE FROM sample_block WHERE tile % 2 = 0");
+        assertTrue(ok("store-export", store, "--rows").err().contains("units were kept without them"));
         CliRun third = ok("render", scene, "-o", picture, "--store", store, "--store-samples");
         assertTrue(third.err().contains("units are kept from before"), third.err());
     }

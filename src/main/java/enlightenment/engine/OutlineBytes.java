@@ -140,6 +140,7 @@ public final class OutlineBytes {
         write(out, outline.kinds());
         out.writeInt(outline.splatScale().exponent());
         write(out, outline.display());
+        out.writeDouble(outline.shortfall());
     }
 
     /**
@@ -153,7 +154,8 @@ public final class OutlineBytes {
         Decided decided = read(in, threads);
         return new RenderOutline(name, decided.settings(), decided.plan(), readTexts(in), readTexts(in))
                 .withSplatScale(new SplatScale(in.readInt()))
-                .withDisplay(readDisplay(in));
+                .withDisplay(readDisplay(in))
+                .withShortfall(in.readDouble());
     }
 
     /** The kind of the pixels' numbers, exposure, and kind of the tone curve. */

@@ -22,6 +22,7 @@ public final class TilePicture extends PictureFilm {
     /** Whether finished tiles can be taken apart again. */
     private final boolean isKept;
 
+    private final double shortfall;
     private long pixelPasses;
     private long finished;
 
@@ -29,6 +30,7 @@ public final class TilePicture extends PictureFilm {
     TilePicture(WorkUnits units, RenderOutline outline, boolean isKept) {
         super(units, outline);
         this.isKept = isKept;
+        shortfall = outline.shortfall();
         film = new Film(region.x(), region.y(), region.width(), region.height(), outline.display());
     }
 
@@ -138,7 +140,7 @@ public final class TilePicture extends PictureFilm {
 
     @Override
     public ErrorEstimate error() {
-        return film.error();
+        return film.error().withShortfall(shortfall);
     }
 
     @Override

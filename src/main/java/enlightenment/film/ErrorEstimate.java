@@ -75,6 +75,28 @@ public final class ErrorEstimate {
         this.linear = linear;
     }
 
+    /**
+     * The same where the samples are known to tell too little.
+     *
+     * @param square by how much the mean squared error is expected to be too small
+     */
+    public ErrorEstimate withShortfall(double square) {
+        if (!(square > 0)) {
+            return this;
+        }
+        LinearError light = linear == null || square < meanSquare
+                ? linear
+                : new LinearError(linear.relative(), linear.kurtosis(), true);
+        return new ErrorEstimate(
+                variances,
+                meanSquare + square,
+                meanSquare * least / (meanSquare + square),
+                (meanSquare * most + square) / (meanSquare + square),
+                unseen,
+                pixels,
+                light);
+    }
+
     /** The same with what is told of linear light. */
     ErrorEstimate with(LinearError light) {
         return new ErrorEstimate(variances, meanSquare, least, most, unseen, pixels, light);

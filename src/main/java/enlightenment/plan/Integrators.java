@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.compiled.ChanceLight;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
@@ -21,6 +22,7 @@ import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
+import enlightenment.shading.ChanceProbe;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
@@ -176,6 +178,21 @@ public final class Integrators {
         return Optional.of(
                 method.word() + " cannot see surfaces in mirrors, in panes or through glass that bends light:"
                         + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
+    }
+
+    /**
+     * By how much the samples of a plan tell too small a mean squared error, as far as is known: of methods whose paths from the eye find
+     * by chance what others of theirs do not.
+     */
+    public static double shortfall(RenderPlan plan, CompiledScene scene) {
+        boolean isByChance = plan.method() == BuiltInMethod.RAYTRACE
+                || plan.method() == BuiltInMethod.CLUSTER
+                || plan.method() == BuiltInMethod.BIDIRECTIONAL;
+        if (scene.physical == null || !isByChance) {
+            return 0;
+        }
+        ChanceLight light = scene.chanceLight(() -> ChanceProbe.find(scene));
+        return light == null ? 0 : light.shortfall(scene.display, plan.samples());
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */

@@ -6,7 +6,6 @@ import enlightenment.scene.SceneException;
 import enlightenment.surroundings.Surroundings;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.function.Function;
 
 /** What a background becomes. */
@@ -36,12 +35,10 @@ final class CompiledSurroundings {
                     ? Surroundings.read(p.picture().file(), p.radiance(), p.rotation(), isLight)
                     : Surroundings.of(content, p.radiance(), p.rotation(), isLight);
         } catch (IOException e) {
-            throw new SceneException(List.of(new SceneException.Problem(
-                    p.picture().file().toString(),
-                    0,
-                    0,
-                    "/shading/background/texture",
-                    "the picture cannot be used: " + e.getMessage())));
+            String problem = content == null
+                    ? e.getMessage()
+                    : "cannot read " + p.picture().file() + ": " + e.getMessage();
+            throw SceneException.of("/shading/background/texture", problem);
         }
     }
 }

@@ -202,8 +202,66 @@ public final class DividedRender {
      */
     public UnitMaker maker(BooleanSupplier cancelled) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = new UnitWork(units, compiled, outline, counters, Learned.UNSEEN, cancelled);
+        UnitWork work = work(counters, cancelled);
         return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
+    }
+
+    /** Whether the method lets more samples be added to the results of tiles. */
+    public boolean canGrow() {
+        if (!units.haveTiles() || units.passes() > 1) {
+            return false;
+        }
+        RenderSettings.Crop region = outline.settings().region();
+        return work(new RayCounters(compiled.kindNames.size()), () -> false).samples(region.x(), region.y()) > 0;
+    }
+
+    private UnitWork work(RayCounters counters, BooleanSupplier cancelled) {
+        return new UnitWork(units, compiled, outline, counters, Learned.UNSEEN, cancelled);
+    }
+
+    /** Does units, for one thread, so that more samples can be added to them later. */
+    public interface Growing {
+        /**
+         * Whether the unit with this number can go on from a result.
+         *
+         * @param before what this made of the same tile with fewer samples; has been looked at ({@link FilmAssembly#problem})
+         */
+        boolean canGrow(int unit, byte[] before);
+
+        /**
+         * The result of a unit: that of {@link UnitMaker#make}, followed by what is needed to go on where the method can.
+         *
+         * @param before what it {@linkplain #canGrow can} go on from; null for nothing
+         */
+        byte[] make(int unit, byte[] before);
+    }
+
+    /**
+     * Does units, for one thread, so that more samples can be added to them later.
+     *
+     * @param cancelled as for {@link #maker(BooleanSupplier)}
+     */
+    public Growing growing(BooleanSupplier cancelled) {
+        RayCounters counters = new RayCounters(compiled.kindNames.size());
+        UnitWork work = work(counters, cancelled);
+        return new Growing() {
+            @Override
+            public boolean canGrow(int unit, byte[] before) {
+                return form.grows(unit, work, before);
+            }
+
+            @Override
+            public byte[] make(int unit, byte[] before) {
+                counters.clear();
+                if (before != null) {
+                    counters.add(ResultHeader.counters(before, outline.kinds().size()));
+                }
+                ResultHeader header = new ResultHeader();
+                ByteBuffer out = form.grow(unit, work, header, before);
+                header.write(out.position(0), counters);
+                return out.array();
+            }
+        };
     }
 
     private byte[] make(int unit, UnitWork work, RayCounters counters) {

@@ -29,6 +29,16 @@ final class MixedForm extends ResultForm {
     }
 
     @Override
+    ByteBuffer grow(int unit, UnitWork work, ResultHeader header, byte[] before) {
+        return of(unit).grow(unit, work, header, before);
+    }
+
+    @Override
+    boolean grows(int unit, UnitWork work, byte[] before) {
+        return of(unit).grows(unit, work, before);
+    }
+
+    @Override
     Optional<String> problem(int unit, byte[] bytes) {
         return of(unit).problem(unit, bytes);
     }

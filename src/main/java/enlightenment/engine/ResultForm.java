@@ -35,6 +35,21 @@ abstract class ResultForm {
     /** Does a unit; the header is left free. */
     abstract ByteBuffer make(int unit, UnitWork work, ResultHeader header);
 
+    /**
+     * Does a unit so that more samples can be added to it later, if it is one of those that can.
+     *
+     * @param before the result of this with fewer samples, made in the same way; null for none
+     * @return the result, which may be longer than {@link #longest} tells
+     */
+    ByteBuffer grow(int unit, UnitWork work, ResultHeader header, byte[] before) {
+        return make(unit, work, header);
+    }
+
+    /** Whether {@link #grow} takes over what is in the result of this unit with fewer samples. */
+    boolean grows(int unit, UnitWork work, byte[] before) {
+        return false;
+    }
+
     /** Why bytes with a header in order cannot be the result of a unit; empty if they can. */
     abstract Optional<String> problem(int unit, byte[] bytes);
 

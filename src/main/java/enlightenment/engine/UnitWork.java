@@ -6,6 +6,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatSums;
+import enlightenment.film.TileGrowth;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.plan.Integrators;
@@ -73,6 +74,16 @@ public final class UnitWork {
     /** Makes a part of a unit's tile. */
     void part(int unit, FilmTile part) {
         tiles.render(part, units.pass(unit), units.passes());
+    }
+
+    /** How many samples a pixel has, where a tile with some of them can grow; otherwise 0. */
+    int samples(int column, int row) {
+        return units.passes() > 1 ? 0 : tiles.samples(column, row);
+    }
+
+    /** Makes what is missing of a part of a tile. */
+    void grow(FilmTile part, TileGrowth growth) {
+        tiles.grow(part, growth);
     }
 
     /** A batch of paths. */

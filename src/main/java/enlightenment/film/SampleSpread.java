@@ -56,6 +56,21 @@ public final class SampleSpread {
         sizes[quarter]++;
     }
 
+    /**
+     * Takes the next samples from their sum: all of those that are to come of a quarter, or some of the first.
+     *
+     * @param number how many
+     * @param from where in {@code sum} red, green and blue are
+     */
+    void goOn(int number, double[] sum, int from) {
+        while ((long) QUARTERS * taken >= (quarter + 1L) * count) {
+            quarter++;
+        }
+        System.arraycopy(sum, from, sums, 3 * quarter, 3);
+        sizes[quarter] = number;
+        taken += number;
+    }
+
     /** (A − B)²/4 for the means A, B of the two halves, mean of the components; 0 for less than two samples. */
     public double halves() {
         return count < 2 ? 0 : halves(sums, sizes);

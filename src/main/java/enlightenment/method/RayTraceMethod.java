@@ -4,6 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
+import enlightenment.film.TileGrowth;
 import enlightenment.film.TilePasses;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
@@ -144,6 +145,15 @@ public final class RayTraceMethod implements TileIntegrator {
     @Override
     public void render(FilmTile tile, int pass, int passes) {
         TilePasses.check(pass, passes, fewer);
+        begin(tile);
+        for (int y = tile.y; y < tile.y + tile.height; y++) {
+            for (int x = tile.x; x < tile.x + tile.width; x++) {
+                renderPixel(tile, x, y, pass, passes);
+            }
+        }
+    }
+
+    private void begin(FilmTile tile) {
         double width = settings.width();
         double height = settings.height();
         double right = (tile.x + tile.width) / width;
@@ -153,19 +163,51 @@ public final class RayTraceMethod implements TileIntegrator {
         } else {
             exposure.beginTile(tile.x / width, tile.y / height, right, bottom);
         }
+    }
+
+    @Override
+    public int samples(int x, int y) {
+        return Dither.at(x, y) < doubled ? 2 * fewer : fewer;
+    }
+
+    @Override
+    public void grow(FilmTile tile, TileGrowth growth) {
+        begin(tile);
         for (int y = tile.y; y < tile.y + tile.height; y++) {
             for (int x = tile.x; x < tile.x + tile.width; x++) {
-                renderPixel(tile, x, y, pass, passes);
+                beginPixel(x, y);
+                growPixel(tile, x, y, growth);
             }
         }
     }
 
-    private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
+    private void growPixel(FilmTile tile, int x, int y, TileGrowth growth) {
+        int samples = samples(x, y);
+        spread.begin(samples);
+        int there = growth.begin(tile, x, y, samples, spread);
+        for (int s = there; s < samples; s++) {
+            shade(x, y, s);
+            growth.add(tile, x, y, s, color);
+            tile.add(x, y, color[0], color[1], color[2]);
+            spread.at(dx, dy);
+            spread.add(color[0], color[1], color[2]);
+        }
+        if (there < samples) {
+            tile.spread(x, y, spread);
+        }
+        growth.end(tile, x, y);
+    }
+
+    private void beginPixel(int x, int y) {
         sampler.pixel(settings.seed(), x, y);
         if (exposure != null) {
             exposure.pixel(settings.seed(), x, y);
         }
-        int samples = Dither.at(x, y) < doubled ? 2 * fewer : fewer;
+    }
+
+    private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
+        beginPixel(x, y);
+        int samples = samples(x, y);
         if (passes > 1) {
             int end = TilePasses.firstSample(samples, pass + 1, passes);
             for (int s = TilePasses.firstSample(samples, pass, passes); s < end; s++) {
@@ -183,6 +225,11 @@ public final class RayTraceMethod implements TileIntegrator {
     }
 
     private void sample(FilmTile tile, int x, int y, int index) {
+        shade(x, y, index);
+        tile.add(x, y, color[0], color[1], color[2]);
+    }
+
+    private void shade(int x, int y, int index) {
         sampler.sample(index);
         dx = sampler.filmX();
         dy = sampler.filmY();
@@ -192,6 +239,5 @@ public final class RayTraceMethod implements TileIntegrator {
         } else {
             exposure.shade(index, (x + dx) / settings.width(), (y + dy) / settings.height(), ray, sampler, color);
         }
-        tile.add(x, y, color[0], color[1], color[2]);
     }
 }

@@ -1,6 +1,7 @@
 package enlightenment.method;
 
 import enlightenment.film.FilmTile;
+import enlightenment.film.TileGrowth;
 import enlightenment.film.TilePasses;
 
 /**
@@ -27,6 +28,25 @@ public non-sealed interface TileIntegrator extends Integrator {
      * @throws java.util.concurrent.CancellationException as {@link #stopWhen} tells; the tile is then of no use
      */
     void render(FilmTile tile, int pass, int passes);
+
+    /**
+     * How many samples a pixel has; 0 where they are chosen otherwise than one after another, so that a tile with some of them cannot
+     * {@linkplain #grow grow}.
+     */
+    default int samples(int column, int row) {
+        return 0;
+    }
+
+    /**
+     * Renders a tile in one pass, with those samples of each pixel that are not there yet: the same bits as if all were taken here.
+     *
+     * @param tile without samples
+     * @param growth what is there, and receives what is there then. Of pixels that have all of their samples already only sums and
+     *     counts are put into the tile
+     */
+    default void grow(FilmTile tile, TileGrowth growth) {
+        throw new UnsupportedOperationException();
+    }
 
     /** Renders a tile in one pass. */
     default void render(FilmTile tile) {

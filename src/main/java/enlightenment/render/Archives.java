@@ -1,5 +1,7 @@
 package enlightenment.render;
 
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.EarlierUnits;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.KeptPlan;
 import enlightenment.engine.RenderOutline;
@@ -8,8 +10,10 @@ import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 
 /**
@@ -35,10 +39,16 @@ final class Archives {
         int plan;
         final BitSet units = new BitSet();
 
+        /** Plans with fewer samples, those with most of them first. */
+        final List<Earlier> earlier = new ArrayList<>();
+
         Kept(ResultArchive archive) {
             this.archive = archive;
         }
     }
+
+    /** A plan with fewer samples, by its number. */
+    private record Earlier(int plan, double samples, EarlierUnits units) {}
 
     /** What an archive is asked for. */
     @FunctionalInterface
@@ -89,18 +99,66 @@ final class Archives {
     }
 
     /** Begins a round: takes over what is kept of its units. */
-    void begin(int round, RenderOutline outline, FilmAssembly film) {
-        byte[] plan = KeptPlan.of(round, outline).toBytes();
+    void begin(int round, DividedRender render, FilmAssembly film) {
+        byte[] plan = KeptPlan.of(round, render.outline()).toBytes();
         each(kept -> {
             kept.plan = kept.archive.keep(plan);
             kept.units.clear();
-            replay(kept, outline, film);
+            kept.earlier.clear();
+            replay(kept, render.outline(), film);
+            findEarlier(kept, render.outline());
         });
         each(kept -> complete(kept, film));
         if (film.done() > 0) {
-            note(film.done() + " of " + film.units() + " units are kept from before, "
-                    + film.pixelsDone() * 100 / Math.max(film.pixels(), 1) + " % of the picture");
+            note(film.done() + " of " + film.units() + " units are kept from before");
         }
+        noteEarlier(render, film);
+    }
+
+    private void findEarlier(Kept kept, RenderOutline outline) throws IOException {
+        List<byte[]> plans = kept.archive.plans();
+        for (int i = 0; i < plans.size(); i++) {
+            int number = i;
+            KeptPlan.read(plans.get(i)).filter(p -> !p.hasUnitsOf(outline)).ifPresent(p -> EarlierUnits.of(
+                            p.outline(), outline)
+                    .ifPresent(units -> kept.earlier.add(
+                            new Earlier(number, p.outline().plan().samples(), units))));
+        }
+        kept.earlier.sort(Comparator.comparingDouble(Earlier::samples).reversed());
+    }
+
+    private void noteEarlier(DividedRender render, FilmAssembly film) {
+        List<Earlier> earlier = new ArrayList<>();
+        all.forEach(kept -> earlier.addAll(kept.earlier));
+        if (earlier.isEmpty() || film.film().isComplete()) {
+            return;
+        }
+        String samples = Double.toString(earlier.get(0).samples());
+        if (!render.canGrow()) {
+            note("what is kept has " + samples + " samples per pixel: "
+                    + render.plan().method() + " takes others where there are more, so all are taken anew");
+        } else {
+            note("tiles go on from " + samples + " samples per pixel where they are kept"
+                    + (render.plan().lightPaths() > 0 ? "; paths from lights are followed anew" : ""));
+        }
+    }
+
+    /** What a tile can go on from; null for nothing. */
+    byte[] earlier(int unit, FilmAssembly film, DividedRender.Growing maker) {
+        List<byte[]> found = new ArrayList<>();
+        each(kept -> {
+            for (Earlier earlier : kept.earlier) {
+                OptionalInt number = earlier.units().of(unit);
+                if (!found.isEmpty() || number.isEmpty()) {
+                    return;
+                }
+                kept.archive
+                        .find(earlier.plan(), number.getAsInt())
+                        .filter(bytes -> film.problem(unit, bytes).isEmpty() && maker.canGrow(unit, bytes))
+                        .ifPresent(found::add);
+            }
+        });
+        return found.isEmpty() ? null : found.get(0);
     }
 
     /** The results of this plan, and of those that have the same units. */

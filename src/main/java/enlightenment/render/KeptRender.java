@@ -4,7 +4,6 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.PictureFilm;
-import enlightenment.engine.UnitMaker;
 import enlightenment.image.Image;
 import enlightenment.plan.RenderPlan;
 import enlightenment.report.RenderReport;
@@ -48,15 +47,15 @@ final class KeptRender implements PictureRender {
     @Override
     public void run() {
         RenderSettings settings = request.settings();
-        archives.begin(round, render.outline(), assembly);
+        archives.begin(round, render, assembly);
         int[] missing = assembly.missing();
         tell();
         Thread ticker = archives.startTicking();
         try {
             Workers.run(settings.threads(), missing.length, cancelled, () -> {
-                UnitMaker maker = render.maker(cancelled);
+                DividedRender.Growing maker = render.growing(cancelled);
                 return i -> {
-                    byte[] result = maker.make(missing[i]);
+                    byte[] result = maker.make(missing[i], archives.earlier(missing[i], assembly, maker));
                     // First what must not be lost.
                     archives.keep(missing[i], result);
                     assembly.put(missing[i], result);

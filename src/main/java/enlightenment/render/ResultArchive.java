@@ -37,8 +37,8 @@ public interface ResultArchive extends Closeable {
     Optional<byte[]> find(int plan, int unit) throws IOException;
 
     /**
-     * Keeps the result of a unit, in place of what is kept of it. What this has returned for outlives the end of the process, and within a
-     * moment of {@link #tick} the end of the machine.
+     * Keeps the result of a unit, in place of what is kept of it. What was kept before the last {@link #tick} outlives the end of the
+     * process, and of the machine as far as its disk does.
      *
      * @param worker who made it, to be looked up later: any text
      */

@@ -9,6 +9,7 @@ import static enlightenment.physical.PhysicalScenes.view;
 import static enlightenment.surroundings.Pictures.grey;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
@@ -26,12 +27,14 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.SceneException;
 import enlightenment.surroundings.Daylight;
 import enlightenment.surroundings.Pictures;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -276,5 +279,20 @@ class SurroundingsTest {
         for (int i = 0; i < a.length; i++) {
             assertEquals(a[i] * (2 << i % 3), b[i], 1e-6 * b[i]);
         }
+    }
+
+    @Test
+    void aDamagedPictureIsToldWithItsPlaceInTheSceneAndOnce() throws IOException {
+        Background.Picture picture = picture("damaged", 4, 2, 0, (x, y) -> grey(1));
+        Path file = picture.picture().file();
+        byte[] content = Files.readAllBytes(file);
+        Files.write(file, Arrays.copyOf(content, content.length - 5));
+        Scene scene = floor(MIRROR).shading(shading(-1, picture)).build();
+        SceneException e = assertThrows(SceneException.class, () -> Renderer.render(scene));
+        assertEquals("/shading/background/texture", e.problems().get(0).pointer());
+        String message = e.getMessage();
+        assertTrue(message.contains("cannot read " + file + ": "), message);
+        assertEquals(message.indexOf(file.toString()), message.lastIndexOf(file.toString()), message);
+        assertEquals(1, message.lines().count());
     }
 }

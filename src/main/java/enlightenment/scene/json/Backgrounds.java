@@ -3,6 +3,9 @@ package enlightenment.scene.json;
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
 import enlightenment.scene.Background;
+import enlightenment.text.Plain;
+import enlightenment.text.Suggestion;
+import java.util.List;
 import java.util.Map;
 
 /** The light of surroundings: a colour, a picture or a sky. */
@@ -12,16 +15,40 @@ final class Backgrounds {
             .with("picture", Background.Picture.class, "texture | radiance rotation")
             .with("sky", Background.Sky.class, "elevation | azimuth turbidity groundAlbedo radiance sun");
 
+    /** All that a background may be. */
+    private static final String EXPECTED = Values.COLOR + ", [r, g, b] with components in 0..1, " + Values.LINEAR
+            + ", a picture, {\"texture\": \"...\"}, or a sky, {\"type\": \"sky\", \"elevation\": degrees}";
+
+    /** Keys of which each of these has one. */
+    private static final List<String> KINDS = List.of("linear", "texture", "type");
+
     private Backgrounds() {}
 
     /** Null after a problem, here or where a texture has its name. */
     static Background read(JsonValue v, JsonPointer place, Values values) {
-        boolean isColor = !(v instanceof JsonValue.Obj o) || o.get("texture") == null && o.get("type") == null;
-        if (isColor) {
-            return new Background.Constant(values.color(v, place).linear());
+        if (v instanceof JsonValue.Obj o && KINDS.stream().allMatch(key -> o.get(key) == null)) {
+            values.problems().add(v, place, "must be " + EXPECTED + ", not " + describe(o));
+            return null;
+        }
+        if (!isMoreThanColor(v)) {
+            return new Background.Constant(values.color(v, place, EXPECTED).linear());
         }
         Fields f = Fields.of(v, place, FAMILY, values);
         return f == null ? null : FAMILY.read(f);
+    }
+
+    /** Whether it says that it is a picture or a sky. */
+    static boolean isMoreThanColor(JsonValue v) {
+        return v instanceof JsonValue.Obj o && (o.get("texture") != null || o.get("type") != null);
+    }
+
+    /** Of an object that is none of them: its first key, which somebody may have misspelt. */
+    private static String describe(JsonValue.Obj o) {
+        if (o.size() == 0) {
+            return "an empty object";
+        }
+        String meant = Suggestion.nearest(o.key(0), KINDS);
+        return "an object with " + Plain.quoted(o.key(0)) + (meant == null ? "" : "; did you mean \"" + meant + "\"?");
     }
 
     private static Background read(String type, Fields f) {

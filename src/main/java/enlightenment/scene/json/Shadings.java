@@ -24,6 +24,9 @@ final class Shadings {
             "shadow",
             "belongs to classic shading: in physical shading nothing of a hidden light arrives");
 
+    private static final String ONLY_COLOR =
+            "must be a colour: pictures and skies belong to physical shading, \"model\": \"physical\"";
+
     private Shadings() {}
 
     /** The names of all models. */
@@ -49,9 +52,17 @@ final class Shadings {
         ClassicShading d = ClassicShading.DEFAULT;
         double ambient = f.number("ambient", d.ambient());
         double shadow = f.number("shadow", d.shadow());
-        DisplayRgb background = f.color("background", d.background()).display();
+        DisplayRgb background = background(f, d);
         int maxBounces = f.integer("maxBounces", 0, ClassicShading.MAX_BOUNCES, d.maxBounces());
         return f.make(() -> new ClassicShading(ambient, shadow, background, maxBounces));
+    }
+
+    private static DisplayRgb background(Fields f, ClassicShading unlessGiven) {
+        if (Backgrounds.isMoreThanColor(f.get("background"))) {
+            f.problem("background", ONLY_COLOR);
+            return unlessGiven.background();
+        }
+        return f.color("background", unlessGiven.background()).display();
     }
 
     private static Shading physical(JsonValue v, JsonPointer place, Values values) {

@@ -1,0 +1,113 @@
+package enlightenment.scene.json;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.scene.SceneException.Problem;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What is wrong about media, dyes, dispersion and surroundings is told in one line, with its place and what could stand there. */
+class BadMatterTest {
+    @TempDir
+    Path folder;
+
+    private Problem problem(String shading, String parts) {
+        String scene =
+                "{'image': {'width': 4, 'height': 2}, 'camera': {'type': 'isometric', 'lookAt': [0, 0, 0], 'height': 5},"
+                        + " 'shading': {" + shading + "}, " + parts + ", 'objects': []}";
+        Problem problem = Documents.problem(scene.replace('\'', '"'), folder);
+        assertTrue(problem.line() > 0 && problem.column() > 0, problem.toString());
+        assertEquals(1, problem.toString().lines().count());
+        return problem;
+    }
+
+    private static void assertTells(Problem problem, String pointer, String words) {
+        assertEquals(pointer, problem.pointer(), problem.toString());
+        assertTrue(problem.message().contains(words.replace('\'', '"')), problem.message());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '"',
+            value = {
+                "{'foo': 1} |  | a sky, {'type': 'sky', 'elevation': degrees}, not an object with 'foo'",
+                "{'elevation': 30} | | a picture, {'texture': '...'}, or a sky",
+                "{'file': 'sky.hdr'} | | a picture, {'texture': '...'}",
+                "{'textur': 'sky'} | | did you mean 'texture'?",
+                "{} | | not an empty object",
+                "[1, 2] | | or a sky",
+                "3 | | or a sky",
+                "'sky' | | or a sky",
+                "{'linear': [1, 1, 1], 'radiance': 2} | /radiance | a linear colour has 'linear'",
+                "{'linear': [-1, 0, 0]} | /linear/0 | at least 0",
+                "{'type': 'hosek', 'elevation': 30} | /type | expected one of 'picture', 'sky'",
+                "{'type': 'sky'} | /elevation | missing",
+                "{'type': 'sky', 'elevation': -5} | /elevation | must lie in 0.0..90.0",
+                "{'type': 'sky', 'elevation': 5, 'turbidity': 30} | /turbidity | must lie in 2.0..10.0",
+                "{'type': 'sky', 'elevation': 5, 'groundAlbedo': 1.5} | /groundAlbedo | more than it receives",
+                "{'type': 'sky', 'elevation': 5, 'radiance': -3} | /radiance | at least 0",
+                "{'type': 'sky', 'elevation': 5, 'texture': 'room'} | /texture | a sky background has",
+                "{'texture': 'room'} | /texture | names no textures",
+            })
+    void ofBackgrounds(String background, String pointer, String words) {
+        Problem problem = problem("'model': 'physical', 'background': " + background, "'lights': []");
+        assertTells(problem, "/shading/background" + (pointer == null ? "" : pointer), words);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '"',
+            value = {
+                "{} | /color | either 'color' and 'meanFreePath' or",
+                "{'color': '#888'} | /meanFreePath | missing",
+                "{'scatteringCoefficient': 1} | /absorptionCoefficient | missing",
+                "{'color': '#888', 'meanFreePath': 1, 'absorptionCoefficient': 1} | /absorptionCoefficient | either these or",
+                "{'color': '#888', 'meanFreePath': 0} | /meanFreePath | greater than 0",
+                "{'color': '#888', 'meanFreePath': '1 mm'} | /meanFreePath | must be a number",
+                "{'color': '#888', 'meanFreePath': 1, 'anisotropy': 1} | /anisotropy | both excluded",
+                "{'color': '#888', 'meanFreePath': 1, 'indexOfRefraction': 1.3} | /indexOfRefraction | a medium has",
+                "{'color': {'linear': [1.2, 1, 1]}, 'meanFreePath': 1} | /color | more than it receives",
+                "{'scatteringCoefficient': -1, 'absorptionCoefficient': 0} | /scatteringCoefficient | at least 0",
+                "{'scatteringCoefficient': 1e400, 'absorptionCoefficient': 0} | /scatteringCoefficient | a double can hold",
+                "3 | | an object",
+            })
+    void ofMedia(String medium, String pointer, String words) {
+        Problem problem = problem("'model': 'physical', 'medium': " + medium, "'lights': []");
+        assertTells(problem, "/shading/medium" + (pointer == null ? "" : pointer), words);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '"',
+            value = {
+                "'scattering', 'color': '#888', 'meanFreePath': 1, 'radiance': 3 | /radiance | do not glow",
+                "'scattering', 'color': '#888', 'meanFreePath': 1, 'absorption': 3 | /absorption | absorptionCoefficient",
+                "'fluorescent', 'color': '#888', 'absorption': [320, 490], 'emission': [505, 630], 'yield': 1.2 | /yield | 0.0..1.0",
+                "'fluorescent', 'color': '#888', 'absorption': [520, 590], 'emission': [405, 500], 'yield': 1 | /emission | shorter",
+                "'fluorescent', 'color': '#888', 'absorption': [0.32, 0.49], 'emission': [505, 630], 'yield': 1 | /absorption | nm",
+                "'fluorescent', 'color': '#888', 'absorption': 320, 'emission': [505, 630], 'yield': 1 | /absorption | nanometres",
+                "'glass', 'color': '#fff', 'indexOfRefraction': 1.5, 'dispersion': 0 | /dispersion | greater than 0",
+                "'glass', 'color': '#fff', 'indexOfRefraction': 1.5, 'dispersion': 0.001 | /dispersion | is too small",
+                "'glass', 'color': '#fff', 'indexOfRefraction': 1.5, 'ultraviolet': 3 | /ultraviolet | does not glow",
+                "'matte', 'color': '#fff', 'dispersion': 40 | /dispersion | unknown key",
+            })
+    void ofMaterials(String keys, String pointer, String words) {
+        Problem problem = problem("'model': 'physical'", "'materials': {'m': {'type': " + keys + "}}");
+        assertTells(problem, "/materials/m" + pointer, words);
+    }
+
+    @Test
+    void ofWhatClassicShadingDoesNotHave() {
+        String sky = "'background': {'type': 'sky', 'elevation': 30}";
+        assertTells(problem(sky, "'lights': []"), "/shading/background", "belong to physical shading");
+        String fog = "'medium': {'color': '#888', 'meanFreePath': 1}";
+        assertTells(problem(fog, "'lights': []"), "/shading/medium", "belongs to physical shading");
+    }
+}

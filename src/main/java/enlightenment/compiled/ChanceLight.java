@@ -18,6 +18,9 @@ public final class ChanceLight {
     /** Of so many in the mean one of 4,000 times more find it than this. */
     private static final int MOST = 8;
 
+    /** 97.5 % of a normal distribution lie below so many deviations. */
+    private static final double ONE_IN_40 = 1.96;
+
     /** What the figure of the halves is taken for at most. */
     private static final double SATURATED = 4;
 
@@ -60,45 +63,61 @@ public final class ChanceLight {
         }
     }
 
-    /**
-     * How much too small the mean squared error is told to be, of what a screen shows, mean of components: what it is in the mean less what
-     * is told in the mean, of the parts where that is less.
-     *
-     * @param samples per pixel
-     */
-    public double shortfall(DisplayCurve curve, double samples) {
+    /** What it does to the error of a picture with so many samples per pixel. */
+    public ChanceError error(DisplayCurve curve, double samples) {
+        double shortfall = 0;
         double sum = 0;
+        double variance = 0;
+        double[] square = new double[2];
         for (int at = 0; at < parts.length; at += NUMBERS) {
             double mean = samples * parts[at + 6];
             if (mean > 0 && mean < ENOUGH) {
-                sum += Math.max(shortfall(curve, at, mean), 0);
+                squared(curve, at, mean, square);
+                shortfall += Math.max(square[0] - told(curve, at, mean), 0);
+                sum += square[0];
+                variance += square[1];
             }
         }
-        return sum * NUMBERS / parts.length;
+        double pixels = parts.length / (double) NUMBERS;
+        return new ChanceError(shortfall / pixels, (sum + ONE_IN_40 * Math.sqrt(Math.max(variance, 0))) / pixels);
     }
 
-    /** @param mean how many samples find it in the mean */
-    private double shortfall(DisplayCurve curve, int at, double mean) {
-        double[] whole = poisson(mean);
+    /**
+     * The squared error of a part, mean of components.
+     *
+     * @param mean how many samples find the light in the mean
+     * @param out receives its mean and its variance
+     */
+    private void squared(DisplayCurve curve, int at, double mean, double[] out) {
+        double[] probability = poisson(mean);
+        double squares = 0;
+        out[0] = 0;
+        for (int k = 0; k <= MOST; k++) {
+            double error = 0;
+            for (int c = 0; c < 3; c++) {
+                double light = parts[at + 3 + c];
+                double d = curve.nearly(parts[at + c] + light * k / mean) - curve.nearly(parts[at + c] + light);
+                error += d * d / 3;
+            }
+            out[0] += probability[k] * error;
+            squares += probability[k] * error * error;
+        }
+        out[1] = squares - out[0] * out[0];
+    }
+
+    /** What is told of that in the mean: by the halves of the samples, and where the screen saturates by more (film.PathDecay). */
+    private double told(DisplayCurve curve, int at, double mean) {
         double[] half = poisson(mean / 2);
         double[] quarter = poisson(mean / 4);
-        double truth = 0;
         double halves = 0;
         double quarters = 0;
         for (int c = 0; c < 3; c++) {
             double other = parts[at + c];
             double light = parts[at + 3 + c];
-            double middle = curve.nearly(other + light);
-            for (int k = 0; k <= MOST; k++) {
-                double d = curve.nearly(other + light * k / mean) - middle;
-                truth += whole[k] * d * d / 3;
-            }
             halves += difference(curve, other, 2 * light / mean, half) / 12;
             quarters += difference(curve, other, 4 * light / mean, quarter) / 12;
         }
-        // Where the screen saturates the figures tell that, and are taken for more (film.PathDecay).
-        double share = Math.min(Math.max(2 * halves / Math.max(quarters, Double.MIN_NORMAL), 1), SATURATED);
-        return truth - share * halves;
+        return halves * Math.min(Math.max(2 * halves / Math.max(quarters, Double.MIN_NORMAL), 1), SATURATED);
     }
 
     /** The mean squared difference of two independent numbers of finds, as they show. */

@@ -1,6 +1,7 @@
 package enlightenment.engine;
 
 import enlightenment.color.DisplayCurve;
+import enlightenment.compiled.ChanceError;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatScale;
@@ -21,7 +22,7 @@ import java.util.List;
  * @param kinds the kinds of primitives in the scene, in the order of their counters
  * @param display what pixels are, and how they become what a screen takes
  * @param splatScale the unit in which contributions of paths are summed; of no meaning where no units are batches of paths
- * @param shortfall by how much the samples tell too small a mean squared error, as far as is known, of what a screen shows
+ * @param chance what light that is left to chance does to the error, as far as is known
  */
 public record RenderOutline(
         String sceneName,
@@ -31,7 +32,7 @@ public record RenderOutline(
         List<String> kinds,
         DisplayCurve display,
         SplatScale splatScale,
-        double shortfall) {
+        ChanceError chance) {
     private static final SplatScale NO_SCALE = new SplatScale(0);
 
     public RenderOutline {
@@ -42,7 +43,7 @@ public record RenderOutline(
     /** An outline for units that are tiles of display-referred pixels. */
     public RenderOutline(
             String sceneName, RenderSettings settings, RenderPlan plan, List<String> features, List<String> kinds) {
-        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE, 0);
+        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE, ChanceError.NONE);
     }
 
     /** The outline of a render of this scene. */
@@ -51,7 +52,7 @@ public record RenderOutline(
         Integrators.blindSpot(settings.method(), scene).ifPresent(features::add);
         RenderOutline outline = new RenderOutline(sceneName, settings, plan, features, scene.kindNames)
                 .withDisplay(scene.display)
-                .withShortfall(Integrators.shortfall(plan, scene));
+                .withChance(Integrators.chance(plan, scene));
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {
@@ -64,17 +65,17 @@ public record RenderOutline(
 
     /** The same outline with another scale. */
     public RenderOutline withSplatScale(SplatScale scale) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale, shortfall);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale, chance);
     }
 
     /** The same outline for other pixels. */
     public RenderOutline withDisplay(DisplayCurve curve) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale, shortfall);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale, chance);
     }
 
-    /** The same outline with another shortfall. */
-    public RenderOutline withShortfall(double square) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, square);
+    /** The same outline with other light that is left to chance. */
+    public RenderOutline withChance(ChanceError of) {
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, of);
     }
 
     /** Number of units of work, as they are handed out to many machines. */

@@ -1,5 +1,6 @@
 package enlightenment.film;
 
+import enlightenment.compiled.ChanceError;
 import enlightenment.film.VarianceDecay.Curve;
 import enlightenment.film.VarianceDecay.Samples;
 import java.util.Arrays;
@@ -75,23 +76,21 @@ public final class ErrorEstimate {
         this.linear = linear;
     }
 
-    /**
-     * The same where the samples are known to tell too little.
-     *
-     * @param square by how much the mean squared error is expected to be too small
-     */
-    public ErrorEstimate withShortfall(double square) {
-        if (!(square > 0)) {
+    /** The same where some light is left to chance: the samples tell of it only where it was found. */
+    public ErrorEstimate with(ChanceError chance) {
+        if (!(chance.most() > 0)) {
             return this;
         }
-        LinearError light = linear == null || square < meanSquare
+        double told = meanSquare + chance.shortfall();
+        LinearError light = linear == null || chance.shortfall() < meanSquare
                 ? linear
                 : new LinearError(linear.relative(), linear.kurtosis(), true);
         return new ErrorEstimate(
                 variances,
-                meanSquare + square,
-                meanSquare * least / (meanSquare + square),
-                (meanSquare * most + square) / (meanSquare + square),
+                told,
+                meanSquare * least / told,
+                // As far as it was found it is in what is told.
+                Math.max(meanSquare * most, meanSquare + chance.most()) / told,
                 unseen,
                 pixels,
                 light);

@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.compiled.ChanceError;
 import enlightenment.compiled.ChanceLight;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
@@ -181,18 +182,18 @@ public final class Integrators {
     }
 
     /**
-     * By how much the samples of a plan tell too small a mean squared error, as far as is known: of methods whose paths from the eye find
-     * by chance what others of theirs do not.
+     * What light that is left to chance does to the error of a picture, as far as is known: of methods whose paths from the eye find by chance
+     * what others of theirs do not.
      */
-    public static double shortfall(RenderPlan plan, CompiledScene scene) {
+    public static ChanceError chance(RenderPlan plan, CompiledScene scene) {
         boolean isByChance = plan.method() == BuiltInMethod.RAYTRACE
                 || plan.method() == BuiltInMethod.CLUSTER
                 || plan.method() == BuiltInMethod.BIDIRECTIONAL;
         if (scene.physical == null || !isByChance) {
-            return 0;
+            return ChanceError.NONE;
         }
         ChanceLight light = scene.chanceLight(() -> ChanceProbe.find(scene));
-        return light == null ? 0 : light.shortfall(scene.display, plan.samples());
+        return light == null ? ChanceError.NONE : light.error(scene.display, plan.samples());
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */

@@ -155,7 +155,11 @@ public final class BidirectionalTracer implements Shader {
         } else {
             gather(sampler);
         }
-        return infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
+        boolean goes = infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
+        if (eye.isBorder && eye.path.glass.border.transmitted) {
+            images.transmitted();
+        }
+        return goes;
     }
 
     /**

@@ -8,7 +8,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
 /**
- * The light that the eye has straight from lights, or by way of one mirror, where their images are smaller than a pixel. Samples of a
+ * The light that the eye has straight from lights, or by way of one mirror or reflection at glass, where their images are smaller than a pixel. Samples of a
  * pixel may all miss such an image, and then nothing tells of it; however bright the lamp is, it is missing. So every sample takes a second
  * place on the film, in a box around what of the image is in the pixel, and what the first place sees of the image does not count: all
  * light is found exactly once, whatever the box is. See docs/path-tracing.md. A mutable work object, one per thread.
@@ -148,6 +148,13 @@ final class EyeImages {
             blue = share * l.b * (isStraight ? 1 : light.blue);
         }
         return isMet;
+    }
+
+    /** Takes back that the surface reflects the path: it has left that as glass which lets it through. */
+    void transmitted() {
+        if (path.surfaces <= 1) {
+            mirror = NONE;
+        }
     }
 
     /** Tells that the surface that the path is at reflects it as a mirror. */

@@ -19,6 +19,8 @@ module enlightenment {
     requires static xchart;
     requires static org.apache.xmlgraphics.batik.svggen;
     requires static java.xml;
+    // Only the sample store needs this.
+    requires static java.sql;
 
     exports enlightenment.math;
     exports enlightenment.color;
@@ -38,6 +40,8 @@ module enlightenment {
 
     // Methods of rendering from outside.
     uses enlightenment.scene.MethodExtension;
+    // Databases for the sample store.
+    uses java.sql.Driver;
 
     opens enlightenment.cli to
             info.picocli;

@@ -43,8 +43,14 @@ public final class Checkpoint implements ResultArchive {
      * @throws IOException if the file cannot be used; the message says why. It is left as it is then
      */
     public static Checkpoint open(Path path, RenderIdentity render, boolean resume) throws IOException {
+        return open(path, render, resume, file -> file.force(true));
+    }
+
+    /** The same with another way to force, for tests. */
+    static Checkpoint open(Path path, RenderIdentity render, boolean resume, CheckpointJournal.Forcing forcing)
+            throws IOException {
         Checkpoint opened = new Checkpoint(path);
-        opened.journal = CheckpointJournal.open(path, render, resume, System.nanoTime(), opened::found);
+        opened.journal = CheckpointJournal.open(path, render, resume, System.nanoTime(), opened::found, forcing);
         return opened;
     }
 

@@ -1,19 +1,23 @@
 package enlightenment.cli;
 
+import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
 import enlightenment.render.RenderProgress;
 import enlightenment.scene.Animation;
-import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
 
 /** {@code enlightenment animate}: makes pictures of an animation's frames, and a film of them. */
 @Command(
@@ -44,7 +48,17 @@ final class AnimateCommand extends Subcommand {
     private RenderOptions options = new RenderOptions();
 
     @Mixin
+    private FilmReport report = new FilmReport();
+
+    @Mixin
     private ProgressOption progress = new ProgressOption();
+
+    @Mixin
+    private FilmServing serving = new FilmServing();
+
+    /** Tells which options were given. */
+    @Spec
+    private CommandSpec command;
 
     private SceneInput input;
 
@@ -67,31 +81,55 @@ final class AnimateCommand extends Subcommand {
         FrameRange range =
                 frames == null ? new FrameRange(0, animation.frames() - 1) : frames.within(animation.frames());
         view.check(scene);
-        RenderSettings settings = options.settings(scene, input.name());
-        options.warnOfStretch(scene, settings, terminal);
+        output.beside(range.first()).check(scene);
+        serving.check(command, options, output);
+        options.warnOfStretch(scene, options.settings(scene, input.name()), terminal);
         List<Path> files = range.frames().mapToObj(output.pattern()::file).toList();
-        new CommandFiles()
-                .reads(argument.file(), scene)
-                .reads("the program of --ffmpeg", video.program())
-                .writes("--video", video.file())
-                .writesNumbered("-o", files)
-                .check();
+        check(scene, range, files);
         video.check(animation.framesPerSecond(), output.pattern(), range, terminal);
+        ServerOptions server = serving.options(terminal);
         checkFrames(animation, range);
+        FrameSettings settings = new FrameSettings(options, output, input);
         FrameDigest digests = new FrameDigest(output, view);
         Film film = Film.of(animation, frame -> input.read(Optional.of(frame)));
         FrameFiles plan = FrameFiles.of(output, range, frame -> {
             Scene at = film.scene(frame);
-            return digests.of(at, settingsOf(at));
+            return digests.of(at, settings.of(at));
         });
         tellKept(plan, range);
         makeFolder();
-        int faulty = render(new FrameRenderer(film, output, view, options, digests, input, terminal), plan, range);
+        FrameWriter writer = new FrameWriter(output, view, digests, report, terminal);
+        FrameMaker maker = server == null
+                ? new FrameRenderer(film, settings, output, writer, terminal)
+                : new ServedFrames(film, settings, writer, serving, server, terminal);
+        finish(files, range, make(maker, plan, range));
+        return ExitCode.DONE;
+    }
+
+    private void finish(List<Path> files, FrameRange range, int faulty) throws IOException {
         writeVideo(files, range);
         if (faulty > 0) {
             throw CliException.failed(faulty + (faulty == 1 ? " frame is" : " frames are") + " not as asked");
         }
-        return ExitCode.DONE;
+    }
+
+    private void check(Scene scene, FrameRange range, List<Path> frames) throws IOException {
+        CommandFiles files = new CommandFiles()
+                .reads(argument.file(), scene)
+                .reads("the program of --ffmpeg", video.program())
+                .writes("--video", video.file())
+                .writesNumbered("-o", frames);
+        report.register(files);
+        serving.register(files);
+        if (!output.aov().kinds().isEmpty()) {
+            files.writesNumbered(
+                    "--aov",
+                    range.frames()
+                            .boxed()
+                            .flatMap(frame -> output.beside(frame).files().stream())
+                            .toList());
+        }
+        files.check();
     }
 
     /** As many as can be looked at in some seconds. */
@@ -101,11 +139,6 @@ final class AnimateCommand extends Subcommand {
                 FrameCheck.check(input, frame);
             }
         }
-    }
-
-    /** The settings for a frame, which may have a size of its own. */
-    private RenderSettings settingsOf(Scene scene) {
-        return FrameRenderer.settings(options, output, scene, input);
     }
 
     private void tellKept(FrameFiles plan, FrameRange range) {
@@ -124,25 +157,28 @@ final class AnimateCommand extends Subcommand {
     }
 
     /** @return how many frames are not as asked */
-    private int render(FrameRenderer renderer, FrameFiles plan, FrameRange range) throws IOException {
+    private int make(FrameMaker maker, FrameFiles plan, FrameRange range) throws IOException {
         RenderProgress display = progress.display(terminal.err());
-        FilmProgress told = new FilmProgress(display, plan.missing().size());
-        int done = plan.kept().size();
-        int faulty = 0;
+        Set<Integer> written = new HashSet<>();
+        Set<Integer> faulty = new HashSet<>();
+        report.begin(range.count(), plan.kept().size());
+        boolean areAllThere;
         try {
-            for (int frame : plan.missing()) {
-                FrameRenderer.Outcome outcome = renderer.render(frame, told);
-                if (outcome == FrameRenderer.Outcome.STOPPED) {
-                    throw stopped(done, range, "");
+            areAllThere = maker.make(plan.missing(), display, (frame, isFaulty) -> {
+                written.add(frame);
+                faulty.remove(frame);
+                if (isFaulty) {
+                    faulty.add(frame);
                 }
-                faulty += outcome == FrameRenderer.Outcome.FAULTY ? 1 : 0;
-                told.frameFinished();
-                done++;
-            }
+            });
         } finally {
             ProgressOption.end(display);
         }
-        return faulty;
+        report.write(terminal);
+        if (!areAllThere) {
+            throw stopped(plan.kept().size() + written.size(), range, "");
+        }
+        return faulty.size();
     }
 
     private CliException stopped(int done, FrameRange range, String more) {

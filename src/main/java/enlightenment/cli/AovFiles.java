@@ -11,6 +11,8 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collection;
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -40,6 +42,11 @@ final class AovFiles {
         String name = picture.getFileName().toString();
         int dot = name.lastIndexOf('.');
         return picture.resolveSibling(name.substring(0, dot) + "." + word + name.substring(dot));
+    }
+
+    /** The files that will be written. */
+    Collection<Path> files() {
+        return Collections.unmodifiableCollection(files.values());
     }
 
     /** Says which files will be written. */

@@ -17,6 +17,9 @@ final class Commands {
         "trade",
         "bench",
         "merge",
+        "render-store",
+        "store-info",
+        "store-export",
         "server",
         "worker",
         "setup"
@@ -34,6 +37,9 @@ final class Commands {
             case "schema" -> new SchemaCommand(terminal);
             case "convert" -> new ConvertCommand(terminal);
             case "merge" -> new MergeCommand(terminal);
+            case "render-store" -> new RenderStoreCommand(terminal);
+            case "store-info" -> new StoreInfoCommand(terminal);
+            case "store-export" -> new StoreExportCommand(terminal);
             case "server" -> new ServerCommand(terminal);
             case "worker" -> new WorkerCommand(terminal);
             case "compare" -> new CompareCommand(terminal);

@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.video.VideoFile;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -26,28 +27,37 @@ record FrameFiles(List<Integer> kept, List<Integer> missing) {
         List<Integer> kept = new ArrayList<>();
         List<Integer> missing = new ArrayList<>();
         List<Integer> others = new ArrayList<>();
+        Path first = null;
         for (int frame = range.first(); frame <= range.last(); frame++) {
-            if (!Files.exists(output.pattern().file(frame))) {
-                missing.add(frame);
-            } else if (said(output, frame).equals(Optional.of(expected.digest(frame)))) {
+            List<Path> all = new ArrayList<>(List.of(output.pattern().file(frame)));
+            all.addAll(output.beside(frame).files());
+            List<Path> there = all.stream().filter(Files::exists).toList();
+            Path other = there.isEmpty() ? null : firstOther(there, expected.digest(frame));
+            if (other == null && there.size() == all.size()) {
                 kept.add(frame);
-            } else {
-                missing.add(frame);
+                continue;
+            }
+            missing.add(frame);
+            if (other != null) {
                 others.add(frame);
+                first = first == null ? other : first;
             }
         }
         if (!others.isEmpty() && !output.overwrites()) {
-            throw CliException.wrongUsage(told(output, others));
+            throw CliException.wrongUsage(told(first, others));
         }
         return new FrameFiles(kept, missing);
     }
 
-    private static Optional<String> said(FrameOutput output, int frame) {
-        return VideoFile.comment(output.pattern().file(frame), FrameDigest.KEYWORD);
+    /** The first of the files that was made otherwise; null if there is none. */
+    private static Path firstOther(List<Path> files, String digest) {
+        return files.stream()
+                .filter(file -> !VideoFile.comment(file, FrameDigest.KEYWORD).equals(Optional.of(digest)))
+                .findFirst()
+                .orElse(null);
     }
 
-    private static String told(FrameOutput output, List<Integer> others) {
-        String first = output.pattern().file(others.get(0)).toString();
+    private static String told(Path first, List<Integer> others) {
         String many = others.size() == 1
                 ? "is there already, and was"
                 : "and " + (others.size() - 1) + " more files (of frames " + FrameChoice.ranges(others)

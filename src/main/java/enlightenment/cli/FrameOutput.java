@@ -25,7 +25,25 @@ final class FrameOutput {
             description = "make files anew that are there, but were made otherwise; without it they are an error")
     private boolean overwrite;
 
+    @Option(
+            names = "--aov",
+            paramLabel = "LIST",
+            converter = AovSet.Converter.class,
+            completionCandidates = AovSet.Words.class,
+            description = "write further files beside each frame: some of ${COMPLETION-CANDIDATES}, with commas")
+    private AovSet aov = AovSet.EMPTY;
+
     FrameOutput() {}
+
+    /** What else is written of each frame. */
+    AovSet aov() {
+        return aov;
+    }
+
+    /** The further files beside a frame. */
+    AovFiles beside(int frame) {
+        return new AovFiles(aov, pattern.file(frame));
+    }
 
     FramePattern pattern() {
         return pattern;

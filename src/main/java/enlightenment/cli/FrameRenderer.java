@@ -1,8 +1,5 @@
 package enlightenment.cli;
 
-import enlightenment.image.Image;
-import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Film;
 import enlightenment.render.RenderProgress;
@@ -12,90 +9,50 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
+import java.util.List;
 
-/** Renders frames of a film and writes them, each as soon as it is whole. */
-final class FrameRenderer {
+/** Renders the frames of a film in this process, one after the other. */
+final class FrameRenderer implements FrameMaker {
     private final Film film;
+    private final FrameSettings settings;
     private final FrameOutput output;
-    private final ViewOption view;
-    private final RenderOptions options;
-    private final FrameDigest digests;
-    private final SceneInput input;
+    private final FrameWriter writer;
     private final Terminal terminal;
 
-    /** What became of a frame. */
-    enum Outcome {
-        WRITTEN,
-        /** Written, but not as exact as was asked, or not to be trusted: that has been said. */
-        FAULTY,
-        /** Not written: the user wanted an end. */
-        STOPPED
-    }
-
-    FrameRenderer(
-            Film film,
-            FrameOutput output,
-            ViewOption view,
-            RenderOptions options,
-            FrameDigest digests,
-            SceneInput input,
-            Terminal terminal) {
+    FrameRenderer(Film film, FrameSettings settings, FrameOutput output, FrameWriter writer, Terminal terminal) {
         this.film = film;
+        this.settings = settings;
         this.output = output;
-        this.view = view;
-        this.options = options;
-        this.digests = digests;
-        this.input = input;
+        this.writer = writer;
         this.terminal = terminal;
     }
 
-    /** The settings for a frame. */
-    static RenderSettings settings(RenderOptions options, FrameOutput output, Scene scene, SceneInput input) {
-        return PictureOutput.withRounding(options.settings(scene, input.name()), output.depth());
-    }
-
-    Outcome render(int frame, RenderProgress progress) throws IOException {
-        Scene scene = film.scene(frame);
-        RenderSettings settings = settings(options, output, scene, input);
-        RenderResult result = render(frame, scene, settings, progress);
-        if (!result.complete()) {
-            return Outcome.STOPPED;
+    @Override
+    public boolean make(List<Integer> frames, RenderProgress display, Listener listener) throws IOException {
+        FilmProgress told = new FilmProgress(display, frames.size());
+        for (int frame : frames) {
+            Scene scene = film.scene(frame);
+            RenderSettings chosen = settings.of(scene);
+            RenderResult result = render(frame, scene, chosen, told);
+            if (!result.complete()) {
+                return false;
+            }
+            listener.written(frame, !writer.write(writer.subject(frame, scene, chosen), result));
+            told.frameFinished();
         }
-        double samples = result.report().sampling().plannedSamples();
-        Image shown = view.view(result.image());
-        PngOptions png = new PngOptions(
-                        output.depth(), PictureText.of(scene, SettingsLine.replayable(settings, samples, frame)))
-                .withText(FrameDigest.KEYWORD, digests.of(scene, settings));
-        ImageFiles.write(shown, output.pattern().file(frame), png);
-        LightNotes.tell(result, shown, said -> terminal.say(named(frame) + said));
-        try {
-            LightNotes.require(result);
-            RequestedError.require(result);
-            return Outcome.WRITTEN;
-        } catch (CliException e) {
-            terminal.say(named(frame) + e.getMessage());
-            return Outcome.FAULTY;
-        }
+        return true;
     }
 
-    private static String named(int frame) {
-        return "frame " + frame + ": ";
-    }
-
-    private RenderResult render(int frame, Scene scene, RenderSettings settings, RenderProgress progress) {
+    private RenderResult render(int frame, Scene scene, RenderSettings chosen, RenderProgress progress) {
         try {
-            return film.render(RenderRequest.of(scene, settings)
-                    .withProgress(new BudgetNotes(progress, settings.budget(), terminal, named(frame)))
+            return film.render(RenderRequest.of(scene, chosen)
+                    .withProgress(new BudgetNotes(progress, chosen.budget(), terminal, FrameWriter.named(frame)))
+                    .withAuxiliary(output.aov().kinds())
                     .withCancelled(terminal.stop()));
         } catch (InvalidValueException e) {
-            throw blamed(frame, options.blame(e, input.name()));
+            throw settings.blame(frame, e);
         } catch (SceneException e) {
-            throw FrameCheck.named(input, frame, e);
+            throw settings.named(frame, e);
         }
-    }
-
-    /** An option's fault is one of all frames. */
-    private RuntimeException blamed(int frame, RuntimeException e) {
-        return e instanceof SceneException s ? FrameCheck.named(input, frame, s) : e;
     }
 }

@@ -38,6 +38,11 @@ final class KeepOptions {
         }
     }
 
+    /** What to tell where a render was stopped, in words that end a sentence; empty if nothing is kept. */
+    String hint() {
+        return checkpoint == null ? "" : "; what is done is kept: --resume goes on with it";
+    }
+
     /** Says which files are read and written. */
     void register(CommandFiles files) {
         files.writes("--checkpoint", checkpoint);

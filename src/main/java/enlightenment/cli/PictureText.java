@@ -14,10 +14,19 @@ final class PictureText {
      * @param settings a line of {@link SettingsLine}
      */
     static Map<String, String> of(Scene scene, String settings) {
+        return of(scene.name(), settings);
+    }
+
+    /**
+     * The same for a scene of this name.
+     *
+     * @param title empty for none
+     */
+    static Map<String, String> of(String title, String settings) {
         Map<String, String> text = new LinkedHashMap<>();
-        if (!scene.name().isEmpty()) {
+        if (!title.isEmpty()) {
             // PNG ends a text at a NUL.
-            text.put("Title", scene.name().replace('\0', ' '));
+            text.put("Title", title.replace('\0', ' '));
         }
         text.put("Software", "Enlightenment " + Version.number());
         text.put("Settings", settings);

@@ -84,6 +84,12 @@ final class RenderCommand extends Subcommand {
     @Mixin
     private KeepOptions keep = new KeepOptions();
 
+    @Mixin
+    private StoreOptions store = new StoreOptions();
+
+    @Mixin
+    private SampleOptions samples = new SampleOptions();
+
     private final LongSupplier clock;
     private AovFiles aovFiles;
     private SceneInput input;
@@ -112,6 +118,7 @@ final class RenderCommand extends Subcommand {
         RenderSettings settings = PictureOutput.withRounding(
                 options.settings(scene, input.name()), part == null ? output.writtenDepth() : output.depth());
         view.check(scene);
+        samples.check(settings);
         aovFiles.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("-o", output.file());
@@ -120,6 +127,7 @@ final class RenderCommand extends Subcommand {
         files.writes("--dump-chains", chains);
         aovFiles.register(files);
         keep.register(files);
+        store.register(files);
         files.check();
         if (clusters != null) {
             ClusterFile.check(clusters, settings);
@@ -143,8 +151,10 @@ final class RenderCommand extends Subcommand {
             checkPart();
         }
         keep.check();
-        if (keep.isGiven() && (clusters != null || chains != null)) {
-            throw CliException.wrongUsage("--checkpoint must not be given with --dump-clusters and --dump-chains:"
+        store.check();
+        samples.check(store.isGiven());
+        if ((keep.isGiven() || store.isGiven()) && (clusters != null || chains != null)) {
+            throw CliException.wrongUsage(keptBy() + " must not be given with --dump-clusters and --dump-chains:"
                     + " what is kept does not tell of them");
         }
         boolean hasFurther = !aov.kinds().isEmpty();
@@ -158,10 +168,14 @@ final class RenderCommand extends Subcommand {
         }
     }
 
+    private String keptBy() {
+        return keep.isGiven() ? "--checkpoint" : "--store";
+    }
+
     private void checkPart() {
-        if (keep.isGiven()) {
+        if (keep.isGiven() || store.isGiven()) {
             throw CliException.wrongUsage(
-                    "--checkpoint must not be given with --part: take more parts, of which each is short");
+                    keptBy() + " must not be given with --part: take more parts, of which each is short");
         }
         if (!FileNames.extension(output.file()).equals(".film")) {
             throw CliException.wrongUsage(
@@ -211,6 +225,7 @@ final class RenderCommand extends Subcommand {
         RenderResult result;
         try (ArchiveList archives = new ArchiveList(terminal)) {
             keep.open(scene, settings, terminal).ifPresent(archives::add);
+            store.open(scene, settings, frame.number(), samples.wanted()).ifPresent(archives::add);
             result = render(scene, settings, archives.all());
         } catch (SceneException e) {
             throw SceneFailures.inFile(input.name(), e);
@@ -233,7 +248,7 @@ final class RenderCommand extends Subcommand {
         }
         if (!result.complete()) {
             boolean hasPreview = result.shownPixels() > result.report().pixels();
-            throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "");
+            throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "", keep.hint());
         }
         UniformImageHint.tell(scene, settings, result, terminal);
         LightNotes.tell(result, shown, terminal::say);

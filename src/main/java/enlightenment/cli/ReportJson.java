@@ -20,8 +20,19 @@ final class ReportJson {
 
     private static void report(JsonGenerator json, RenderReport report, boolean complete) {
         json.writeStartObject();
+        program(json);
+        content(json, report, complete);
+        json.writeEndObject();
+    }
+
+    /** What program this is. */
+    static void program(JsonGenerator json) {
         json.writeStringProperty("enlightenment", Version.number());
         json.writeStringProperty("java", Runtime.version().toString());
+    }
+
+    /** What a report says, in an object that is begun. */
+    static void content(JsonGenerator json, RenderReport report, boolean complete) {
         json.writeStringProperty("scene", report.sceneName());
         json.writeBooleanProperty("complete", complete);
         settings(json, report.settings());
@@ -39,7 +50,6 @@ final class ReportJson {
         json.writeNumberProperty("raysPerSecond", report.raysPerSecond());
         json.writeNumberProperty("pixels", report.pixels());
         json.writeNumberProperty("peakMemoryBytes", report.peakMemoryBytes());
-        json.writeEndObject();
     }
 
     private static void settings(JsonGenerator json, RenderSettings s) {

@@ -10,6 +10,7 @@ import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.store.StoredSamples;
 import java.io.IOException;
 import java.util.Optional;
 import picocli.CommandLine.Command;
@@ -29,6 +30,9 @@ final class ServerCommand extends Subcommand {
 
     @Mixin
     private ServingOptions serving = new ServingOptions();
+
+    @Mixin
+    private StoreOptions store = new StoreOptions();
 
     @Mixin
     private RenderOptions options = new RenderOptions();
@@ -57,9 +61,10 @@ final class ServerCommand extends Subcommand {
     int execute() throws IOException {
         output.check();
         view.check(output);
-        if (serving.hasCheckpoint() && options.hasTime()) {
-            throw CliException.wrongUsage(
-                    "--checkpoint must not be given with --time, which is planned anew each time: give --samples");
+        store.check();
+        if ((serving.hasCheckpoint() || store.isGiven()) && options.hasTime()) {
+            throw CliException.wrongUsage((serving.hasCheckpoint() ? "--checkpoint" : "--store")
+                    + " must not be given with --time, which is planned anew each time: give --samples");
         }
         ServerOptions serverOptions = serving.options(terminal);
         input = argument.open(terminal);
@@ -70,6 +75,7 @@ final class ServerCommand extends Subcommand {
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene);
         serving.register(files);
+        store.register(files);
         files.writes("-o", output.file());
         report.register(files);
         files.check();
@@ -79,11 +85,10 @@ final class ServerCommand extends Subcommand {
 
     private RenderResult serve(Scene scene, RenderSettings settings, ServerOptions serverOptions) throws IOException {
         RenderProgress display = progress.display(terminal.err());
-        try (RenderServer server = RenderServer.start(scene, settings, serverOptions, terminal.stop())) {
-            serving.joinLines(server.port(), server.pin()).forEach(terminal::say);
-            if (server.statusPort() >= 0) {
-                terminal.say("status: http://127.0.0.1:" + server.statusPort() + "/");
-            }
+        try (ArchiveList archives = archives(scene, settings);
+                RenderServer server = RenderServer.start(
+                        scene, settings, serverOptions.withArchives(archives.all()), terminal.stop())) {
+            serving.announce(server.port(), server.pin(), server.statusPort(), terminal);
             return server.await(display, terminal.stop());
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());
@@ -94,6 +99,12 @@ final class ServerCommand extends Subcommand {
         } finally {
             ProgressOption.end(display);
         }
+    }
+
+    private ArchiveList archives(Scene scene, RenderSettings settings) throws IOException {
+        ArchiveList archives = new ArchiveList(terminal);
+        store.open(scene, settings, frame.number(), StoredSamples.NONE).ifPresent(archives::add);
+        return archives;
     }
 
     private void finish(RenderResult result, Scene scene, RenderSettings settings) throws IOException {

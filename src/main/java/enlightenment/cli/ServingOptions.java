@@ -167,9 +167,16 @@ final class ServingOptions {
                 .writes("--checkpoint", checkpoint);
     }
 
-    /** Tells how workers join the server that listens at this port. */
-    List<String> joinLines(int listening, String pin) throws IOException {
-        return JoinLines.of(Launcher.command(), host, listening, token, pin);
+    /**
+     * Tells how workers join a server, and where its status page is.
+     *
+     * @param status the port of the page, negative for none
+     */
+    void announce(int listening, String pin, int status, Terminal terminal) throws IOException {
+        JoinLines.of(Launcher.command(), host, listening, token, pin).forEach(terminal::say);
+        if (status >= 0) {
+            terminal.say("status: http://127.0.0.1:" + status + "/");
+        }
     }
 
     static final class MinWorkers extends WholeNumber {

@@ -10,10 +10,16 @@ final class StoppedRender {
 
     /** @param rest what the picture shows where nothing is finished, in words that go on from its share; may be empty */
     static CliException after(RenderResult result, PictureOutput picture, String rest) {
+        return after(result, picture, rest, "");
+    }
+
+    /** @param further what there is beside the picture, in words that end the sentence; may be empty */
+    static CliException after(RenderResult result, PictureOutput picture, String rest, String further) {
         RenderSettings.Crop region = result.report().settings().region();
         boolean isOfPaths = result.report().sampling().method().kind() == Method.Kind.SPLATS;
         long percent = 100 * result.report().pixels() / ((long) region.width() * region.height());
         return CliException.failed("stopped: " + picture.name() + " holds " + percent + " % of "
-                + (isOfPaths ? "its paths" : "the picture" + rest));
+                + (isOfPaths ? "its paths" : "the picture" + rest)
+                + further);
     }
 }

@@ -3,11 +3,11 @@ package enlightenment.engine;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.film.SampleLog;
 import enlightenment.plan.Learned;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
-import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.work.Cancellation;
@@ -29,22 +29,18 @@ import java.util.function.Function;
  * One render as units of work that may be done anywhere, by anyone, in any order: the ground of server, workers and job
  * arrays. {@link FilmAssembly} puts the results together to the picture that {@code enlightenment.render.Renderer} makes, bit for bit.
  */
-public final class DividedRender {
+public final class DividedRender implements UnitSource {
     private final CompiledScene compiled;
     private final RenderOutline outline;
     private final WorkUnits units;
     private final ResultForm form;
-    private final Phases phases;
 
     /** What makes further plans, or null where it was planned elsewhere. */
     private final Planner planner;
 
-    private final Rounds rounds;
-    private final int round;
-    /** Since it was asked for. */
-    private final Stopwatch time;
+    private final RenderCourse course;
 
-    private DividedRender(
+    DividedRender(
             String name,
             CompiledScene compiled,
             RenderSettings settings,
@@ -55,14 +51,11 @@ public final class DividedRender {
             int round,
             Stopwatch time) {
         this.compiled = compiled;
-        this.phases = phases;
         this.planner = planner;
-        this.rounds = rounds;
-        this.round = round;
-        this.time = time;
         outline = RenderOutline.of(name, compiled, settings, plan);
         units = WorkUnits.forMachines(settings, plan);
         form = ResultForm.of(units, outline);
+        course = new RenderCourse(outline, phases, rounds, round, time);
     }
 
     /**
@@ -74,10 +67,20 @@ public final class DividedRender {
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      */
     public static DividedRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        return prepare(scene, settings, new SharedImages(), cancelled);
+    }
+
+    /**
+     * The same for one of several scenes.
+     *
+     * @param images is asked for image files
+     */
+    public static DividedRender prepare(
+            Scene scene, RenderSettings settings, SharedImages images, BooleanSupplier cancelled) {
         Stopwatch time = Stopwatch.started();
         PictureMemory.check(settings, 0);
         Phases phases = new Phases();
-        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings));
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images));
         Planner planner = new Planner(compiled, settings, Cancellation.of(cancelled));
         RenderPlan plan = phases.run("plan", () -> planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
@@ -97,30 +100,23 @@ public final class DividedRender {
      * @param log hears why there is another one
      */
     public Optional<DividedRender> next(Rendered result, Consumer<String> log) {
-        if (planner == null || !result.complete()) {
+        if (planner == null) {
             return Optional.empty();
         }
-        RenderReport report = result.report();
-        double took = report.phases().stream()
-                .filter(p -> p.name().equals("render"))
-                .mapToDouble(RenderReport.Phase::wallSeconds)
-                .sum();
-        OptionalDouble samples = rounds.next(report, took, time.seconds());
-        if (samples.isEmpty()) {
-            return Optional.empty();
-        }
-        double n = samples.getAsDouble();
-        log.accept(rounds.note(report, n));
-        Phases further = phases.copy();
-        further.again();
-        RenderPlan more = further.run("plan", () -> planner.withSamples(n, rounds.decidedBy(n)));
-        return Optional.of(new DividedRender(
-                outline.sceneName(), compiled, outline.settings(), more, further, planner, rounds, round + 1, time));
+        OptionalDouble samples = course.next(result, log);
+        return samples.isPresent()
+                ? Optional.of(course.again(compiled, planner, samples.getAsDouble()))
+                : Optional.empty();
     }
 
     /** Which render of the picture this is: 1, or more where those before were not as exact as asked. */
     public int round() {
-        return round;
+        return course.round();
+    }
+
+    /** What can be kept of this render without its scene. */
+    public RenderCourse course() {
+        return course;
     }
 
     /**
@@ -132,8 +128,17 @@ public final class DividedRender {
      */
     public static DividedRender planned(
             Scene scene, RenderSettings settings, RenderPlan plan, Function<Path, byte[]> files) {
+        return planned(scene, settings, plan, new SharedImages(files));
+    }
+
+    /**
+     * The same for one of several scenes.
+     *
+     * @param images is asked for image files
+     */
+    public static DividedRender planned(Scene scene, RenderSettings settings, RenderPlan plan, SharedImages images) {
         Phases phases = new Phases();
-        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, files));
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images));
         return new DividedRender(
                 scene.name(),
                 compiled,
@@ -160,7 +165,7 @@ public final class DividedRender {
                 Stopwatch.started());
     }
 
-    /** Number of units of work, counted from 0. */
+    @Override
     public int units() {
         return units.count();
     }
@@ -186,7 +191,7 @@ public final class DividedRender {
      * @param canLose whether units may have to be taken out again, which takes more memory
      */
     public FilmAssembly assembly(boolean canLose) {
-        return new FilmAssembly(outline, phases, round, canLose);
+        return course.assembly(canLose);
     }
 
     /** Does units, for one thread. */
@@ -194,15 +199,10 @@ public final class DividedRender {
         return maker(() -> false);
     }
 
-    /**
-     * The same, unless it is cancelled.
-     *
-     * @param cancelled asked now and then by that thread; soon after it becomes true {@link UnitMaker#make} throws a {@link
-     *     java.util.concurrent.CancellationException}, in the middle of a unit if need be
-     */
+    @Override
     public UnitMaker maker(BooleanSupplier cancelled) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = work(counters, cancelled);
+        UnitWork work = work(counters, cancelled, null);
         return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
     }
 
@@ -212,11 +212,14 @@ public final class DividedRender {
             return false;
         }
         RenderSettings.Crop region = outline.settings().region();
-        return work(new RayCounters(compiled.kindNames.size()), () -> false).samples(region.x(), region.y()) > 0;
+        return work(new RayCounters(compiled.kindNames.size()), () -> false, null)
+                        .samples(region.x(), region.y())
+                > 0;
     }
 
-    private UnitWork work(RayCounters counters, BooleanSupplier cancelled) {
-        return new UnitWork(units, compiled, outline, counters, Learned.UNSEEN, cancelled);
+    private UnitWork work(RayCounters counters, BooleanSupplier cancelled, SampleLog log) {
+        Learned learned = log == null ? Learned.UNSEEN : new Learned(null, null, log);
+        return new UnitWork(units, compiled, outline, counters, learned, cancelled);
     }
 
     /** Does units, for one thread, so that more samples can be added to them later. */
@@ -242,8 +245,17 @@ public final class DividedRender {
      * @param cancelled as for {@link #maker(BooleanSupplier)}
      */
     public Growing growing(BooleanSupplier cancelled) {
+        return growing(cancelled, null);
+    }
+
+    /**
+     * The same, of whose camera samples a log is kept, which is given away with each unit: with all of them where it goes on from nothing.
+     *
+     * @param log null for none
+     */
+    public Growing growing(BooleanSupplier cancelled, SampleLog log) {
         RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = work(counters, cancelled);
+        UnitWork work = work(counters, cancelled, log);
         return new Growing() {
             @Override
             public boolean canGrow(int unit, byte[] before) {
@@ -259,6 +271,9 @@ public final class DividedRender {
                 ResultHeader header = new ResultHeader();
                 ByteBuffer out = form.grow(unit, work, header, before);
                 header.write(out.position(0), counters);
+                if (log != null) {
+                    log.flush();
+                }
                 return out.array();
             }
         };

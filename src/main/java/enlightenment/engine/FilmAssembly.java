@@ -17,7 +17,7 @@ import java.util.stream.IntStream;
  * Puts results of units together to a picture: in any order, each as often as one likes, also in place of another. For use by
  * several threads at once.
  */
-public final class FilmAssembly {
+public final class FilmAssembly implements UnitAssembly {
     private final RenderOutline outline;
     private final WorkUnits units;
     private final ResultForm form;
@@ -59,36 +59,32 @@ public final class FilmAssembly {
         lost = new long[units.count()];
     }
 
-    /** Whether {@link #remove}, and {@link #put} in place of something else, needs a {@linkplain #keepIn store}. */
+    @Override
     public boolean needsStore() {
         return form.needsStore();
     }
 
-    /** Keeps all results that are put from now on there, if they are needed. */
+    @Override
     public void keepIn(ResultStore results) {
         store = results;
     }
 
-    /** Number of units, counted from 0. */
+    @Override
     public int units() {
         return units.count();
     }
 
-    /** The greatest number of bytes that the result of a unit can have. */
+    @Override
     public int longest(int unit) {
         return form.longest(Objects.checkIndex(unit, units()));
     }
 
-    /** Why these bytes cannot be the result of this unit: wrong size, what is no number or out of range; empty if they can. */
+    @Override
     public Optional<String> problem(int unit, byte[] bytes) {
         return form.problemOf(unit, bytes);
     }
 
-    /**
-     * Puts the result of a unit, in place of what is there of it.
-     *
-     * @throws IllegalArgumentException if {@link #problem} has something to say
-     */
+    @Override
     public void put(int unit, byte[] bytes) {
         problem(unit, bytes).ifPresent(reason -> {
             throw new IllegalArgumentException("unit " + unit + ": " + reason);
@@ -110,7 +106,7 @@ public final class FilmAssembly {
         }
     }
 
-    /** Takes a unit out again; nothing if it is not there. */
+    @Override
     public synchronized void remove(int unit) {
         if (film.has(Objects.checkIndex(unit, units()))) {
             form.remove(film, unit, store);
@@ -121,12 +117,17 @@ public final class FilmAssembly {
         }
     }
 
-    /** Whether a unit is there. */
+    /** How many camera rays are in the result of a unit. */
+    public static long cameraRays(byte[] bytes) {
+        return ResultHeader.cameraRays(bytes);
+    }
+
+    @Override
     public boolean has(int unit) {
         return film.has(unit);
     }
 
-    /** Number of units that are there. */
+    @Override
     public int done() {
         return film.done();
     }
@@ -149,12 +150,12 @@ public final class FilmAssembly {
                 .toArray();
     }
 
-    /** How much is there, in pixels: a unit that is a share of several pixels counts as that share of them. */
+    @Override
     public long pixelsDone() {
         return film.pixelsDone();
     }
 
-    /** Number of pixels in all. */
+    @Override
     public long pixels() {
         return film.pixels();
     }
@@ -164,7 +165,7 @@ public final class FilmAssembly {
         return film;
     }
 
-    /** The picture so far; what is missing is black. */
+    @Override
     public synchronized Image image() {
         return film.image();
     }

@@ -77,6 +77,11 @@ final class ResultHeader {
         return ByteBuffer.wrap(result).getLong();
     }
 
+    /** How many camera rays are in a result; 0 for what is none. */
+    static long cameraRays(byte[] result) {
+        return result.length < 2 * Long.BYTES ? 0 : ByteBuffer.wrap(result).getLong(Long.BYTES);
+    }
+
     /** Whether the samples of a result are differences from something known. */
     static boolean samplesAreDifferences(byte[] result, int kinds) {
         return (ByteBuffer.wrap(result).getLong(length(kinds) - Long.BYTES) & 1) != 0;

@@ -44,17 +44,38 @@ public final class SceneDocument {
      * @throws SceneException if an image file cannot be read or the scene cannot be written down
      */
     public static SceneDocument of(Scene scene) {
-        Map<Path, ContentHash> byPath = new LinkedHashMap<>();
-        Map<ContentHash, byte[]> images = new LinkedHashMap<>();
-        Function<Path, String> names =
-                file -> byPath.computeIfAbsent(file, f -> add(images, read(f))).toString();
-        return new SceneDocument(scenes(scene, names), images);
+        return of(scene, new Images());
     }
 
-    private static ContentHash add(Map<ContentHash, byte[]> contents, byte[] content) {
-        ContentHash hash = ContentHash.of(content);
-        contents.put(hash, content);
-        return hash;
+    /**
+     * The document of one of several scenes.
+     *
+     * @param shared their image files, each read once; has those of this scene from now on
+     * @throws SceneException if an image file cannot be read or the scene cannot be written down
+     */
+    public static SceneDocument of(Scene scene, Images shared) {
+        return new SceneDocument(scenes(scene, shared::name), shared.contents);
+    }
+
+    /** Image files of several scenes. */
+    public static final class Images {
+        private final Map<Path, ContentHash> byPath = new LinkedHashMap<>();
+        private final Map<ContentHash, byte[]> contents = new LinkedHashMap<>();
+
+        private String name(Path file) {
+            return byPath.computeIfAbsent(file, f -> {
+                        byte[] content = read(f);
+                        ContentHash hash = ContentHash.of(content);
+                        contents.put(hash, content);
+                        return hash;
+                    })
+                    .toString();
+        }
+
+        /** Their contents, by their hashes. */
+        public Map<ContentHash, byte[]> contents() {
+            return Collections.unmodifiableMap(contents);
+        }
     }
 
     private static byte[] read(Path file) {

@@ -3,6 +3,7 @@ package enlightenment.method;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
+import enlightenment.film.SampleLog;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TileGrowth;
 import enlightenment.film.TilePasses;
@@ -13,6 +14,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import enlightenment.shading.PathPart;
 import enlightenment.shading.PathTracer;
+import enlightenment.shading.RecordingShader;
 import enlightenment.shading.SeenLight;
 import enlightenment.shading.Shader;
 import java.util.function.BiFunction;
@@ -85,6 +87,18 @@ public final class RayTraceMethod implements TileIntegrator {
                 (moment, counted) -> moment.physical != null
                         ? new PathTracer(moment, counted)
                         : ClassicShader.ofColors(moment, lightPoints, counted));
+    }
+
+    /** The same, of whose samples a log is kept. */
+    public static RayTraceMethod recorded(
+            CompiledScene scene, RenderSettings settings, RayCounters counters, double samples, SampleLog log) {
+        int lightPoints = RayTraceSettings.of(settings).shadowSamples();
+        return of(
+                scene,
+                settings,
+                counters,
+                samples,
+                (moment, counted) -> RecordingShader.of(moment, lightPoints, counted, log));
     }
 
     /** The same with a shader of each moment. */

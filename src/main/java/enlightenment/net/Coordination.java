@@ -1,6 +1,7 @@
 package enlightenment.net;
 
-import enlightenment.engine.DividedRender;
+import enlightenment.checkpoint.Origin;
+import enlightenment.engine.UnitAssembly;
 import enlightenment.net.listen.ServerLog;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;
@@ -17,6 +18,7 @@ import enlightenment.net.server.ServerJob;
 import java.io.UncheckedIOException;
 import java.security.SecureRandom;
 import java.util.List;
+import java.util.Set;
 
 /**
  * The coordinator among threads: gives it a clock and a lock, and has what it decides done by the connections and the
@@ -37,6 +39,10 @@ final class Coordination implements ServerConnection.Host {
     private long aloneSince = started;
 
     private LocalWorker local;
+
+    /** Tiles before this one may be made. */
+    private int offered;
+
     private boolean hasBegun;
     private volatile boolean isFinished;
     private boolean isClosed;
@@ -48,8 +54,10 @@ final class Coordination implements ServerConnection.Host {
         this.secrets = secrets;
         this.job = job;
         this.connections = connections;
+        offered = job.film().end();
         SecureRandom random = new SecureRandom();
         CoordinatorSettings settings = CoordinatorSettings.of(job.tiles(), random.nextLong(), random.nextLong())
+                .withOffered(offered)
                 .withAuditRate(options.auditRate)
                 .withSilence(options.timing.silenceMillis() * 1_000_000L);
         coordinator = new Coordinator(settings, job.restored(), System.nanoTime());
@@ -123,7 +131,7 @@ final class Coordination implements ServerConnection.Host {
 
     private void startLocal(int threads) {
         if (local == null) {
-            local = new LocalWorker(job.render(), threads, this::handle, this::failed);
+            local = new LocalWorker(job.units(), threads, this::handle, this::failed);
             local.start();
         }
     }
@@ -143,6 +151,14 @@ final class Coordination implements ServerConnection.Host {
             if (!keep(action)) {
                 perform(action);
             }
+        }
+        for (UnitAssembly.Range lost : job.film().takeLost()) {
+            handle(new Event.Forgotten(lost.first(), lost.last()));
+        }
+        int end = job.film().end();
+        if (end > offered) {
+            offered = end;
+            handle(new Event.Offered(end));
         }
     }
 
@@ -258,9 +274,9 @@ final class Coordination implements ServerConnection.Host {
         return coordinator.snapshot(System.nanoTime());
     }
 
-    /** What goes on with more samples: machines that were found out stay expelled. */
-    synchronized ServerJob jobFollowing(DividedRender more) {
-        return job.with(more, coordinator.expelled());
+    /** The machines whose word counts no longer. */
+    synchronized Set<Origin.Peer> expelled() {
+        return coordinator.expelled();
     }
 
     /** Decides nothing from now on; false if that was so already. */

@@ -36,10 +36,12 @@ import java.util.stream.IntStream;
  */
 public final class EngineJob implements Closeable {
     private final ServerJob job;
+    private final FilmAssembly film;
     private final ContentHash canary;
 
-    private EngineJob(ServerJob job) {
+    private EngineJob(ServerJob job, FilmAssembly film) {
         this.job = job;
+        this.film = film;
         canary = Canary.hash();
     }
 
@@ -63,11 +65,12 @@ public final class EngineJob implements Closeable {
         }
         DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(log);
-        ServerJob job = new ServerJob(render, JobContent.of(scene, render.outline(), Build.number()), log);
+        FilmAssembly film = render.assembly();
+        ServerJob job = ServerJob.of(render, film, JobContent.of(scene, render.outline(), Build.number()), log);
         if (checkpoint != null) {
             job.open(checkpoint);
         }
-        return new EngineJob(job);
+        return new EngineJob(job, film);
     }
 
     /** What {@link #makers} needs, wherever that is: first the job's hash and the canary's, then contents. */
@@ -109,14 +112,12 @@ public final class EngineJob implements Closeable {
 
     /** The tiles that are not there yet, in ascending order. */
     public int[] missing() {
-        return IntStream.range(0, job.tiles())
-                .filter(tile -> !job.film().has(tile))
-                .toArray();
+        return IntStream.range(0, job.tiles()).filter(tile -> !film.has(tile)).toArray();
     }
 
     /** The greatest number of bytes that the result of a unit can have. */
     public int longest(int unit) {
-        return job.film().longest(unit);
+        return film.longest(unit);
     }
 
     /**
@@ -125,7 +126,6 @@ public final class EngineJob implements Closeable {
      * @throws IllegalArgumentException if these bytes cannot be that tile
      */
     public synchronized void put(int tile, byte[] bytes, String machine) {
-        FilmAssembly film = job.film();
         film.problem(tile, bytes).ifPresent(reason -> {
             throw new IllegalArgumentException("tile " + tile + " of " + machine + ": " + reason);
         });
@@ -142,13 +142,12 @@ public final class EngineJob implements Closeable {
 
     /** Tells how far it is. */
     public void show(RenderProgress progress) {
-        FilmAssembly film = job.film();
         progress.progress(film.pixelsDone(), film.pixels(), film::image);
     }
 
     /** The picture so far, with its report. */
     public RenderResult result() {
-        return Results.of(job.film().result());
+        return Results.of(film.result());
     }
 
     @Override

@@ -5,7 +5,6 @@ import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.listen.ServerLog;
 import enlightenment.net.secure.Secrets;
-import enlightenment.net.server.ServerJob;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
@@ -26,10 +25,10 @@ public final class RenderServer implements Closeable {
     private final ServerRounds rounds;
     private final String pin;
 
-    private RenderServer(ServerRound first, String pin) {
+    private RenderServer(ServerRound first, ServedPicture picture, String pin) {
         this.first = first;
         this.pin = pin;
-        rounds = new ServerRounds(first);
+        rounds = new ServerRounds(first, picture);
     }
 
     /**
@@ -47,19 +46,19 @@ public final class RenderServer implements Closeable {
             Scene scene, RenderSettings settings, ServerOptions options, BooleanSupplier cancelled) throws IOException {
         CborLibrary.require();
         ServerLog log = new ServerLog(options.log, System::nanoTime);
-        if (options.checkpoint.isPresent() && settings.budget().seconds().isPresent()) {
+        boolean isKept = options.checkpoint.isPresent() || !options.archives.isEmpty();
+        if (isKept && settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException(
-                    "a budget of time is planned anew each time, so that a checkpoint would not fit: give samples");
+                    "a budget of time is planned anew each time, so that what is kept would not fit: give samples");
         }
         // Before what takes long: these files may be of no use.
         Secrets secrets = Secrets.open(options.secrets(), log::say);
         Canary.hash();
         DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(log::say);
-        JobContent content = JobContent.of(scene, render.outline(), options.version);
-        ServerJob job = new ServerJob(render, content, log::say);
+        ServedPicture picture = ServedPicture.of(render, JobContent.of(scene, render.outline(), options.version));
         String pin = secrets.tls() == null ? "" : secrets.certificateHash().toString();
-        return new RenderServer(ServerRound.start(options, log, secrets, job), pin);
+        return new RenderServer(ServerRound.start(options, log, secrets, picture.job(log)), picture, pin);
     }
 
     /** The port that it listens at. */

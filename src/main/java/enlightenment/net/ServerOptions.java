@@ -7,6 +7,7 @@ import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.CoordinatorSettings;
 import enlightenment.net.secure.OwnCertificate;
 import enlightenment.net.secure.Secrets;
+import enlightenment.render.ResultArchive;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
@@ -44,6 +45,7 @@ public final class ServerOptions {
     final boolean makesCertificate;
     final int statusPort;
     final Optional<Path> checkpoint;
+    final List<ResultArchive> archives;
     final int localThreads;
     final double auditRate;
     final List<String> pardoned;
@@ -69,6 +71,7 @@ public final class ServerOptions {
         makesCertificate = b.makesCertificate;
         statusPort = b.statusPort;
         checkpoint = b.checkpoint;
+        archives = b.archives;
         localThreads = b.localThreads;
         auditRate = b.auditRate;
         pardoned = b.pardoned;
@@ -106,6 +109,7 @@ public final class ServerOptions {
         private boolean makesCertificate;
         private int statusPort = -1;
         private Optional<Path> checkpoint = Optional.empty();
+        private List<ResultArchive> archives = List.of();
         private int localThreads = Math.max(Runtime.getRuntime().availableProcessors() - 1, 1);
         private double auditRate = DEFAULT_AUDIT_RATE;
         private List<String> pardoned = List.of();
@@ -130,6 +134,7 @@ public final class ServerOptions {
             makesCertificate = o.makesCertificate;
             statusPort = o.statusPort;
             checkpoint = o.checkpoint;
+            archives = o.archives;
             localThreads = o.localThreads;
             auditRate = o.auditRate;
             pardoned = o.pardoned;
@@ -228,6 +233,15 @@ public final class ServerOptions {
             return this;
         }
 
+        /**
+         * Archives that keep what is done as well, and that a server goes on from; one thread at a time uses them. Whoever opened them
+         * closes them, after the server.
+         */
+        public Builder archives(List<ResultArchive> all) {
+            archives = List.copyOf(all);
+            return this;
+        }
+
         /** How many threads render in this process, at least 0; 0 for none as long as there are workers. */
         public Builder localThreads(int threads) {
             localThreads = threads;
@@ -323,6 +337,11 @@ public final class ServerOptions {
                 return false;
             }
         }
+    }
+
+    /** The same options with {@linkplain Builder#archives archives}. */
+    public ServerOptions withArchives(List<ResultArchive> all) {
+        return toBuilder().archives(all).build();
     }
 
     /** For the same picture with more samples: at the same ports, with a checkpoint of its own beside that of the first. */

@@ -1,7 +1,5 @@
 package enlightenment.net;
 
-import enlightenment.engine.DividedRender;
-import enlightenment.engine.Rendered;
 import enlightenment.image.Image;
 import enlightenment.net.listen.Acceptor;
 import enlightenment.net.listen.ServerLog;
@@ -83,6 +81,7 @@ final class ServerRound implements StatusServer.Source {
         if (checkpoint.isPresent()) {
             job.open(checkpoint.get(), options.pardoned);
         }
+        job.keepIn(options.archives);
         ServerRound round = new ServerRound(options, log, secrets, job);
         Lobby lobby = new Lobby(round.coordination, round.connections, options.threads, log);
         round.accepting = lobby.startThread(() -> round.acceptor.accept(lobby::welcome, lobby::makeRoom), "accept");
@@ -91,18 +90,23 @@ final class ServerRound implements StatusServer.Source {
     }
 
     /**
-     * The render that goes on where this one ended, with more samples and at the same ports.
+     * The render that goes on where this one ended, at the same ports. Machines that were found out stay expelled.
      *
      * @param more what it renders
      * @param following the options of this server, for that render
      */
-    ServerRound follow(DividedRender more, ServerOptions following) throws IOException {
-        return start(following, log, coordination.secrets(), coordination.jobFollowing(more));
+    ServerRound follow(ServerJob more, ServerOptions following) throws IOException {
+        more.expelledAlready(coordination.expelled());
+        return start(following, log, coordination.secrets(), more);
     }
 
-    /** The options of the round that renders this after this one. */
-    ServerOptions optionsFor(DividedRender more) {
-        return options.following(port(), statusPort(), more.round());
+    /** The options of the round with this number, which comes after this one. */
+    ServerOptions optionsFor(int round) {
+        return options.following(port(), statusPort(), round);
+    }
+
+    ServerLog log() {
+        return log;
     }
 
     int port() {
@@ -114,8 +118,18 @@ final class ServerRound implements StatusServer.Source {
         return status == null ? -1 : status.port();
     }
 
-    /** Renders until the picture is done, it is cancelled or ended; leaves the server open. */
-    Rendered await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
+    /** What is to be done now and then while workers render. */
+    @FunctionalInterface
+    interface Chore {
+        void run() throws IOException;
+    }
+
+    /**
+     * Renders until all is done, it is cancelled or ended; leaves the server open.
+     *
+     * @param chore done a few times a second on the calling thread, and once when it is over
+     */
+    void await(RenderProgress progress, BooleanSupplier cancelled, Chore chore) throws IOException {
         long told = -1;
         while (!coordination.isOver() && !cancelled.getAsBoolean()) {
             coordination.awaitEnd(TICK_MILLIS);
@@ -124,13 +138,14 @@ final class ServerRound implements StatusServer.Source {
                 told = done;
                 progress.progress(done, job.film().pixels(), job.film()::image);
             }
+            chore.run();
         }
         Throwable failure = coordination.failure();
         if (failure != null) {
             end(false);
             throw new IOException("rendering failed here: " + failure, failure);
         }
-        return job.film().result();
+        chore.run();
     }
 
     private void tickAll() {

@@ -117,6 +117,11 @@ public final class Integrators {
                 : traits;
     }
 
+    /** Whether a method can tell of its camera samples one by one. */
+    public static boolean recordsSamples(Method method) {
+        return method == BuiltInMethod.RAYTRACE;
+    }
+
     /** Whether level 0 of a method means antialias² samples per pixel, each pixel exactly so many. */
     static boolean hasLevelOfAntialias(Method method) {
         return method == BuiltInMethod.RAYTRACE;
@@ -220,7 +225,10 @@ public final class Integrators {
             return ofExtension(plan, scene, settings, counters);
         }
         return switch (method) {
-            case RAYTRACE -> RayTraceMethod.of(scene, settings, counters, plan.level());
+            case RAYTRACE ->
+                learned.samples() == null
+                        ? RayTraceMethod.of(scene, settings, counters, plan.level())
+                        : RayTraceMethod.recorded(scene, settings, counters, plan.level(), learned.samples());
             case LIGHT -> RayTraceMethod.ofSeenLight(scene, settings, counters, plan.level());
             case BIDIRECTIONAL -> BidirectionalMethod.of(scene, settings, counters, plan.level());
             case CLUSTER ->

@@ -159,7 +159,7 @@ public final class Rounds {
     }
 
     /** A number with as many digits as it has, and no exponent. */
-    static String number(double value) {
+    public static String number(double value) {
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
     }
 

@@ -5,7 +5,9 @@ import enlightenment.engine.EarlierUnits;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.KeptPlan;
 import enlightenment.engine.RenderOutline;
+import enlightenment.film.SampleLog;
 import enlightenment.plan.RenderPlan;
+import enlightenment.plan.Rounds;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -74,6 +76,18 @@ final class Archives {
     }
 
     private synchronized void each(Use use) {
+        // Channels to files close themselves on an interrupted thread.
+        boolean wasInterrupted = Thread.interrupted();
+        try {
+            eachWithoutInterrupt(use);
+        } finally {
+            if (wasInterrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    private void eachWithoutInterrupt(Use use) {
         for (Kept kept : List.copyOf(all)) {
             try {
                 use.of(kept);
@@ -133,7 +147,7 @@ final class Archives {
         if (earlier.isEmpty() || film.film().isComplete()) {
             return;
         }
-        String samples = Double.toString(earlier.get(0).samples());
+        String samples = Rounds.number(earlier.get(0).samples());
         if (!render.canGrow()) {
             note("what is kept has " + samples + " samples per pixel: "
                     + render.plan().method() + " takes others where there are more, so all are taken anew");
@@ -211,6 +225,49 @@ final class Archives {
     /** Keeps the result of a unit. */
     void keep(int unit, byte[] result) {
         each(kept -> kept.archive.keep(kept.plan, unit, WORKER, result));
+    }
+
+    /**
+     * What tells archives of the camera samples of one thread.
+     *
+     * @param width columns of the whole picture
+     */
+    Samples samples(int width) {
+        return new Samples(width);
+    }
+
+    /** Gives the samples of one thread to the archives that want them. */
+    final class Samples {
+        private final SampleLog log;
+        private int unit;
+
+        private Samples(int width) {
+            boolean[] wanted = new boolean[2];
+            each(kept -> {
+                if (kept.archive instanceof SampleArchive samples) {
+                    wanted[0] |= samples.keepsSamples();
+                    wanted[1] |= samples.keepsRays();
+                }
+            });
+            log = wanted[0] ? new SampleLog(wanted[1], width, this::keep) : null;
+        }
+
+        /** Where samples go; null if nobody wants them. */
+        SampleLog log() {
+            return log;
+        }
+
+        void beginUnit(int number) {
+            unit = number;
+        }
+
+        private void keep(int kind, int count, byte[] block) {
+            each(kept -> {
+                if (kept.archive instanceof SampleArchive samples && samples.keepsSamples()) {
+                    samples.keepSamples(kept.plan, unit, kind, count, block);
+                }
+            });
+        }
     }
 
     /** Lets archives know that time passes, until this is interrupted. */

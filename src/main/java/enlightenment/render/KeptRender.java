@@ -53,12 +53,17 @@ final class KeptRender implements PictureRender {
         Thread ticker = archives.startTicking();
         try {
             Workers.run(settings.threads(), missing.length, cancelled, () -> {
-                DividedRender.Growing maker = render.growing(cancelled);
+                Archives.Samples samples = archives.samples(settings.width());
+                DividedRender.Growing maker = render.growing(cancelled, samples.log());
                 return i -> {
-                    byte[] result = maker.make(missing[i], archives.earlier(missing[i], assembly, maker));
+                    int unit = missing[i];
+                    samples.beginUnit(unit);
+                    // Samples are to be told, all of them: then nothing is taken over.
+                    byte[] earlier = samples.log() == null ? archives.earlier(unit, assembly, maker) : null;
+                    byte[] result = maker.make(unit, earlier);
                     // First what must not be lost.
-                    archives.keep(missing[i], result);
-                    assembly.put(missing[i], result);
+                    archives.keep(unit, result);
+                    assembly.put(unit, result);
                     tell();
                 };
             });

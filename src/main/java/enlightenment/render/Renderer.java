@@ -179,6 +179,11 @@ public final class Renderer {
         SceneCompiler.check(scene);
     }
 
+    /** Whether a method can tell of its camera samples one by one, to a {@link SampleArchive}. */
+    public static boolean recordsSamples(Method method) {
+        return Integrators.recordsSamples(method);
+    }
+
     /** The memory that the picture needs while it is rendered, in bytes. */
     public static long memoryFor(RenderSettings settings) {
         return PictureMemory.bytes(settings);

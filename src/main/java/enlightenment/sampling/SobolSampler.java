@@ -17,6 +17,8 @@ public final class SobolSampler implements Sampler {
     /** Tells a single number from a pair with the same address. */
     private static final long SINGLE = 1L << 40;
 
+    private int column;
+    private int row;
     private long pixelHash;
     private long filmSeed;
     private int sample;
@@ -37,10 +39,27 @@ public final class SobolSampler implements Sampler {
 
     /** Sets the pixel, by its column and row in the whole picture. */
     public void pixel(long seed, int x, int y) {
+        column = x;
+        row = y;
         pixelHash = Hash.of(seed, x, y);
         filmSeed = Hash.of(pixelHash, FILM);
         pixels++;
         sample(sample);
+    }
+
+    /** The column of the pixel that it is set to. */
+    public int column() {
+        return column;
+    }
+
+    /** The row of that pixel. */
+    public int row() {
+        return row;
+    }
+
+    /** The sample that it is set to, counted from 0 in each pixel. */
+    public int sample() {
+        return sample;
     }
 
     /** Sets the sample of the pixel. */

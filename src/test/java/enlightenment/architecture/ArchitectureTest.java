@@ -101,6 +101,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.job")
             .layer("checkpoint")
             .definedBy("enlightenment.checkpoint")
+            .layer("store")
+            .definedBy("enlightenment.store")
             .layer("net")
             .definedBy("enlightenment.net..")
             .layer("measure")
@@ -125,12 +127,14 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
             .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("store")
+            .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("checkpoint", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("checkpoint", "net", "measure", "cli", "store")
             .whereLayer("engine")
-            .mayOnlyBeAccessedByLayers("render", "checkpoint", "net")
+            .mayOnlyBeAccessedByLayers("render", "checkpoint", "net", "store")
             .whereLayer("plan")
-            .mayOnlyBeAccessedByLayers("render", "engine", "net")
+            .mayOnlyBeAccessedByLayers("render", "engine", "net", "store")
             .whereLayer("report")
             .mayOnlyBeAccessedByLayers("plan", "engine", "render", "net", "measure", "cli")
             .whereLayer("work")
@@ -144,7 +148,7 @@ class ArchitectureTest {
             .whereLayer("shading")
             .mayOnlyBeAccessedByLayers("method")
             .whereLayer("film")
-            .mayOnlyBeAccessedByLayers("shading", "method", "plan", "render", "engine", "net")
+            .mayOnlyBeAccessedByLayers("shading", "method", "plan", "render", "engine", "net", "store")
             .whereLayer("bsdf")
             .mayOnlyBeAccessedByLayers("compiled", "shading")
             .whereLayer("emitter")
@@ -187,7 +191,7 @@ class ArchitectureTest {
                     "net",
                     "cli")
             .whereLayer("text")
-            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli")
+            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli", "store")
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")
@@ -263,6 +267,15 @@ class ArchitectureTest {
             .should()
             .dependOnClassesThat()
             .resideInAPackage("tools.jackson.dataformat..");
+
+    /** So that whoever embeds the library needs neither databases nor the module for them. */
+    @ArchTest
+    static final ArchRule onlyTheStoreSeesDatabases = noClasses()
+            .that()
+            .resideOutsideOfPackage("enlightenment.store")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("java.sql..", "javax.sql..", "org.sqlite..");
 
     @ArchTest
     static final ArchRule serversAndWorkersNeedNoModuleOfTheJdkThatMayBeMissing = noClasses()

@@ -277,4 +277,55 @@ class AnimateCommandTest {
         assertTrue(run.err().contains("enlightenment: 6 frames are not as asked"), run.err());
         assertEquals(6, files().size());
     }
+
+    @Test
+    void furtherFilesAreThoseThatRenderWritesAndAFrameWithoutThemIsNotThere() throws IOException {
+        assertEquals(
+                0, CliRun.of("animate", scene, "-o", pattern, "--frames", "0-2").code());
+        CliRun more = CliRun.of("animate", scene, "-o", pattern, "--frames", "0-2", "--aov", "depth,object");
+        assertEquals(new CliRun(0, "", ""), more);
+        assertEquals(9, files().size());
+        Path alone = folder.resolve("alone.png");
+        CliRun.of("render", scene, "-o", alone, "--frame", 1, "--aov", "depth,object");
+        assertArrayEquals(
+                ImageFiles.read(folder.resolve("alone.depth.png")).toArray(),
+                ImageFiles.read(frames.resolve("frame-0001.depth.png")).toArray());
+        Map<String, List<Byte>> all = files();
+        Files.delete(frames.resolve("frame-0001.depth.png"));
+        CliRun again = CliRun.of("animate", scene, "-o", pattern, "--frames", "0-2", "--aov", "depth,object");
+        assertEquals(new CliRun(0, "", "enlightenment: 2 of 3 frames are there already\n"), again);
+        assertEquals(all, files());
+    }
+
+    @Test
+    void furtherFilesThatWereMadeOtherwiseAreNotTouched() throws IOException {
+        CliRun.of("animate", scene, "-o", pattern, "--frames", "0", "--aov", "depth", "--antialias", 2);
+        Files.delete(frame(0));
+        CliRun run = CliRun.of("animate", scene, "-o", pattern, "--frames", "0", "--aov", "depth");
+        assertEquals(2, run.code());
+        assertTrue(run.err().contains("frame-0000.depth.png is there already, and was not made"), run.err());
+        CliRun classic = CliRun.of("animate", scene, "-o", pattern, "--aov", "albedo");
+        assertEquals(2, classic.code());
+        assertTrue(classic.err().contains("--aov albedo is for physical shading"), classic.err());
+    }
+
+    @Test
+    void theReportHasTheFilmAndEachFrameThatWasRendered() throws IOException {
+        Path report = folder.resolve("film.json");
+        CliRun.of("animate", scene, "-o", pattern, "--frames", "2-3");
+        CliRun run = CliRun.of("animate", scene, "-o", pattern, "--report", report, "--stats");
+        assertEquals(0, run.code(), run.err());
+        String json = Files.readString(report);
+        assertTrue(json.contains("\"framesAsked\": 6"), json);
+        assertTrue(json.contains("\"framesKept\": 2"), json);
+        assertTrue(json.contains("\"framesRendered\": 4"), json);
+        assertTrue(json.contains("\"pixels\": " + 4 * 16 * 12), json);
+        assertTrue(json.contains("\"frame\": 5"), json);
+        assertFalse(json.contains("\"frame\": 3"), json);
+        assertTrue(
+                run.out().startsWith("frames                               4   2 of 6 were there already"), run.out());
+        assertTrue(run.out().contains("  per frame"), run.out());
+        CliRun over = CliRun.of("animate", scene, "-o", pattern, "--report", scene);
+        assertTrue(over.err().contains("--report would write over the scene"), over.err());
+    }
 }

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.UnitAssembly;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.net.protocol.Timing;
@@ -174,7 +174,7 @@ class RenderServerTest {
     @Test
     void aWorkerThatComesLateGetsItsShare() throws Exception {
         try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
-            FilmAssembly film = farm.server.round().job().film();
+            UnitAssembly film = farm.server.round().job().film();
             // After a few tiles the first worker makes no other until the second has made a dozen.
             farm.join(Farm.worker(1).tamper((tile, bytes) -> {
                 Farm.until(() -> film.done() < 4 || film.done() > 16, "the second worker has done its share");

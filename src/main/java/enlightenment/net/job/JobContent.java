@@ -37,7 +37,7 @@ public final class JobContent {
     private final ContentHash scene;
     private final String build;
 
-    private JobContent(Map<ContentHash, byte[]> contents, ContentHash scene, String build) {
+    JobContent(Map<ContentHash, byte[]> contents, ContentHash scene, String build) {
         this.contents = contents;
         this.scene = scene;
         this.build = build;
@@ -78,7 +78,7 @@ public final class JobContent {
         return new JobContent(all, scene, build);
     }
 
-    private static ContentHash add(Map<ContentHash, byte[]> contents, byte[] content) {
+    static ContentHash add(Map<ContentHash, byte[]> contents, byte[] content) {
         ContentHash hash = ContentHash.of(content);
         contents.put(hash, content);
         return hash;
@@ -104,7 +104,7 @@ public final class JobContent {
         return SceneReader.readNamed(new String(json, StandardCharsets.UTF_8), names, "the server's scene");
     }
 
-    private static byte[] document(RenderOutline outline, String build, byte[] scenes) {
+    static byte[] document(RenderOutline outline, String build, byte[] scenes) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeUTF(MAGIC);

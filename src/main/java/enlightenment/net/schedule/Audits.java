@@ -249,6 +249,17 @@ final class Audits {
         }
     }
 
+    /** The tile starts afresh. Returns the lease that would have brought another vote, or null. */
+    Lease forget(int tile) {
+        Open opened = open.get(tile);
+        if (opened != null) {
+            close(opened);
+        }
+        kept[tile] = null;
+        second[tile] = null;
+        return opened == null ? null : opened.lease;
+    }
+
     /** A lease will bring the next vote on this tile. */
     void lease(Open opened, Lease lease) {
         opened.lease = lease;

@@ -54,7 +54,7 @@ public final class Coordinator {
         this.settings = settings;
         this.now = now;
         started = now;
-        board = new TileBoard(settings.tiles());
+        board = new TileBoard(settings.tiles(), settings.offered());
         audits = new Audits(settings);
         dispatcher = new Dispatcher(settings, board, audits, members.values(), a -> actions.add(a));
         expelled.addAll(restored.expelled());
@@ -81,6 +81,10 @@ public final class Coordinator {
             if (member != null) {
                 expel(member.origin, misbehaved.reason());
             }
+        } else if (event instanceof Event.Offered offered) {
+            board.offer(offered.end());
+        } else if (event instanceof Event.Forgotten forgotten) {
+            forget(forgotten);
         } else {
             expire();
         }
@@ -264,6 +268,18 @@ public final class Coordinator {
         for (Integer tile : audits.expel(machine)) {
             board.undo(tile);
             actions.add(new Action.Revoke(tile));
+        }
+    }
+
+    private void forget(Event.Forgotten event) {
+        for (int tile = event.first(); tile < event.last(); tile++) {
+            if (board.isDone(tile)) {
+                Lease moot = audits.forget(tile);
+                if (moot != null) {
+                    skip(moot, tile);
+                }
+                board.undo(tile);
+            }
         }
     }
 

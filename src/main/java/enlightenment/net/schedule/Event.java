@@ -45,6 +45,15 @@ public sealed interface Event {
     /** The worker sent what no honest worker sends. */
     record Misbehaved(long worker, String reason) implements Event {}
 
+    /** The tiles before {@code end} may be given to workers from now on. */
+    record Offered(int end) implements Event {}
+
+    /**
+     * What was kept of the tiles {@code first} (included) to {@code last} (excluded) is gone, and what was said of them does not count:
+     * those that were done must be done again.
+     */
+    record Forgotten(int first, int last) implements Event {}
+
     /** Time has passed; to be told at least every half second. */
     record Tick() implements Event {}
 }

@@ -13,6 +13,7 @@ final class TileBoard {
     private final Lease[] copier;
     private int freeCount;
     private int doneCount;
+    private int offered;
 
     /** No free tile is below this one. */
     private int lowest;
@@ -20,14 +21,27 @@ final class TileBoard {
     /** Leased tiles with one holder only. */
     private int single;
 
-    TileBoard(int tiles) {
+    /** @param offered tiles from this one on are not free before they are {@linkplain #offer offered} */
+    TileBoard(int tiles, int offered) {
         this.tiles = tiles;
+        this.offered = offered;
         free = new BitSet(tiles);
-        free.set(0, tiles);
+        free.set(0, offered);
         done = new BitSet(tiles);
         holder = new Lease[tiles];
         copier = new Lease[tiles];
-        freeCount = tiles;
+        freeCount = offered;
+    }
+
+    /** The tiles before this one may be given away from now on. */
+    void offer(int end) {
+        for (int tile = offered; tile < end; tile++) {
+            // Somebody may have sent it without being asked.
+            if (!done.get(tile) && !free.get(tile)) {
+                setFree(tile);
+            }
+        }
+        offered = Math.max(offered, end);
     }
 
     int tiles() {
@@ -128,8 +142,8 @@ final class TileBoard {
         done.set(tile);
         doneCount++;
         if (holder[tile] == null) {
+            freeCount -= free.get(tile) ? 1 : 0;
             free.clear(tile);
-            freeCount--;
             return holders;
         }
         holders.add(holder[tile]);

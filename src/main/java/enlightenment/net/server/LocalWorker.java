@@ -1,7 +1,7 @@
 package enlightenment.net.server;
 
 import enlightenment.checkpoint.Origin;
-import enlightenment.engine.DividedRender;
+import enlightenment.engine.UnitSource;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.schedule.Event;
 import enlightenment.net.schedule.WorkerCore;
@@ -24,10 +24,10 @@ public final class LocalWorker implements AutoCloseable {
      * @param events takes what it says, from any thread
      * @param failed hears of what went wrong in a thread, which has then ended
      */
-    public LocalWorker(DividedRender render, int threads, Consumer<Event> events, Consumer<Throwable> failed) {
+    public LocalWorker(UnitSource units, int threads, Consumer<Event> events, Consumer<Throwable> failed) {
         this.threads = threads;
         this.events = events;
-        pool = new RenderPool(render, threads, Integer.MAX_VALUE / 2, failed);
+        pool = new RenderPool(units, threads, Integer.MAX_VALUE / 2, failed);
     }
 
     public void start() {

@@ -234,7 +234,7 @@ public final class ServerConnection {
             // It worked for an earlier incarnation of this server: there is nothing to wait for.
             server.beginNow();
         }
-        if (!result.job().equals(job.hash()) || !isJoined) {
+        if (!result.job().equals(job.hash()) || !isJoined || isTooEarly(job, result.tile())) {
             on.send(new Message.Acknowledge(result.tile()));
             return;
         }
@@ -243,6 +243,11 @@ public final class ServerConnection {
                 problem == null
                         ? new Event.Delivered(id, result.lease(), result.tile(), TileData.of(result.data()))
                         : new Event.Misbehaved(id, "tile " + result.tile() + ": " + problem));
+    }
+
+    /** Whether the tile is one that nobody should make yet: who worked for an earlier incarnation of this server may have it. */
+    private static boolean isTooEarly(ServerJob job, int tile) {
+        return tile >= job.film().end() && tile < job.tiles();
     }
 
     private Message.Content content(Message.ContentRequest request) throws ProtocolException {

@@ -8,15 +8,19 @@ import enlightenment.checkpoint.ResultJournal;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.KeptPlan;
+import enlightenment.engine.UnitAssembly;
+import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
 import enlightenment.job.RenderIdentity;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.schedule.Action;
+import enlightenment.render.ResultArchive;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -28,10 +32,13 @@ public final class ServerJob implements Closeable {
     /** Fewer digits may be those of two machines. */
     private static final int FEWEST_DIGITS = 8;
 
-    private final DividedRender render;
+    private final UnitSource units;
     private final JobContent content;
-    private final FilmAssembly film;
+    private final UnitAssembly film;
     private final Consumer<String> log;
+
+    /** What a checkpoint is of, or null. */
+    private final KeptPlan plan;
 
     /** The hashes of the tiles that are kept. */
     private final ContentHash[] kept;
@@ -45,25 +52,40 @@ public final class ServerJob implements Closeable {
     /** What the journal calls the plan. */
     private long key;
 
+    private JobArchives archives = JobArchives.NONE;
+
     private Set<Origin.Peer> alreadyExpelled = Set.of();
 
-    public ServerJob(DividedRender render, JobContent content, Consumer<String> log) {
-        this.render = render;
+    /** The job of one picture. */
+    public static ServerJob of(DividedRender render, FilmAssembly film, JobContent content, Consumer<String> log) {
+        return new ServerJob(render, film, content, KeptPlan.of(render.round(), render.outline()), log);
+    }
+
+    /**
+     * The job of a film, which has no checkpoint.
+     *
+     * @param film where its pictures are put together
+     */
+    public static ServerJob of(UnitSource units, FrameAssemblies film, JobContent content, Consumer<String> log) {
+        return new ServerJob(units, film, content, null, log);
+    }
+
+    private ServerJob(UnitSource units, UnitAssembly film, JobContent content, KeptPlan plan, Consumer<String> log) {
+        this.units = units;
+        this.plan = plan;
         this.content = content;
         this.log = log;
-        film = render.assembly();
-        kept = new ContentHash[render.units()];
-        results = new ResultJournal(film.needsStore() ? render.units() : 0);
+        this.film = film;
+        kept = new ContentHash[units.units()];
+        results = new ResultJournal(film.needsStore() ? units.units() : 0);
         if (film.needsStore()) {
             film.keepIn(results);
         }
     }
 
-    /** The job of the same picture with more samples; machines that were found out stay expelled. */
-    public ServerJob with(DividedRender more, Set<Origin.Peer> expelled) {
-        ServerJob next = new ServerJob(more, content.with(more.outline()), log);
-        next.alreadyExpelled = Set.copyOf(expelled);
-        return next;
+    /** Machines that were found out in a job before this one stay expelled. */
+    public void expelledAlready(Set<Origin.Peer> machines) {
+        alreadyExpelled = Set.copyOf(machines);
     }
 
     /** Goes on from a checkpoint, or begins one. */
@@ -80,8 +102,8 @@ public final class ServerJob implements Closeable {
     public void open(Path checkpoint, List<String> pardoned) throws IOException {
         Restored.Builder builder = new Restored.Builder();
         List<String> wrong = new ArrayList<>();
-        byte[] plan = KeptPlan.of(render.round(), render.outline()).toBytes();
-        key = CheckpointJournal.key(plan);
+        byte[] bytes = plan.toBytes();
+        key = CheckpointJournal.key(bytes);
         List<Long> planned = new ArrayList<>();
         journal = CheckpointJournal.open(checkpoint, identity(), true, System.nanoTime(), (about, entry, place) -> {
             if (entry instanceof JournalRecord.Planned) {
@@ -101,8 +123,8 @@ public final class ServerJob implements Closeable {
             builder.add(entry);
         });
         if (!planned.contains(key)) {
-            journal.append(System.nanoTime(), key, new JournalRecord.Planned(plan));
-            journal.append(System.nanoTime(), key, new JournalRecord.Planned(plan));
+            journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
+            journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
         }
         pardon(pardoned, builder);
         restored = builder.build();
@@ -130,7 +152,7 @@ public final class ServerJob implements Closeable {
     }
 
     private RenderIdentity identity() {
-        return RenderIdentity.of(content.scene(), render.outline().settings(), content.build());
+        return RenderIdentity.of(content.scene(), plan.outline().settings(), content.build());
     }
 
     private void pardon(List<String> machines, Restored.Builder builder) throws IOException {
@@ -156,17 +178,35 @@ public final class ServerJob implements Closeable {
         return machines.stream().map(Origin.Peer::toString).sorted().collect(Collectors.joining(", "));
     }
 
+    /** Goes on from archives, after the checkpoint, and keeps in them what is done from now on; of a job of one picture. */
+    public void keepIn(List<ResultArchive> all) {
+        if (all.isEmpty()) {
+            return;
+        }
+        archives = new JobArchives(all, log);
+        List<Restored.Tile> tiles = new ArrayList<>(restored.tiles());
+        for (int tile : archives.begin(plan.toBytes(), film)) {
+            // They are ours: whoever can write there can write anything.
+            kept[tile] = archives.hash(tile);
+            tiles.add(new Restored.Tile(tile, Origin.SERVER, kept[tile], null));
+        }
+        tiles.sort(Comparator.comparingInt(Restored.Tile::tile));
+        restored = new Restored(tiles, restored.expelled());
+    }
+
     /** What is to be kept; false if the action is none of these. */
     public boolean keep(Action action) {
         if (action instanceof Action.Keep a) {
             film.put(a.tile(), a.data().bytes());
             kept[a.tile()] = a.data().hash();
             write(key, new JournalRecord.Kept(a.tile(), a.origin(), a.data().bytes()));
+            archives.keep(a.tile(), a.origin(), a.data().bytes());
         } else if (action instanceof Action.Confirm a) {
             write(key, new JournalRecord.Confirmed(a.tile(), a.by(), kept[a.tile()]));
         } else if (action instanceof Action.Revoke a) {
             film.remove(a.tile());
             write(key, new JournalRecord.Revoked(a.tile()));
+            archives.remove(a.tile());
         } else if (action instanceof Action.Expel a) {
             log.accept("machine " + a.machine() + " expelled: " + a.reason()
                     + (journal == null ? "" : " (started again with --pardon " + a.machine() + " it is let in)"));
@@ -201,6 +241,7 @@ public final class ServerJob implements Closeable {
 
     /** Time has passed. */
     public void tick() {
+        archives.tick();
         if (journal != null) {
             try {
                 journal.tick(System.nanoTime());
@@ -210,11 +251,11 @@ public final class ServerJob implements Closeable {
         }
     }
 
-    public DividedRender render() {
-        return render;
+    public UnitSource units() {
+        return units;
     }
 
-    public FilmAssembly film() {
+    public UnitAssembly film() {
         return film;
     }
 
@@ -236,7 +277,7 @@ public final class ServerJob implements Closeable {
     }
 
     public int tiles() {
-        return render.units();
+        return units.units();
     }
 
     @Override

@@ -1,7 +1,7 @@
 package enlightenment.net.worker;
 
-import enlightenment.engine.DividedRender;
 import enlightenment.engine.UnitMaker;
+import enlightenment.engine.UnitSource;
 import enlightenment.net.job.TileData;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.schedule.WorkerCore;
@@ -21,7 +21,7 @@ public final class RenderPool implements AutoCloseable {
         byte[] change(int tile, byte[] bytes);
     }
 
-    private final DividedRender render;
+    private final UnitSource units;
     private final WorkerCore core;
     private final Consumer<Throwable> failed;
     private final Tamper tamper;
@@ -36,14 +36,14 @@ public final class RenderPool implements AutoCloseable {
      * @param window largest number of tiles that are sent and not acknowledged
      * @param failed hears of what went wrong in a thread, which has then ended
      */
-    public RenderPool(DividedRender render, int threads, int window, Consumer<Throwable> failed) {
-        this(render, threads, window, failed, (tile, bytes) -> bytes);
+    public RenderPool(UnitSource units, int threads, int window, Consumer<Throwable> failed) {
+        this(units, threads, window, failed, (tile, bytes) -> bytes);
     }
 
     /** @param tamper what a faulty machine makes of a tile, for tests */
-    public RenderPool(DividedRender render, int threads, int window, Consumer<Throwable> failed, Tamper tamper) {
+    public RenderPool(UnitSource units, int threads, int window, Consumer<Throwable> failed, Tamper tamper) {
         this.tamper = tamper;
-        this.render = render;
+        this.units = units;
         this.failed = failed;
         core = new WorkerCore(threads, window, Long.MAX_VALUE);
         for (int i = 0; i < threads; i++) {
@@ -65,7 +65,7 @@ public final class RenderPool implements AutoCloseable {
 
     private void work() {
         try {
-            UnitMaker maker = render.maker(() -> closed);
+            UnitMaker maker = units.maker(() -> closed);
             for (WorkerCore.Task task = next(); task != null; task = next()) {
                 TileData data = TileData.of(tamper.change(task.tile(), checked(maker.make(task.tile()))));
                 finished(task, data);

@@ -1,16 +1,12 @@
 package enlightenment.net.worker;
 
-import enlightenment.engine.DividedRender;
+import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
-import enlightenment.net.job.JobContent;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
-import enlightenment.scene.SceneException;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 
 /** What a worker knows beyond its connections: contents by their hashes, in memory only, and the job that it works at. */
@@ -54,38 +50,25 @@ public final class WorkerJobs implements AutoCloseable {
                 return pool;
             }
         }
-        DividedRender render = render(wanted);
+        UnitSource units = units(wanted);
         synchronized (this) {
             end();
             job = wanted.job();
             contents.keySet().retainAll(wanted.contents());
-            pool = new RenderPool(render, threads, Limits.UNACKNOWLEDGED_TILES, this::failed, tamper);
+            pool = new RenderPool(units, threads, Limits.UNACKNOWLEDGED_TILES, this::failed, tamper);
             pool.start(whenFinished);
             return pool;
         }
     }
 
-    private DividedRender render(Message.Job wanted) throws IOException {
-        List<ContentHash> images =
-                wanted.contents().subList(1, wanted.contents().size());
-        Map<String, byte[]> byName = new LinkedHashMap<>();
+    private UnitSource units(Message.Job wanted) throws IOException {
+        Map<ContentHash, byte[]> images = new LinkedHashMap<>();
         byte[] document;
         synchronized (this) {
             document = contents.get(wanted.contents().get(0));
-            images.forEach(hash -> byName.put(hash.toString(), contents.get(hash)));
+            wanted.contents().stream().skip(1).forEach(hash -> images.put(hash, contents.get(hash)));
         }
-        JobContent.Document read = JobContent.read(document, images, version, threads);
-        try {
-            DividedRender render = DividedRender.planned(
-                    read.scene(), read.settings(), read.plan(), (Path file) -> byName.get(file.toString()));
-            if (render.units() != wanted.tiles()) {
-                throw new IOException(
-                        "the job has " + wanted.tiles() + " tiles at the server, " + render.units() + " here");
-            }
-            return render;
-        } catch (IllegalArgumentException | SceneException e) {
-            throw new IOException("the job cannot be used: " + e.getMessage(), e);
-        }
+        return WorkerUnits.of(document, images, wanted.tiles(), version, threads);
     }
 
     private synchronized void failed(Throwable thrown) {

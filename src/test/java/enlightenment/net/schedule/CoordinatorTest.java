@@ -450,6 +450,51 @@ class CoordinatorTest {
     }
 
     @Test
+    void tilesAreGivenAwayWhenTheyAreOffered() {
+        Coordinator c = new Coordinator(settings(40, 0).withOffered(10), Restored.NOTHING, now);
+        join(c, 1, 1);
+        Set<Integer> given = new HashSet<>();
+        for (int tile = 0; tile < 10; tile++) {
+            now += SECOND / 100;
+            only(Action.Grant.class, deliver(c, 1, tile)).forEach(g -> {
+                for (int t = g.first(); t < g.last(); t++) {
+                    given.add(t);
+                }
+            });
+        }
+        assertTrue(given.stream().allMatch(t -> t < 10), given.toString());
+        assertFalse(c.isFinished());
+        // What nobody asked for counts, and is not asked for any more.
+        deliver(c, 1, 12);
+        List<Action.Grant> grants = new ArrayList<>(only(Action.Grant.class, c.handle(now, new Event.Offered(40))));
+        assertFalse(grants.isEmpty());
+        for (int k = 0; k < grants.size(); k++) {
+            for (int tile = grants.get(k).first(); tile < grants.get(k).last(); tile++) {
+                assertNotEquals(12, tile);
+                now += SECOND / 100;
+                grants.addAll(only(Action.Grant.class, deliver(c, 1, tile)));
+            }
+        }
+        assertTrue(c.isFinished());
+    }
+
+    @Test
+    void whatIsForgottenIsDoneAgainAndOldVotesOnItDoNotCount() {
+        Coordinator c = coordinator(4, 1);
+        join(c, 1, 1);
+        for (int tile = 0; tile < 3; tile++) {
+            deliver(c, 1, tile);
+        }
+        c.handle(now, new Event.Forgotten(0, 2));
+        assertEquals(1, c.snapshot(now).done());
+        // The first word again: another than before is no contradiction.
+        assertEquals(
+                1, only(Action.Keep.class, deliver(c, 1, 0, SimTile.right(3))).size());
+        assertEquals(0, only(Action.Expel.class, deliver(c, 1, 1)).size());
+        assertEquals(3, c.snapshot(now).done());
+    }
+
+    @Test
     void theSnapshotCountsAndEstimates() {
         Coordinator c = coordinator(1_000, 0);
         assertTrue(c.snapshot(now).remainingSeconds().isEmpty());

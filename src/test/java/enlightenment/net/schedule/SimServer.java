@@ -76,6 +76,7 @@ final class SimServer {
         }
         CoordinatorSettings mine = new CoordinatorSettings(
                 settings.tiles(),
+                settings.offered(),
                 settings.seed() + incarnation,
                 settings.leaseNanos(),
                 settings.silenceNanos(),

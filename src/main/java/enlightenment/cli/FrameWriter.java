@@ -1,0 +1,66 @@
+package enlightenment.cli;
+
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.PngOptions;
+import enlightenment.render.RenderResult;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.io.IOException;
+
+/** Writes frames with the files beside them, each as a whole, and says what is to be said of them. */
+final class FrameWriter {
+    private final FrameOutput output;
+    private final ViewOption view;
+    private final FrameDigest digests;
+    private final FilmReport report;
+    private final Terminal terminal;
+
+    FrameWriter(FrameOutput output, ViewOption view, FrameDigest digests, FilmReport report, Terminal terminal) {
+        this.output = output;
+        this.view = view;
+        this.digests = digests;
+        this.report = report;
+        this.terminal = terminal;
+    }
+
+    /**
+     * What a frame's files say of themselves.
+     *
+     * @param title the scene's name
+     */
+    record Subject(int frame, String title, RenderSettings settings, String digest) {}
+
+    /** What the files of a frame will say. */
+    Subject subject(int frame, Scene scene, RenderSettings settings) throws IOException {
+        return new Subject(frame, scene.name(), settings, digests.of(scene, settings));
+    }
+
+    /** @return false if the picture is not as exact as was asked, or not to be trusted: that has been said */
+    boolean write(Subject subject, RenderResult result) throws IOException {
+        int frame = subject.frame;
+        double samples = result.report().sampling().plannedSamples();
+        String line = SettingsLine.replayable(subject.settings, samples, frame);
+        Image shown = view.view(result.image());
+        PngOptions png = new PngOptions(output.depth(), PictureText.of(subject.title, line))
+                .withText(FrameDigest.KEYWORD, subject.digest);
+        output.beside(frame).write(result.auxiliary(), shown, png);
+        // The last: where it is there, the others are.
+        ImageFiles.write(shown, output.pattern().file(frame), png);
+        report.add(frame, result);
+        LightNotes.tell(result, shown, said -> terminal.say(named(frame) + said));
+        try {
+            LightNotes.require(result);
+            RequestedError.require(result);
+            return true;
+        } catch (CliException e) {
+            terminal.say(named(frame) + e.getMessage());
+            return false;
+        }
+    }
+
+    /** How messages about a frame begin. */
+    static String named(int frame) {
+        return "frame " + frame + ": ";
+    }
+}

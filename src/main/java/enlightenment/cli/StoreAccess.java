@@ -1,0 +1,70 @@
+package enlightenment.cli;
+
+import enlightenment.store.StoreAddress;
+import enlightenment.store.StoreLogin;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** The options that say who opens a store. A password is never one of them, since others can see those. */
+final class StoreAccess {
+    private static final String VARIABLE = "ENLIGHTENMENT_STORE_PASSWORD";
+    private static final int LONGEST_PASSWORD = 4096;
+
+    @Option(names = "--store-user", paramLabel = "NAME", description = "user of the database of the store")
+    private String user;
+
+    @Option(
+            names = "--store-password-file",
+            paramLabel = "FILE",
+            description = "file with the user's password, in place of " + VARIABLE)
+    private Path passwordFile;
+
+    StoreAccess() {}
+
+    boolean isGiven() {
+        return user != null || passwordFile != null;
+    }
+
+    /** The store of this name. */
+    static StoreAddress address(String text) {
+        try {
+            return StoreAddress.of(text);
+        } catch (IllegalArgumentException e) {
+            throw CliException.wrongUsage(e.getMessage());
+        }
+    }
+
+    /** Says which files belong to a store that is read. */
+    static void reads(StoreAddress address, CommandFiles files) {
+        address.files().forEach(file -> files.reads("the store", file));
+    }
+
+    /** Says that the password is read. */
+    void register(CommandFiles files) {
+        files.reads("the file of --store-password-file", passwordFile);
+    }
+
+    StoreLogin login() throws IOException {
+        return new StoreLogin(Optional.ofNullable(user), password());
+    }
+
+    private Optional<String> password() throws IOException {
+        if (passwordFile == null) {
+            return Optional.ofNullable(System.getenv(VARIABLE));
+        }
+        try (InputStream in = Files.newInputStream(passwordFile)) {
+            byte[] bytes = in.readNBytes(LONGEST_PASSWORD + 1);
+            String text = new String(bytes, StandardCharsets.UTF_8);
+            String password = text.lines().findFirst().orElse("");
+            if (bytes.length > LONGEST_PASSWORD || password.isEmpty()) {
+                throw CliException.failed(passwordFile + ": no password: its first line is to be one");
+            }
+            return Optional.of(password);
+        }
+    }
+}

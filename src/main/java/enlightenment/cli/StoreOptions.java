@@ -1,0 +1,85 @@
+package enlightenment.cli;
+
+import enlightenment.job.Build;
+import enlightenment.job.RenderIdentity;
+import enlightenment.job.SceneDocument;
+import enlightenment.render.ResultArchive;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneWriter;
+import enlightenment.store.RenderRow;
+import enlightenment.store.StoreAddress;
+import enlightenment.store.StoreArchive;
+import enlightenment.store.StoredSamples;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** The options that say in which store a render is kept. */
+final class StoreOptions {
+    @Option(
+            names = "--store",
+            paramLabel = "STORE",
+            description =
+                    "keep what is done in this store, and go on from it: a SQLite file, or the JDBC URL of a database")
+    private String store;
+
+    @Mixin
+    private StoreAccess access = new StoreAccess();
+
+    StoreOptions() {}
+
+    boolean isGiven() {
+        return store != null;
+    }
+
+    /** Fails where options have no meaning without a store. */
+    void check() {
+        if (store == null && access.isGiven()) {
+            throw CliException.wrongUsage("--store-user and --store-password-file need --store");
+        }
+        if (store != null) {
+            StoreAccess.address(store);
+        }
+    }
+
+    /** Says which files are read and written. */
+    void register(CommandFiles files) {
+        if (store != null) {
+            access.register(files);
+            StoreAddress address = StoreAccess.address(store);
+            address.file().ifPresent(file -> files.writes("--store", file));
+            address.files().stream().skip(1).forEach(file -> files.makes("--store", file));
+        }
+    }
+
+    /**
+     * Opens the store, if there is to be one.
+     *
+     * @param frame the frame that was asked for, or null
+     */
+    Optional<ResultArchive> open(Scene scene, RenderSettings settings, Integer frame, StoredSamples samples)
+            throws IOException {
+        if (store == null) {
+            return Optional.empty();
+        }
+        SceneDocument document = SceneDocument.of(scene);
+        RenderIdentity render = RenderIdentity.of(document.hash(), settings, Build.number());
+        RenderRow row = RenderRow.now(
+                render.id().toString(),
+                scene.name(),
+                render.settings(),
+                render.build(),
+                settings.width(),
+                settings.height());
+        StoreArchive.Render what = new StoreArchive.Render(
+                row,
+                SceneWriter.toJson(scene.withoutAnimation(), Path::toString).getBytes(StandardCharsets.UTF_8),
+                planned -> PictureText.of(scene, SettingsLine.replayable(settings, planned, frame)),
+                samples);
+        return Optional.of(StoreArchive.open(StoreAccess.address(store), access.login(), what));
+    }
+}

@@ -1,0 +1,91 @@
+package enlightenment.engine;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.SceneCompiler;
+import enlightenment.plan.Planner;
+import enlightenment.plan.RenderPlan;
+import enlightenment.plan.Rounds;
+import enlightenment.report.RenderReport;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.work.Cancellation;
+import enlightenment.work.Phases;
+import enlightenment.work.Stopwatch;
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/** What is kept of a render without its scene: where its results are put together, and whether another with more samples must follow. */
+public final class RenderCourse {
+    private final RenderOutline outline;
+    private final Phases phases;
+    private final Rounds rounds;
+    private final int round;
+
+    /** Since the picture was asked for. */
+    private final Stopwatch time;
+
+    RenderCourse(RenderOutline outline, Phases phases, Rounds rounds, int round, Stopwatch time) {
+        this.outline = outline;
+        this.phases = phases;
+        this.rounds = rounds;
+        this.round = round;
+        this.time = time;
+    }
+
+    /**
+     * A picture of which nothing is there yet.
+     *
+     * @param canLose whether units may have to be taken out again, which takes more memory
+     */
+    public FilmAssembly assembly(boolean canLose) {
+        return new FilmAssembly(outline, phases, round, canLose);
+    }
+
+    /** Which render of the picture this is: 1, or more where those before were not as exact as asked. */
+    public int round() {
+        return round;
+    }
+
+    /**
+     * How many samples per pixel the render has that must follow; empty if this one is not complete, is as exact as its budget asks, or
+     * the budget allows no more. To be asked once.
+     *
+     * @param result what {@link FilmAssembly#result} gave
+     * @param log hears why there is another one
+     */
+    public OptionalDouble next(Rendered result, Consumer<String> log) {
+        if (!result.complete()) {
+            return OptionalDouble.empty();
+        }
+        RenderReport report = result.report();
+        double took = report.phases().stream()
+                .filter(p -> p.name().equals("render"))
+                .mapToDouble(RenderReport.Phase::wallSeconds)
+                .sum();
+        OptionalDouble samples = rounds.next(report, took, time.seconds());
+        samples.ifPresent(n -> log.accept(rounds.note(report, n)));
+        return samples;
+    }
+
+    /**
+     * The render that follows.
+     *
+     * @param scene the same scene again
+     * @param images is asked for image files
+     * @param samples what {@link #next} said
+     */
+    public DividedRender again(Scene scene, SharedImages images, double samples, BooleanSupplier cancelled) {
+        RenderSettings settings = outline.settings();
+        CompiledScene compiled = SceneCompiler.compile(scene, settings, images.images);
+        return again(compiled, new Planner(compiled, settings, Cancellation.of(cancelled)), samples);
+    }
+
+    DividedRender again(CompiledScene compiled, Planner planner, double samples) {
+        Phases further = phases.copy();
+        further.again();
+        RenderPlan more = further.run("plan", () -> planner.withSamples(samples, rounds.decidedBy(samples)));
+        return new DividedRender(
+                outline.sceneName(), compiled, outline.settings(), more, further, planner, rounds, round + 1, time);
+    }
+}

@@ -1,0 +1,69 @@
+package enlightenment.net;
+
+import enlightenment.engine.DividedRender;
+import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.RenderCourse;
+import enlightenment.engine.RenderOutline;
+import enlightenment.engine.UnitGroups;
+import enlightenment.net.server.FrameAssemblies;
+import enlightenment.scene.RenderSettings;
+import java.util.List;
+
+/**
+ * What is kept of a frame that is planned.
+ *
+ * @param outline what is rendered
+ * @param course its render
+ * @param pixels number of its pixels
+ * @param ahead how many frames like it may be worked at at once
+ * @param group how many of its tiles are one of the film
+ */
+record PlannedFrame(RenderOutline outline, RenderCourse course, long pixels, int ahead, int group) {
+    /** At most so much memory is taken by frames that are worked at, as a share of what there is. */
+    private static final double SHARE_OF_MEMORY = 0.25;
+
+    /** What a pixel takes while it is worked at, at most: sums of paths and of tiles, and the finished picture. */
+    private static final int BYTES_PER_PIXEL = 256;
+
+    /** The frames that are worked at have at least so many tiles, if they can: a hundred machines get dozens each. */
+    private static final int FEWEST_TILES = 1 << 12;
+
+    /** A tile of the film has at most so many camera rays, unless one of the picture has more: half a second of a processor. */
+    private static final double MOST_RAYS = 1 << 21;
+
+    /** And at most so many pixels: its result stays below a megabyte. */
+    private static final int MOST_PIXELS = 1 << 13;
+
+    /** @param frames of the film */
+    static PlannedFrame of(DividedRender render, int frames) {
+        RenderOutline outline = render.outline();
+        RenderSettings.Crop region = outline.settings().region();
+        long pixels = (long) region.width() * region.height();
+        double memory = SHARE_OF_MEMORY * Runtime.getRuntime().maxMemory();
+        // Two at least, so that nobody waits where one ends.
+        int ahead = (int) Math.max(2, Math.min(memory / ((double) pixels * BYTES_PER_PIXEL), frames));
+        double pixelsOfTile = (double) pixels / render.units();
+        double raysOfTile = pixelsOfTile * Math.max(outline.plan().samples(), 1);
+        double most = Math.min(MOST_RAYS / raysOfTile, MOST_PIXELS / pixelsOfTile);
+        double group = Math.min((double) ahead * render.units() / FEWEST_TILES, most);
+        return new PlannedFrame(outline, render.course(), pixels, ahead, (int) Math.max(1, group));
+    }
+
+    /** All frames of a film. */
+    record All(List<PlannedFrame> frames) implements FrameAssemblies.Frames {
+        @Override
+        public long pixels(int frame) {
+            return frames.get(frame).pixels;
+        }
+
+        @Override
+        public UnitGroups groups(int frame) {
+            return UnitGroups.of(frames.get(frame).outline, frames.get(frame).group);
+        }
+
+        @Override
+        public FilmAssembly empty(int frame) {
+            return frames.get(frame).course.assembly(true);
+        }
+    }
+}

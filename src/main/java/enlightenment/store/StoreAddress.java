@@ -1,0 +1,101 @@
+package enlightenment.store;
+
+import enlightenment.text.Plain;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Pattern;
+
+/**
+ * Where a store is: the path of a SQLite file, or the JDBC URL of any database.
+ *
+ * @param url the JDBC URL; without a password, but what follows its path may still be nobody's business
+ * @param file the file of a store that is one
+ */
+public record StoreAddress(String url, Optional<Path> file) {
+    static final String JDBC = "jdbc:";
+    private static final String SQLITE = "jdbc:sqlite:";
+    private static final int LONGEST_SHOWN = 200;
+
+    /** {@code password=...} among the properties, under whatever name, or {@code user:password@} before the host. */
+    private static final Pattern PASSWORD =
+            Pattern.compile("[?&;,(]\\s*\\w*(pass|pwd)\\w*\\s*=|//[^/?@]*:[^/?@]*@", Pattern.CASE_INSENSITIVE);
+
+    /** What comes before the host. */
+    private static final Pattern USER = Pattern.compile("//[^/?;@]*@");
+
+    /**
+     * The address that a text is.
+     *
+     * @throws IllegalArgumentException if it is none, or has a password in it
+     */
+    public static StoreAddress of(String text) {
+        if (!text.regionMatches(true, 0, JDBC, 0, JDBC.length())) {
+            try {
+                Path path = Path.of(text);
+                // What follows a question mark would be taken for options.
+                if (text.isBlank() || text.contains("?") || text.startsWith(":") || text.startsWith("file:")) {
+                    throw new IllegalArgumentException(Plain.quoted(text) + " is no name for the file of a store");
+                }
+                return new StoreAddress(SQLITE + path, Optional.of(path));
+            } catch (InvalidPathException e) {
+                throw new IllegalArgumentException(Plain.quoted(text) + " is no path: " + e.getReason(), e);
+            }
+        }
+        if (PASSWORD.matcher(text).find()) {
+            throw new IllegalArgumentException("a password must not be in the URL, which others can see:"
+                    + " put it into ENLIGHTENMENT_STORE_PASSWORD or a file for --store-password-file");
+        }
+        String url = JDBC + text.substring(JDBC.length());
+        if (scheme(url).isEmpty()) {
+            throw new IllegalArgumentException(
+                    Plain.quoted(text) + " does not say which database it is, as jdbc:mariadb://host/name does");
+        }
+        if (!url.startsWith(SQLITE)) {
+            return new StoreAddress(url, Optional.empty());
+        }
+        String path = url.substring(SQLITE.length()).replaceFirst("\\?.*", "");
+        if (path.isBlank() || path.startsWith(":")) {
+            throw new IllegalArgumentException("a store in memory is lost with the process: name a file");
+        }
+        return path.startsWith("file:")
+                ? new StoreAddress(url, Optional.empty())
+                : new StoreAddress(url, Optional.of(Path.of(path)));
+    }
+
+    /** All files of a store that is one: SQLite keeps two more beside it while it is open. */
+    public List<Path> files() {
+        return file.isEmpty()
+                ? List.of()
+                : List.of(file.get(), sibling(file.get(), "-wal"), sibling(file.get(), "-shm"));
+    }
+
+    private static Path sibling(Path file, String suffix) {
+        return file.resolveSibling(file.getFileName() + suffix);
+    }
+
+    /** Which kind of database it is, in small letters: what stands between the first two colons. */
+    String scheme() {
+        return scheme(url);
+    }
+
+    private static String scheme(String url) {
+        int end = url.indexOf(':', JDBC.length());
+        return end < 0 ? "" : url.substring(JDBC.length(), end).toLowerCase(Locale.ROOT);
+    }
+
+    /** What messages call it: without options and without a user's name. */
+    public String shown() {
+        String plain = file.isPresent()
+                ? file.get().toString()
+                : USER.matcher(url.replaceFirst("[?;].*", "")).replaceFirst("//");
+        return Plain.line(plain, LONGEST_SHOWN);
+    }
+
+    @Override
+    public String toString() {
+        return shown();
+    }
+}

@@ -1,0 +1,20 @@
+package enlightenment.store;
+
+import enlightenment.film.SampleLog;
+
+/** What of camera samples is kept beside the results of units. */
+public enum StoredSamples {
+    /** Nothing. */
+    NONE(-1),
+    /** Place, colour and weight. */
+    PIXELS(SampleLog.PIXELS),
+    /** The same with their rays. */
+    RAYS(SampleLog.RAYS);
+
+    /** The least kind of block that has them; -1 for none. */
+    final int kind;
+
+    StoredSamples(int kind) {
+        this.kind = kind;
+    }
+}

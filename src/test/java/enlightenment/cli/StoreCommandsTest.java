@@ -1,0 +1,234 @@
+package enlightenment.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Renders into a store, and what comes out of it. */
+class StoreCommandsTest {
+    @TempDir
+    private Path folder;
+
+    private Path scene;
+    private Path store;
+    private Path picture;
+    private Path direct;
+
+    @BeforeEach
+    void scene() throws IOException {
+        scene = CliRun.scene(folder, "\"width\": 50, \"height\": 34");
+        store = folder.resolve("s.db");
+        picture = folder.resolve("picture.png");
+        direct = folder.resolve("direct.png");
+    }
+
+    private static CliRun ok(Object... args) {
+        CliRun run = CliRun.of(args);
+        assertEquals(0, run.code(), run.err());
+        return run;
+    }
+
+    private void assertRefused(int code, String words, Object... args) {
+        CliRun run = CliRun.of(args);
+        assertEquals(code, run.code(), run.err());
+        assertTrue(run.err().contains(words), run.err());
+    }
+
+    private void assertSame(Path a, Path b) throws IOException {
+        assertArrayEquals(Files.readAllBytes(a), Files.readAllBytes(b));
+    }
+
+    private static <T> T sql(Path file, String query) throws SQLException {
+        try (Connection c = DriverManager.getConnection("jdbc:sqlite:" + file);
+                Statement statement = c.createStatement()) {
+            if (!statement.execute(query)) {
+                return null;
+            }
+            try (ResultSet result = statement.getResultSet()) {
+                result.next();
+                @SuppressWarnings("unchecked")
+                T value = (T) result.getObject(1);
+                return value;
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"raytrace,--store-rays", "raytrace,", "cluster,"})
+    void aPictureFromTheStoreHasTheBytesOfTheRender(String method, String samples) throws IOException {
+        ok("render", scene, "-o", direct, "--method", method, "--depth", 16);
+        Object[] render = {"render", scene, "-o", picture, "--method", method, "--depth", 16, "--store", store};
+        Object[] all = samples == null ? render : Arrays.copyOf(render, render.length + 1);
+        all[all.length - 1] = samples == null ? all[all.length - 1] : samples;
+        ok(all);
+        assertSame(direct, picture);
+        Path again = folder.resolve("again.png");
+        assertEquals("", ok("render-store", store, "-o", again, "--depth", 16).err());
+        assertSame(direct, again);
+    }
+
+    @Test
+    void whatIsMissingIsBlackAndSaidAndIsAllThatIsRenderedNext() throws Exception {
+        ok("render", scene, "-o", direct, "--store", store);
+        int units = sql(store, "SELECT COUNT(*) FROM film_part");
+        sql(store, "DELETE FROM film_part WHERE tile % 3 = 1");
+        sql(store, "UPDATE film_part SET worker = 'before'");
+        int left = sql(store, "SELECT COUNT(*) FROM film_part");
+        assertRefused(
+                1,
+                "missing: " + (units - left) + " of " + units + " units; they are black",
+                "render-store",
+                store,
+                "-o",
+                picture);
+        assertFalse(Arrays.equals(Files.readAllBytes(direct), Files.readAllBytes(picture)));
+        CliRun info = ok("store-info", store);
+        assertTrue(info.out().contains(left + " of " + units + " units"), info.out());
+        assertTrue(info.out().contains("before: " + left + " units"), info.out());
+        CliRun next = ok("render", scene, "-o", picture, "--store", store);
+        assertTrue(next.err().contains(left + " of " + units + " units are kept"), next.err());
+        assertSame(direct, picture);
+        assertEquals(left, (int) sql(store, "SELECT COUNT(*) FROM film_part WHERE worker = 'before'"));
+        assertEquals(units, (int) sql(store, "SELECT COUNT(*) FROM film_part"));
+    }
+
+    @Test
+    void moreSamplesGoOnFromThoseThatAreThere() throws IOException {
+        ok("render", scene, "-o", picture, "--samples", 4, "--store", store);
+        ok("render", scene, "-o", picture, "--samples", 16, "--store", store);
+        ok("render", scene, "-o", direct, "--samples", 16);
+        assertSame(direct, picture);
+        ok("render-store", store, "-o", picture);
+        assertSame(direct, picture);
+        assertTrue(ok("store-info", store).out().contains("pass 1: complete"));
+    }
+
+    @Test
+    void severalRendersAreToldApartByTheirIds() throws Exception {
+        ok("render", scene, "-o", direct, "--store", store);
+        String first = sql(store, "SELECT id FROM render");
+        ok("render", scene, "-o", picture, "--store", store, "--seed", 5);
+        assertRefused(1, "holds 2 renders; say which", "render-store", store, "-o", picture);
+        assertRefused(1, "begins with \"xyz\"", "render-store", store, "xyz", "-o", picture);
+        ok("render-store", store, first.substring(0, 6), "-o", picture);
+        assertSame(direct, picture);
+        assertEquals(
+                2,
+                ok("store-info", store).outLines().stream()
+                        .filter(l -> l.contains("50 x 34"))
+                        .count());
+    }
+
+    @Test
+    void aServerWritesWhatItsThreadsAndWorkersMade() throws Exception {
+        ok("render", scene, "-o", direct);
+        ok("server", scene, "-o", picture, "--port", 0, "--store", store);
+        assertSame(direct, picture);
+        ok("render-store", store, "-o", picture);
+        assertSame(direct, picture);
+        sql(store, "DELETE FROM film_part WHERE tile % 2 = 0");
+        CliRun again = ok("server", scene, "-o", picture, "--port", 0, "--store", store);
+        assertTrue(again.err().contains("tiles are done already"), again.err());
+        assertSame(direct, picture);
+        CliRun whole = ok("render", scene, "-o", picture, "--store", store);
+        assertTrue(whole.err().contains("units are kept from before"), whole.err());
+        assertSame(direct, picture);
+    }
+
+    @Test
+    void samplesAreUnpackedAsLinesAndAsRows() throws Exception {
+        ok("render", scene, "-o", picture, "--samples", 4, "--store", store, "--store-samples");
+        Path csv = folder.resolve("samples.csv");
+        ok("store-export", store, "--csv", csv);
+        List<String> lines = Files.readAllLines(csv);
+        assertEquals("pass,tile,px,py,n,x,y,r,g,b,w", lines.get(0));
+        assertEquals(1 + 50 * 34 * 4, lines.size());
+        ok("store-export", store, "--rows");
+        ok("store-export", store, "--rows");
+        assertEquals(50 * 34 * 4, (int) sql(store, "SELECT COUNT(*) FROM sample"));
+        assertEquals(50 * 34, (int) sql(store, "SELECT COUNT(*) FROM sample WHERE n = 3"));
+        assertEquals(0, (int)
+                sql(store, "SELECT COUNT(*) FROM sample WHERE x < px OR x >= px + 1 OR y < py OR y >= py + 1"));
+    }
+
+    @Test
+    void unitsWithoutTheSamplesThatAreWantedAreRenderedAgain() throws Exception {
+        ok("render", scene, "-o", direct, "--store", store);
+        assertRefused(1, "no samples of render", "store-export", store, "--rows");
+        ok("render", scene, "-o", picture, "--store", store, "--store-rays");
+        assertSame(direct, picture);
+        assertEquals((int) sql(store, "SELECT SUM(samples) FROM film_part"), (int)
+                sql(store, "SELECT SUM(n) FROM sample_block"));
+        CliRun third = ok("render", scene, "-o", picture, "--store", store, "--store-samples");
+        assertTrue(third.err().contains("units are kept from before"), third.err());
+    }
+
+    @Test
+    void outputsAreNoInputsAndOptionsGoTogether() {
+        ok("render", scene, "-o", direct, "--store", store);
+        assertRefused(2, "the store", "store-export", store, "--csv", store);
+        assertRefused(2, "the store", "store-export", store, "--csv", folder.resolve("s.db-wal"));
+        assertRefused(2, "--store", "render", scene, "-o", picture, "--store", scene);
+        assertRefused(2, "either --csv FILE or --rows", "store-export", store);
+        assertRefused(2, "--store-rays needs --store", "render", scene, "-o", picture, "--store-rays");
+        assertRefused(2, "need --store", "render", scene, "-o", picture, "--store-user", "me");
+        assertRefused(
+                2,
+                "--store-rays: method cluster does not tell of its samples one by one; raytrace does",
+                "render",
+                scene,
+                "-o",
+                picture,
+                "--store",
+                store,
+                "--store-rays",
+                "--method",
+                "cluster");
+        assertRefused(
+                2, "must not be given with --part", "render", scene, "-o", "a.film", "--part", "1/2", "--store", store);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "jdbc:mariadb://me:secret-word@h/db",
+                "jdbc:mariadb://h/db?user=me&password=secret-word",
+                "jdbc:h2:/x;USER=a;PASSWORD=secret-word",
+                "jdbc:mysql://address=(host=h)(password=secret-word)/db"
+            })
+    void aPasswordInTheUrlIsRefusedAndNotRepeated(String url) {
+        CliRun run = CliRun.of("render", scene, "-o", picture, "--store", url);
+        assertEquals(2, run.code(), run.err());
+        assertTrue(run.err().contains("ENLIGHTENMENT_STORE_PASSWORD"), run.err());
+        assertFalse(run.err().contains("secret-word"), run.err());
+    }
+
+    @Test
+    void aMissingDriverIsNamedWithWhereToGetIt() {
+        assertRefused(
+                1,
+                "no JDBC driver for postgresql here: put the jar of org.postgresql:postgresql:",
+                "store-info",
+                "jdbc:postgresql://h/db?secret=1");
+        assertRefused(1, "there is no such file", "store-info", store);
+        assertFalse(Files.exists(store));
+    }
+}

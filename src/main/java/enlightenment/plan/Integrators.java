@@ -23,7 +23,6 @@ import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
-import enlightenment.shading.ChanceProbe;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
@@ -197,7 +196,7 @@ public final class Integrators {
         if (scene.physical == null || !isByChance) {
             return ChanceError.NONE;
         }
-        ChanceLight light = scene.chanceLight(() -> ChanceProbe.find(scene));
+        ChanceLight light = LightPaths.leftToChance(scene);
         return light == null ? ChanceError.NONE : light.error(scene.display, plan.samples());
     }
 

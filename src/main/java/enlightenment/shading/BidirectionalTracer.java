@@ -137,6 +137,9 @@ public final class BidirectionalTracer implements Shader {
                 }
                 return false;
             case PASSED:
+                if (!eye.path.glass.passedStraight() && !eye.path.glass.border.transmitted) {
+                    images.wasReflected();
+                }
                 return true;
             case SURFACE:
                 glow();
@@ -155,11 +158,7 @@ public final class BidirectionalTracer implements Shader {
         } else {
             gather(sampler);
         }
-        boolean goes = infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
-        if (eye.isBorder && eye.path.glass.border.transmitted) {
-            images.transmitted();
-        }
-        return goes;
+        return infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
     }
 
     /**

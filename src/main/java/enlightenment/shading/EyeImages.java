@@ -150,16 +150,18 @@ final class EyeImages {
         return isMet;
     }
 
-    /** Takes back that the surface reflects the path: it has left that as glass which lets it through. */
-    void transmitted() {
-        if (path.surfaces <= 1) {
-            mirror = NONE;
-        }
-    }
-
     /** Tells that the surface that the path is at reflects it as a mirror. */
     void reflected() {
-        if (count > 0 && path.surfaces == 0) {
+        noteReflection(0);
+    }
+
+    /** The same of a surface that the path has left. */
+    void wasReflected() {
+        noteReflection(1);
+    }
+
+    private void noteReflection(int surfaces) {
+        if (count > 0 && path.surfaces == surfaces) {
             mirror = path.id;
             face = path.hit.face;
         }

@@ -143,8 +143,7 @@ class CheckpointCommandTest {
             stop.request();
         });
         impatient.start();
-        CliRun stopped =
-                CliRun.of(stop, "render", scene, "-o", picture, "--samples", 4096, "--checkpoint", checkpoint);
+        CliRun stopped = CliRun.of(stop, "render", scene, "-o", picture, "--samples", 4096, "--checkpoint", checkpoint);
         impatient.join();
         assertEquals(1, stopped.code());
         assertTrue(stopped.err().contains("; what is done is kept: --resume goes on with it"), stopped.err());

@@ -4,6 +4,7 @@ import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
 import enlightenment.render.RenderProgress;
 import enlightenment.scene.Animation;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -49,6 +50,9 @@ final class AnimateCommand extends Subcommand {
 
     @Mixin
     private FilmReport report = new FilmReport();
+
+    @Mixin
+    private WatchOptions watching = new WatchOptions();
 
     @Mixin
     private ProgressOption progress = new ProgressOption();
@@ -102,8 +106,10 @@ final class AnimateCommand extends Subcommand {
         FrameMaker maker = server == null
                 ? new FrameRenderer(film, settings, output, writer, terminal)
                 : new ServedFrames(film, settings, writer, serving, server, terminal);
-        finish(files, range, make(maker, plan, range));
-        return ExitCode.DONE;
+        RenderSettings asWritten = options.settings(scene, input.name());
+        String title = scene.name().isEmpty() ? input.name() : scene.name();
+        return watching.watch(
+                title, asWritten, view, true, terminal, w -> finish(files, range, make(maker, plan, range, w)));
     }
 
     private void finish(List<Path> files, FrameRange range, int faulty) throws IOException {
@@ -157,14 +163,16 @@ final class AnimateCommand extends Subcommand {
     }
 
     /** @return how many frames are not as asked */
-    private int make(FrameMaker maker, FrameFiles plan, FrameRange range) throws IOException {
+    private int make(FrameMaker maker, FrameFiles plan, FrameRange range, Watch watch) throws IOException {
         RenderProgress display = progress.display(terminal.err());
         Set<Integer> written = new HashSet<>();
         Set<Integer> faulty = new HashSet<>();
+        watch.frames(plan.missing());
         report.begin(range.count(), plan.kept().size());
         boolean areAllThere;
         try {
-            areAllThere = maker.make(plan.missing(), display, (frame, isFaulty) -> {
+            areAllThere = maker.make(plan.missing(), watch.over(display), (frame, isFaulty) -> {
+                watch.written(frame);
                 written.add(frame);
                 faulty.remove(frame);
                 if (isFaulty) {

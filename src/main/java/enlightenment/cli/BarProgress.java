@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
+import enlightenment.status.TimeLeft;
 import java.io.PrintStream;
 import java.time.Duration;
 import java.util.Optional;

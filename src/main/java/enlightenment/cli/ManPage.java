@@ -114,8 +114,10 @@ final class ManPage {
             for (String name : option.names()) {
                 names.add("\\fB" + text(name) + "\\fR");
             }
-            boolean value = option.arity().max() > 0;
-            line(String.join(", ", names) + (value ? " \\fI" + text(option.paramLabel()) + "\\fR" : ""));
+            String value = "\\fI" + text(option.paramLabel()) + "\\fR";
+            boolean mayHave = option.arity().max() > 0;
+            boolean mustHave = option.arity().min() > 0;
+            line(String.join(", ", names) + (mustHave ? " " + value : mayHave ? " [" + value + "]" : ""));
             description(option);
         }
     }

@@ -72,6 +72,9 @@ final class RenderCommand extends Subcommand {
     private Double preview;
 
     @Mixin
+    private WatchOptions watching = new WatchOptions();
+
+    @Mixin
     private ProgressOption progress = new ProgressOption();
 
     @Option(
@@ -136,10 +139,11 @@ final class RenderCommand extends Subcommand {
             ChainFile.check(chains, settings);
         }
         if (part == null) {
-            renderPicture(scene, settings);
-        } else {
-            renderPart(scene, settings);
+            String title = scene.name().isEmpty() ? input.name() : scene.name();
+            boolean keeps = !output.isStandardOutput();
+            return watching.watch(title, settings, view, keeps, terminal, w -> renderPicture(scene, settings, w));
         }
+        renderPart(scene, settings);
         return ExitCode.DONE;
     }
 
@@ -183,12 +187,16 @@ final class RenderCommand extends Subcommand {
         }
         // The depth is that of the picture that is to meet an error.
         boolean isDeep = output.hasDepth() && !options.hasError();
-        boolean hasFurther =
-                !aov.kinds().isEmpty() || preview != null || clusters != null || chains != null || view.isGiven();
+        boolean hasFurther = !aov.kinds().isEmpty()
+                || preview != null
+                || clusters != null
+                || chains != null
+                || view.isGiven()
+                || watching.isAsked();
         if (isDeep || output.hasFormat() || report.isAsked() || hasFurther) {
             throw CliException.wrongUsage(
                     "with --part there is no picture yet: --depth (but for --error), --format,"
-                            + " --exposure, --report, --stats, --aov, --preview, --dump-clusters and --dump-chains must not be given");
+                            + " --exposure, --report, --stats, --aov, --preview, --serve, --window, --dump-clusters and --dump-chains must not be given");
         }
         if (options.hasTime()) {
             throw CliException.wrongUsage(
@@ -221,12 +229,12 @@ final class RenderCommand extends Subcommand {
         }
     }
 
-    private void renderPicture(Scene scene, RenderSettings settings) throws IOException {
+    private void renderPicture(Scene scene, RenderSettings settings, Watch watch) throws IOException {
         RenderResult result;
         try (ArchiveList archives = new ArchiveList(terminal)) {
             keep.open(scene, settings, terminal).ifPresent(archives::add);
             store.open(scene, settings, frame.number(), samples.wanted()).ifPresent(archives::add);
-            result = render(scene, settings, archives.all());
+            result = render(scene, settings, watch, archives.all());
         } catch (SceneException e) {
             throw SceneFailures.inFile(input.name(), e);
         }
@@ -237,6 +245,7 @@ final class RenderCommand extends Subcommand {
         String line = SettingsLine.replayable(settings, samples, frame.number());
         PngOptions png = new PngOptions(output.depth(), PictureText.of(scene, line));
         Image shown = view.view(result.image(), terminal);
+        watch.rendered(shown, result);
         output.write(shown, png, terminal);
         aovFiles.write(result.auxiliary(), shown, png);
         report.write(result, output, terminal);
@@ -256,12 +265,12 @@ final class RenderCommand extends Subcommand {
         RequestedError.require(result);
     }
 
-    private RenderResult render(Scene scene, RenderSettings settings, List<ResultArchive> archives) {
+    private RenderResult render(Scene scene, RenderSettings settings, Watch watch, List<ResultArchive> archives) {
         RenderProgress display = progress.display(terminal.err());
         RenderProgress told = new BudgetNotes(display, settings.budget(), terminal);
         PreviewWriter writer = preview == null ? null : previewWriter(scene, settings, told);
         RenderRequest request = RenderRequest.of(scene, settings)
-                .withProgress(writer == null ? told : writer)
+                .withProgress(watch.over(writer == null ? told : writer))
                 .withCancelled(terminal.stop())
                 .withAuxiliary(aov.kinds())
                 .withClusters(clusters != null)

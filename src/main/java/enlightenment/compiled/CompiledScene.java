@@ -119,7 +119,6 @@ public final class CompiledScene {
             List<String> features,
             List<String> absent,
             DisplayCurve display,
-            boolean isBlurred,
             CompiledScene... instants) {
         this.display = display;
         this.instants = instants;
@@ -128,7 +127,7 @@ public final class CompiledScene {
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
         physical = shading instanceof PhysicalShading p
-                ? new PhysicalScene(p, frame, surroundings, compiled, points, !isBlurred)
+                ? new PhysicalScene(p, frame, surroundings, compiled, points)
                 : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
@@ -269,5 +268,20 @@ public final class CompiledScene {
             knowsChance = true;
         }
         return chanceLight;
+    }
+
+    /** The moments that the picture is the mean of: this scene alone where there are no {@link #instants}. */
+    public CompiledScene[] moments() {
+        return instants.length == 0 ? new CompiledScene[] {this} : instants.clone();
+    }
+
+    /** Whether caustics are the business of a pass of their own, at any moment. */
+    public boolean hasCausticPass() {
+        for (CompiledScene moment : moments()) {
+            if (moment.physical != null && moment.physical.hasCausticPass()) {
+                return true;
+            }
+        }
+        return false;
     }
 }

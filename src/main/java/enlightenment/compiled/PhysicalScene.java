@@ -82,14 +82,12 @@ public final class PhysicalScene {
 
     private final int[] lightOfFace;
 
-    /** @param mayHavePass whether caustics may be the business of a pass of their own */
     PhysicalScene(
             PhysicalShading shading,
             SceneFrame frame,
             Surroundings surroundings,
             CompiledPrimitives compiled,
-            List<PhysicalLight> points,
-            boolean mayHavePass) {
+            List<PhysicalLight> points) {
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
         this.surroundings = seen(Rgb.WHITE, around).max() > 0 ? surroundings : null;
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
@@ -144,7 +142,7 @@ public final class PhysicalScene {
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
         Sun sun = this.surroundings == null ? null : surroundings.sun;
-        caustics = mayHavePass ? CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces) : null;
+        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }

@@ -102,9 +102,9 @@ public final class SceneCompiler {
         requireMemory(scene);
         CompiledScene[] instants = new CompiledScene[scene.instants().size()];
         for (int i = 0; i < instants.length; i++) {
-            instants[i] = moment(scene.instants().get(i), settings, loopLimit, images, placement, true);
+            instants[i] = moment(scene.instants().get(i), settings, loopLimit, images, placement);
         }
-        return moment(scene, settings, loopLimit, images, placement, instants.length > 0, instants);
+        return moment(scene, settings, loopLimit, images, placement, instants);
     }
 
     private static void requireMemory(Scene scene) {
@@ -119,14 +119,12 @@ public final class SceneCompiler {
         }
     }
 
-    /** @param isBlurred whether the picture is the mean of several moments, of which this is one, or the first of all */
     private static CompiledScene moment(
             Scene scene,
             RenderSettings settings,
             int loopLimit,
             SceneImages images,
             CompiledPrimitives.Placement placement,
-            boolean isBlurred,
             CompiledScene... instants) {
         SceneFrame frame = frameOf(scene);
         CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
@@ -158,7 +156,6 @@ public final class SceneCompiler {
                 features.present(),
                 features.absent(),
                 display(scene),
-                isBlurred,
                 instants);
     }
 

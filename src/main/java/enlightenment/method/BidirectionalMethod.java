@@ -23,6 +23,6 @@ public final class BidirectionalMethod {
      */
     public static RayTraceMethod of(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
-        return new RayTraceMethod(scene, settings, new BidirectionalTracer(scene, counters), samples);
+        return RayTraceMethod.of(scene, settings, counters, samples, BidirectionalTracer::new);
     }
 }

@@ -8,21 +8,11 @@ import enlightenment.shading.Shader;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
-/**
- * Which of a scene's moments a camera sample sees while the shutter is open. Of the samples of a pixel, each block of as many as there
- * are moments sees every moment once; blocks begin at moments that are drawn by lot, and so do pixels. Neighbours in a block are far
- * apart in time, so that a part of a block is spread over it.
- */
+/** What camera samples see while the shutter is open: each sees one of the scene's moments ({@link Moments}). */
 final class Exposure {
-    /** Tells these lots from those of the sampler. */
-    private static final long PURPOSE = 0x5348555454455221L;
-
-    /** What neighbours in a block are apart: the golden section leaves the most even gaps, however many there are. */
-    private static final double STEP = (Math.sqrt(5) - 1) / 2;
-
     private final CompiledScene[] moments;
     private final Shader[] shaders;
-    private final int step;
+    private final Moments lots;
     private long pixelHash;
 
     /** @param shader makes what a ray of a moment is worth */
@@ -32,20 +22,7 @@ final class Exposure {
         for (int i = 0; i < moments.length; i++) {
             shaders[i] = shader.apply(moments[i]);
         }
-        step = step(moments.length);
-    }
-
-    /** The number next below the golden section of a number that has no divisor in common with it. */
-    static int step(int count) {
-        int step = Math.max((int) (STEP * count), 1);
-        while (greatestCommonDivisor(step, count) > 1) {
-            step--;
-        }
-        return step;
-    }
-
-    private static int greatestCommonDivisor(int a, int b) {
-        return b == 0 ? a : greatestCommonDivisor(b, a % b);
+        lots = new Moments(moments.length);
     }
 
     void stopWhen(BooleanSupplier cancelled) {
@@ -61,14 +38,12 @@ final class Exposure {
     }
 
     void pixel(long seed, int x, int y) {
-        pixelHash = Hash.of(Hash.of(seed, PURPOSE), x, y);
+        pixelHash = Hash.of(Hash.of(seed, Moments.PURPOSE), x, y);
     }
 
     /** The index of the moment that a sample of the pixel sees. */
     int moment(int sample) {
-        int count = moments.length;
-        long lot = Long.remainderUnsigned(Hash.next(pixelHash, sample / count), count);
-        return (int) ((lot + (long) (sample % count) * step) % count);
+        return lots.of(pixelHash, sample);
     }
 
     /** As {@link Shader#shade}, of a sample at a place of the picture, 0..1. */

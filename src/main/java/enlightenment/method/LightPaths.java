@@ -4,29 +4,61 @@ import enlightenment.compiled.ChanceLight;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatBatch;
+import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ChanceProbe;
 import enlightenment.shading.LightPathTracer;
 import java.util.function.BooleanSupplier;
 
-/** Paths from lights whose light is added to what tiles make of the same picture. */
+/**
+ * Paths from lights whose light is added to what tiles make of the same picture. Where the picture is the mean of several moments, each
+ * path sees one of them ({@link Moments}).
+ */
 public final class LightPaths implements SplatIntegrator {
-    /** Paths that tell how bright their light is in the picture. */
+    /** Paths that tell how bright their light is in the picture; so many of each moment at least. */
     private static final int TRIAL_PATHS = 1 << 12;
 
-    private final LightPathTracer tracer;
+    private static final int TRIAL_PATHS_OF_MOMENT = 1 << 8;
 
-    private LightPaths(LightPathTracer tracer) {
-        this.tracer = tracer;
+    /** One for each moment; null where there is nothing to follow. */
+    private final LightPathTracer[] tracers;
+
+    private final Moments moments;
+
+    /** Of all paths' moments. */
+    private final long lots;
+
+    /** What follows the paths of a moment. */
+    private interface Tracers {
+        LightPathTracer of(CompiledScene moment, long seed, int width, int height, RayCounters counters);
+    }
+
+    private LightPaths(CompiledScene scene, RenderSettings settings, RayCounters counters, Tracers of) {
+        CompiledScene[] scenes = scene.moments();
+        tracers = new LightPathTracer[scenes.length];
+        for (int i = 0; i < scenes.length; i++) {
+            // Counters count by kinds of shapes, which a moment may lack.
+            RayCounters own = scenes[i].kindNames.equals(scene.kindNames)
+                    ? counters
+                    : new RayCounters(scenes[i].kindNames.size());
+            tracers[i] = of.of(scenes[i], settings.seed(), settings.width(), settings.height(), own);
+        }
+        moments = new Moments(scenes.length);
+        lots = Hash.of(settings.seed(), Moments.PURPOSE);
     }
 
     /**
      * The caustics of a picture of which tiles make the rest: paths that are aimed at mirrors and smooth glass (docs/caustics.md). For one
-     * thread, and a scene with a pass of caustics.
+     * thread, and a scene with a pass of caustics ({@link CompiledScene#hasCausticPass}).
      */
     public static LightPaths ofCaustics(CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return new LightPaths(
-                LightPathTracer.ofCaustics(scene, settings.seed(), settings.width(), settings.height(), counters));
+                scene,
+                settings,
+                counters,
+                (moment, seed, width, height, counted) -> moment.physical.hasCausticPass()
+                        ? LightPathTracer.ofCaustics(moment, seed, width, height, counted)
+                        : null);
     }
 
     /**
@@ -35,8 +67,7 @@ public final class LightPaths implements SplatIntegrator {
      * a scene of physical shading.
      */
     public static LightPaths ofAllLight(CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        return new LightPaths(
-                LightPathTracer.ofAllLight(scene, settings.seed(), settings.width(), settings.height(), counters));
+        return new LightPaths(scene, settings, counters, LightPathTracer::ofAllLight);
     }
 
     /**
@@ -44,8 +75,7 @@ public final class LightPaths implements SplatIntegrator {
      * shading.
      */
     public static LightPaths ofBidirectional(CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        return new LightPaths(
-                LightPathTracer.ofBidirectional(scene, settings.seed(), settings.width(), settings.height(), counters));
+        return new LightPaths(scene, settings, counters, LightPathTracer::ofBidirectional);
     }
 
     /**
@@ -58,18 +88,36 @@ public final class LightPaths implements SplatIntegrator {
 
     @Override
     public void stopWhen(BooleanSupplier cancelled) {
-        tracer.stopWhen(cancelled);
+        for (LightPathTracer tracer : tracers) {
+            if (tracer != null) {
+                tracer.stopWhen(cancelled);
+            }
+        }
     }
 
     @Override
     public void trace(long firstPath, int paths, SplatBatch out) {
+        if (tracers.length == 1) {
+            for (int i = 0; i < paths; i++) {
+                tracers[0].trace(firstPath + i, out);
+            }
+            return;
+        }
         for (int i = 0; i < paths; i++) {
-            tracer.trace(firstPath + i, out);
+            LightPathTracer tracer = tracers[moments.of(lots, firstPath + i)];
+            if (tracer != null) {
+                tracer.trace(firstPath + i, out);
+            }
         }
     }
 
     @Override
     public double expectedContribution() {
-        return tracer.meanContribution(TRIAL_PATHS);
+        int paths = Math.max(TRIAL_PATHS / tracers.length, TRIAL_PATHS_OF_MOMENT);
+        double sum = 0;
+        for (LightPathTracer tracer : tracers) {
+            sum += tracer == null ? 0 : tracer.meanContribution(paths);
+        }
+        return sum / tracers.length;
     }
 }

@@ -102,7 +102,7 @@ public final class RayTraceMethod implements TileIntegrator {
     }
 
     /** The same with a shader of each moment. */
-    private static RayTraceMethod of(
+    static RayTraceMethod of(
             CompiledScene scene,
             RenderSettings settings,
             RayCounters counters,
@@ -140,7 +140,7 @@ public final class RayTraceMethod implements TileIntegrator {
     /** Of physical shading, that part of each sample which no path from a light can be connected to the eye with: {@link SeenLight}. */
     public static RayTraceMethod ofSeenLight(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
-        return new RayTraceMethod(scene, settings, new SeenLight(scene, counters), samples);
+        return of(scene, settings, counters, samples, SeenLight::new);
     }
 
     @Override

@@ -2,7 +2,7 @@ package enlightenment.net;
 
 import enlightenment.checkpoint.Origin;
 import enlightenment.engine.UnitAssembly;
-import enlightenment.net.listen.ServerLog;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.Action;

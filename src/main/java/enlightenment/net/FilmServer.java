@@ -1,8 +1,8 @@
 package enlightenment.net;
 
 import enlightenment.engine.Rendered;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.job.Canary;
-import enlightenment.net.listen.ServerLog;
 import enlightenment.net.secure.Secrets;
 import enlightenment.net.server.FrameAssemblies;
 import enlightenment.render.RenderProgress;

@@ -1,9 +1,9 @@
 package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
-import enlightenment.net.listen.ServerLog;
 import enlightenment.net.secure.Secrets;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;

@@ -2,8 +2,8 @@ package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.job.JobContent;
-import enlightenment.net.listen.ServerLog;
 import enlightenment.net.server.ServerJob;
 
 /**

@@ -1,8 +1,8 @@
 package enlightenment.net;
 
 import enlightenment.image.Image;
-import enlightenment.net.listen.Acceptor;
-import enlightenment.net.listen.ServerLog;
+import enlightenment.listen.Acceptor;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.schedule.Snapshot;
 import enlightenment.net.secure.Secrets;
@@ -10,8 +10,11 @@ import enlightenment.net.server.Connections;
 import enlightenment.net.server.Lobby;
 import enlightenment.net.server.ServerConnection;
 import enlightenment.net.server.ServerJob;
-import enlightenment.net.status.StatusServer;
 import enlightenment.render.RenderProgress;
+import enlightenment.status.State;
+import enlightenment.status.Status;
+import enlightenment.status.StatusServer;
+import enlightenment.status.StatusSource;
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -24,7 +27,7 @@ import java.util.function.BooleanSupplier;
  * One render of a server's picture, with the ports that it listens at and the threads that serve it. To workers a round that
  * follows another is a server that was started anew.
  */
-final class ServerRound implements StatusServer.Source {
+final class ServerRound implements StatusSource {
     private static final long TICK_MILLIS = 200;
     private static final long ACCEPT_END_TIMEOUT_MILLIS = 2_000;
 
@@ -186,19 +189,24 @@ final class ServerRound implements StatusServer.Source {
         log.say(line);
     }
 
-    @Override
-    public Snapshot snapshot() {
+    /** How far it is. */
+    Snapshot snapshot() {
         return coordination.snapshot();
     }
 
     @Override
-    public Image image() {
-        return job.film().image();
+    public Status status() {
+        return SnapshotStatus.of(snapshot());
     }
 
     @Override
-    public boolean isFinished() {
-        return coordination.isFinished();
+    public Optional<Image> image() {
+        return Optional.of(job.film().image());
+    }
+
+    @Override
+    public State state() {
+        return coordination.isFinished() ? State.FINISHED : State.RENDERING;
     }
 
     /** Ends this round, which another one may follow that the workers are to come to. Harmless if it has ended already. */
@@ -206,7 +214,7 @@ final class ServerRound implements StatusServer.Source {
         if (!coordination.stop()) {
             return;
         }
-        Message last = !isFinished()
+        Message last = !coordination.isFinished()
                 ? new Message.Refuse("the server was stopped", true)
                 : goesOn ? new Message.Refuse(MORE, true) : new Message.Bye("the picture is done");
         connections.list().forEach(c -> c.sayLast(last));

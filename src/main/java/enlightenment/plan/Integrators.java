@@ -138,8 +138,7 @@ public final class Integrators {
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
         if (method instanceof BuiltInMethod own) {
             return switch (own) {
-                case RAYTRACE, CLUSTER, METROPOLIS ->
-                    scene.physical != null && scene.physical.hasCausticPass() ? CAUSTIC_PATHS : 0;
+                case RAYTRACE, CLUSTER, METROPOLIS -> scene.hasCausticPass() ? CAUSTIC_PATHS : 0;
                 case LIGHT -> LIGHT_PATHS;
                 case BIDIRECTIONAL -> BidirectionalMethod.PATHS_PER_SAMPLE;
             };

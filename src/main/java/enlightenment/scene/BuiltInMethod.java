@@ -102,7 +102,7 @@ public enum BuiltInMethod implements Method {
             case SCATTERING -> this != BIDIRECTIONAL;
             case FLUORESCENCE -> true;
             case DISPERSION -> true;
-            case MOTION -> this == RAYTRACE;
+            case MOTION -> this == RAYTRACE || this == LIGHT || this == BIDIRECTIONAL;
             case SURROUNDINGS -> true;
         };
     }

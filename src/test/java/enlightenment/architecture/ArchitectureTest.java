@@ -101,6 +101,12 @@ class ArchitectureTest {
             .definedBy("enlightenment.job")
             .layer("checkpoint")
             .definedBy("enlightenment.checkpoint")
+            .layer("listen")
+            .definedBy("enlightenment.listen")
+            .layer("status")
+            .definedBy("enlightenment.status")
+            .layer("window")
+            .definedBy("enlightenment.window")
             .layer("store")
             .definedBy("enlightenment.store")
             .layer("net")
@@ -122,21 +128,27 @@ class ArchitectureTest {
             .whereLayer("video")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("machine")
-            .mayOnlyBeAccessedByLayers("work", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("work", "status", "net", "measure", "cli")
             .whereLayer("net")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("listen")
+            .mayOnlyBeAccessedByLayers("status", "net", "cli")
+            .whereLayer("status")
+            .mayOnlyBeAccessedByLayers("window", "net", "cli")
+            .whereLayer("window")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("store")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("checkpoint", "net", "measure", "cli", "store")
+            .mayOnlyBeAccessedByLayers("checkpoint", "net", "measure", "cli", "status", "store")
             .whereLayer("engine")
             .mayOnlyBeAccessedByLayers("render", "checkpoint", "net", "store")
             .whereLayer("plan")
             .mayOnlyBeAccessedByLayers("render", "engine", "net", "store")
             .whereLayer("report")
-            .mayOnlyBeAccessedByLayers("plan", "engine", "render", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("plan", "engine", "render", "status", "net", "measure", "cli")
             .whereLayer("work")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine")
             .whereLayer("nff")
@@ -191,7 +203,7 @@ class ArchitectureTest {
                     "net",
                     "cli")
             .whereLayer("text")
-            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "net", "cli", "store")
+            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "listen", "net", "cli", "store")
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")
@@ -202,7 +214,8 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("compiled")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers(
-                    "picture", "texture", "film", "plan", "render", "engine", "job", "net", "measure", "cli", "json");
+                    "picture", "texture", "film", "plan", "render", "engine", "job", "status", "window", "net",
+                    "measure", "cli", "json");
 
     /** Server and workers, from what is said over the wire up to what is exported. */
     @ArchTest
@@ -216,28 +229,20 @@ class ArchitectureTest {
             .definedBy("enlightenment.net.job")
             .layer("schedule")
             .definedBy("enlightenment.net.schedule")
-            .layer("listen")
-            .definedBy("enlightenment.net.listen")
             .layer("worker")
             .definedBy("enlightenment.net.worker")
             .layer("server")
             .definedBy("enlightenment.net.server")
-            .layer("status")
-            .definedBy("enlightenment.net.status")
             .layer("net")
             .definedBy("enlightenment.net")
             .whereLayer("net")
             .mayNotBeAccessedByAnyLayer()
-            .whereLayer("status")
-            .mayOnlyBeAccessedByLayers("net")
             .whereLayer("server")
             .mayOnlyBeAccessedByLayers("net")
             .whereLayer("worker")
             .mayOnlyBeAccessedByLayers("server", "net")
-            .whereLayer("listen")
-            .mayOnlyBeAccessedByLayers("server", "status", "net")
             .whereLayer("schedule")
-            .mayOnlyBeAccessedByLayers("worker", "server", "status", "net")
+            .mayOnlyBeAccessedByLayers("worker", "server", "net")
             .whereLayer("job")
             .mayOnlyBeAccessedByLayers("schedule", "worker", "server", "net")
             .whereLayer("protocol")
@@ -280,7 +285,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule serversAndWorkersNeedNoModuleOfTheJdkThatMayBeMissing = noClasses()
             .that()
-            .resideInAPackage("enlightenment.net..")
+            .resideInAnyPackage("enlightenment.net..", "enlightenment.listen", "enlightenment.status")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("com.sun..", "jdk..");
@@ -311,7 +316,7 @@ class ArchitectureTest {
                     "enlightenment.scene.json",
                     "enlightenment.json",
                     "enlightenment.net.protocol",
-                    "enlightenment.net.status")
+                    "enlightenment.status")
             .and()
             .haveSimpleNameNotEndingWith("Json")
             .should()
@@ -346,12 +351,20 @@ class ArchitectureTest {
             .resideInAnyPackage("org.knowm..", "org.apache.batik..", "org.w3c.dom..", "javax.xml..");
 
     @ArchTest
-    static final ArchRule onlyReadingImagesAndChartsUseAwt = noClasses()
+    static final ArchRule onlyReadingImagesChartsAndTheWindowUseAwt = noClasses()
             .that()
-            .resideOutsideOfPackages("enlightenment.codec", "enlightenment.measure.chart")
+            .resideOutsideOfPackages("enlightenment.codec", "enlightenment.measure.chart", "enlightenment.window")
             .should()
             .dependOnClassesThat()
-            .resideInAnyPackage("java.awt..", "javax.imageio..", "javax.swing..");
+            .resideInAnyPackage("java.awt..", "javax.imageio..");
+
+    @ArchTest
+    static final ArchRule onlyTheWindowSeesSwing = noClasses()
+            .that()
+            .resideOutsideOfPackage("enlightenment.window")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("javax.swing..");
 
     @ArchTest
     static final ArchRule whatDecidesPixelsUsesNoFunctionsThatDifferBetweenMachines = noClasses()

@@ -66,7 +66,7 @@ class ForeignClientTest {
         options = isCropped ? options : options.tokenFile(token);
         try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
             Process client = client(farm.server.port(), isCropped ? "-" : token.toString(), picture);
-            Farm.until(() -> farm.server.round().isFinished() || !client.isAlive(), "it has ended");
+            Farm.until(() -> farm.server.round().snapshot().finished() || !client.isAlive(), "it has ended");
             assertTrue(client.waitFor(60, TimeUnit.SECONDS));
             String said = Files.readString(folder.resolve("said"));
             assertEquals(0, client.exitValue(), said);

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.net.listen.ServerLog;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;

@@ -3,7 +3,7 @@ package enlightenment.net;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import enlightenment.net.listen.ServerLog;
+import enlightenment.listen.ServerLog;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.secure.Token;
 import enlightenment.text.Plain;

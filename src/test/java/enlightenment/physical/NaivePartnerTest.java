@@ -51,6 +51,8 @@ class NaivePartnerTest {
                 "pane",
                 "point light behind a pane",
                 "rough glass",
+                "rough jade",
+                "fog that only absorbs",
                 "rough matte",
                 "under water by a panel",
                 "window",

@@ -62,6 +62,12 @@ final class NaiveScene {
         }
     }
 
+    /** Whether anything scatters light beside surfaces. */
+    boolean hasMedia() {
+        return ((PhysicalShading) scene.shading()).medium().isPresent()
+                || surfaces.stream().anyMatch(s -> s.material() instanceof Material.Scattering);
+    }
+
     /** What comes from where nothing is. */
     double[] background(Vec3 direction) {
         return background.radiance(direction);

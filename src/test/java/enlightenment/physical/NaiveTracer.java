@@ -21,6 +21,12 @@ final class NaiveTracer {
     private static final int CERTAIN_EVENTS = 50;
     private static final double SURVIVAL = 0.9;
 
+    /**
+     * The same in scenes with media, where paths of hundreds of events matter: a share of survivors below the squared albedo would give
+     * their mean no variance, and a sample's mean would be too small almost always.
+     */
+    private static final double SURVIVAL_IN_MEDIA = 0.995;
+
     /** What a path has come over so far. */
     private enum Sight {
         /** Nothing that turned it. */
@@ -48,6 +54,8 @@ final class NaiveTracer {
 
     private final NaiveScene scene;
 
+    private final double lateSurvival;
+
     /** Whether what the eye sees in mirrors and through glass that turns rays is black, but for what glows. */
     private final boolean leavesOutMirrored;
 
@@ -64,6 +72,7 @@ final class NaiveTracer {
     NaiveTracer(Scene scene, boolean leavesOutMirrored) {
         this.scene = new NaiveScene(scene);
         this.leavesOutMirrored = leavesOutMirrored;
+        lateSurvival = this.scene.hasMedia() ? SURVIVAL_IN_MEDIA : SURVIVAL;
     }
 
     /** Notes that the path comes to a surface that scatters light in many directions; returns whether that is left out. */
@@ -122,13 +131,8 @@ final class NaiveTracer {
         if (medium.scatters()) {
             return fly(medium, hit, o, d, scattered, events, path);
         }
-        return arrive(
-                hit,
-                hit == null ? new double[] {1, 1, 1} : medium.transmittance(hit.distance()),
-                d,
-                scattered,
-                events,
-                path);
+        double length = hit == null ? Double.POSITIVE_INFINITY : hit.distance();
+        return arrive(hit, medium.transmittance(length), d, scattered, events, path);
     }
 
     /** What comes from what a ray meets, of which so much is left. */
@@ -141,7 +145,7 @@ final class NaiveTracer {
         if (s.material() == null) {
             return NaiveColors.product(kept, emitted);
         }
-        double survival = events < CERTAIN_EVENTS ? 1 : SURVIVAL;
+        double survival = events < CERTAIN_EVENTS ? 1 : lateSurvival;
         double[] sum = emitted.clone();
         if (survival == 1 || path.random.nextDouble() < survival) {
             add(sum, 1 / survival, scattered(hit, d, scattered, events + 1, path));
@@ -188,7 +192,7 @@ final class NaiveTracer {
             double share = medium.phase(d.dot(way.normalized())) / way.dot(way);
             add(sum, share, NaiveColors.product(visible, p.intensity()));
         }
-        double survival = events < CERTAIN_EVENTS ? 1 : SURVIVAL;
+        double survival = events < CERTAIN_EVENTS ? 1 : lateSurvival;
         if (survival == 1 || path.random.nextDouble() < survival) {
             Vec3 on = NaiveMedium.anywhere(path.random);
             double weight = 4 * Math.PI * medium.phase(d.dot(on)) / survival;

@@ -1,7 +1,7 @@
 package enlightenment.net.server;
 
+import enlightenment.listen.Strangers;
 import enlightenment.machine.MachineFacts;
-import enlightenment.net.listen.Strangers;
 import enlightenment.net.protocol.Limits;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

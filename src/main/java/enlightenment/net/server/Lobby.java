@@ -1,6 +1,6 @@
 package enlightenment.net.server;
 
-import enlightenment.net.listen.ServerLog;
+import enlightenment.listen.ServerLog;
 import java.net.Socket;
 import java.util.concurrent.ThreadFactory;
 

@@ -2,10 +2,10 @@ package enlightenment.net.server;
 
 import enlightenment.checkpoint.Origin;
 import enlightenment.file.ContentHash;
+import enlightenment.listen.ServerLog;
+import enlightenment.listen.Strangers;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.TileData;
-import enlightenment.net.listen.ServerLog;
-import enlightenment.net.listen.Strangers;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.MessageChannel;

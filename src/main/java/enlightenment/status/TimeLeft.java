@@ -1,4 +1,4 @@
-package enlightenment.cli;
+package enlightenment.status;
 
 import java.util.OptionalDouble;
 
@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
  * nothing about the tiles, the first tiles are slow until the just-in-time compiler is done, and a few tiles say little about the
  * others.
  */
-final class TimeLeft {
+public final class TimeLeft {
     private static final double NANO = 1e-9;
 
     /** There is no estimate until this many seconds after the first tile. */
@@ -25,7 +25,7 @@ final class TimeLeft {
     private double seconds = Double.NaN;
 
     /** Takes note of the progress at a time in nanoseconds. */
-    synchronized void at(long nanos, long done, long total) {
+    public synchronized void at(long nanos, long done, long total) {
         if (done < doneBefore) {
             // The picture is rendered once more.
             started = false;
@@ -45,7 +45,7 @@ final class TimeLeft {
     }
 
     /** Seconds from the last {@link #at}, or nothing if there is no estimate yet. */
-    synchronized OptionalDouble seconds() {
+    public synchronized OptionalDouble seconds() {
         return Double.isNaN(seconds) ? OptionalDouble.empty() : OptionalDouble.of(seconds);
     }
 }

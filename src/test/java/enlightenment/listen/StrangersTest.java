@@ -1,4 +1,4 @@
-package enlightenment.net.listen;
+package enlightenment.listen;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,4 +1,4 @@
-package enlightenment.net;
+package enlightenment.browser;
 
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
@@ -26,7 +26,7 @@ import tools.jackson.databind.ObjectMapper;
  * A real browser without a window, and one page in it: Chromium, spoken to by its DevTools protocol over a pipe (JSON texts that
  * end with a zero byte).
  */
-final class Browser implements Closeable {
+public final class Browser implements Closeable {
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final long PATIENCE_SECONDS = 30;
 
@@ -40,7 +40,7 @@ final class Browser implements Closeable {
     private String session;
 
     /** The first Chromium or Chrome on the path. */
-    static Optional<Path> executable() {
+    public static Optional<Path> executable() {
         String path = System.getenv().getOrDefault("PATH", "");
         return Stream.of("chromium", "chromium-browser", "google-chrome")
                 .flatMap(name -> Stream.of(path.split(File.pathSeparator)).map(folder -> Path.of(folder, name)))
@@ -48,7 +48,7 @@ final class Browser implements Closeable {
                 .findFirst();
     }
 
-    Browser(Path executable) throws Exception {
+    public Browser(Path executable) throws Exception {
         // The shell makes our pipes those that the browser listens and speaks to: 3 and 4.
         process = new ProcessBuilder(
                         "sh",
@@ -121,7 +121,7 @@ final class Browser implements Closeable {
     }
 
     /** Has the browser do something; gives the result. */
-    JsonNode call(String method, String parameters) throws Exception {
+    public JsonNode call(String method, String parameters) throws Exception {
         int id = calls.incrementAndGet();
         CompletableFuture<JsonNode> answer = new CompletableFuture<>();
         answers.put(id, answer);
@@ -139,14 +139,14 @@ final class Browser implements Closeable {
     }
 
     /** Goes to a page, and forgets what was noted of those before. */
-    void open(String url) throws Exception {
+    public void open(String url) throws Exception {
         requests.clear();
         problems.clear();
         call("Page.navigate", "{\"url\":" + JSON.writeValueAsString(url) + "}");
     }
 
     /** What an expression is in the page. */
-    JsonNode value(String expression) throws Exception {
+    public JsonNode value(String expression) throws Exception {
         JsonNode result = call(
                 "Runtime.evaluate",
                 "{\"returnByValue\":true,\"expression\":" + JSON.writeValueAsString(expression) + "}");
@@ -157,26 +157,26 @@ final class Browser implements Closeable {
     }
 
     /** Waits until an expression is true in the page. */
-    void until(String expression) throws Exception {
+    public void until(String expression) throws Exception {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (!value(expression).asBoolean(false)) {
             if (System.nanoTime() - end > 0) {
                 throw new AssertionError("waited in vain until " + expression + " in "
                         + value("document.documentElement.outerHTML").asString() + problems);
             }
-            Farm.sleep(20);
+            Thread.sleep(20);
         }
     }
 
     /** Errors, warnings and exceptions since the page was opened. */
-    List<String> problems() {
+    public List<String> problems() {
         synchronized (problems) {
             return List.copyOf(problems);
         }
     }
 
     /** The addresses that were asked for since the page was opened. */
-    List<String> requests() {
+    public List<String> requests() {
         synchronized (requests) {
             return List.copyOf(requests);
         }

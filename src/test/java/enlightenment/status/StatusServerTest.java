@@ -1,4 +1,4 @@
-package enlightenment.net.status;
+package enlightenment.status;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -7,11 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
-import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
-import enlightenment.net.listen.ServerLog;
-import enlightenment.net.schedule.Snapshot;
-import java.io.ByteArrayOutputStream;
+import enlightenment.listen.ServerLog;
+import java.io.ByteArrayInputStream;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.HttpURLConnection;
@@ -20,10 +17,13 @@ import java.net.Socket;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -38,40 +38,30 @@ class StatusServerTest {
     private StatusServer server;
 
     /** A render as far as a test says. */
-    private static final class Render implements StatusServer.Source {
+    private static final class Render implements StatusSource {
         private volatile Image image = black(4, 3);
-        private volatile boolean isFinished;
+        private volatile State state = State.RENDERING;
 
         @Override
-        public Snapshot snapshot() {
-            Snapshot.Worker one = new Snapshot.Worker(
-                    7, "one \"quoted\"", 3, 1.5, 5, 1, 2_000, OptionalDouble.of(2.5), 4, 0.25, false);
-            Snapshot.Worker two =
-                    new Snapshot.Worker(8, "two", 1, 0.5, 0, 0, 0, OptionalDouble.empty(), 2, 0.125, true);
-            return new Snapshot(
-                    isFinished,
-                    20,
-                    9,
-                    6,
-                    5,
-                    1,
-                    2,
-                    3,
-                    4.5,
-                    OptionalDouble.empty(),
-                    List.of(one, two),
-                    Set.of("b", "a"),
-                    List.of(new Snapshot.Note(0.5, "one joined")));
+        public Status status() {
+            Map<String, Object> statistics = new LinkedHashMap<>();
+            statistics.put("text", "\"quoted\"");
+            statistics.put("whole", 1L << 40);
+            statistics.put("known", OptionalDouble.of(2.5));
+            statistics.put("unknown", Double.NaN);
+            statistics.put("list", List.of(true, Map.of("deep", 7)));
+            List<Status.Note> notes = List.of(new Status.Note(0.5, "</script>"));
+            return new Status("a <b>", state, 9, 20, "tiles", 4.5, OptionalDouble.empty(), 3, statistics, notes);
         }
 
         @Override
-        public Image image() {
-            return image;
+        public Optional<Image> image() {
+            return Optional.ofNullable(image);
         }
 
         @Override
-        public boolean isFinished() {
-            return isFinished;
+        public State state() {
+            return state;
         }
     }
 
@@ -107,53 +97,83 @@ class StatusServerTest {
     }
 
     @Test
-    void theJsonTellsWhatTheSnapshotTells() throws Exception {
-        JsonNode json = new ObjectMapper().readTree(text("/status.json"));
-        assertFalse(json.get("finished").asBoolean());
-        int[] counts = {20, 9, 6, 5, 1, 2, 3};
-        String[] keys = {"tiles", "done", "leased", "free", "auditsOpen", "confirmed", "duplicates"};
-        for (int i = 0; i < keys.length; i++) {
-            assertEquals(counts[i], json.get(keys[i]).asInt(), keys[i]);
-        }
-        assertEquals(4.5, json.get("elapsedSeconds").asDouble());
-        assertTrue(json.get("remainingSeconds").isNull());
-        assertEquals(new ObjectMapper().readTree("[\"a\",\"b\"]"), json.get("expelled"));
-        assertEquals(new ObjectMapper().readTree("[{\"seconds\":0.5,\"text\":\"one joined\"}]"), json.get("log"));
-        assertEquals(2, json.get("workers").size());
+    void theJsonTellsWhatTheStatusTells() throws Exception {
         assertEquals(
                 new ObjectMapper()
                         .readTree(
                                 """
-                                { "name": "one \\"quoted\\"", "threads": 3, "connectedSeconds": 1.5, "tiles": 5, "audits": 1,
-                                  "bytes": 2000, "tilesPerSecond": 2.5, "owed": 4, "silentSeconds": 0.25, "stalled": false }
+                                { "title": "a <b>", "state": "rendering", "finished": false, "done": 9, "total": 20, "unit": "tiles",
+                                  "elapsedSeconds": 4.5, "remainingSeconds": null, "picture": 3, "text": "\\"quoted\\"",
+                                  "whole": 1099511627776, "known": 2.5, "unknown": null, "list": [true, {"deep": 7}],
+                                  "log": [{"seconds": 0.5, "text": "</script>"}] }
                                 """),
-                json.get("workers").get(0));
-        assertTrue(json.get("workers").get(1).get("tilesPerSecond").isNull());
-        render.isFinished = true;
-        assertTrue(new ObjectMapper()
-                .readTree(text("/status.json"))
-                .get("finished")
-                .asBoolean());
+                new ObjectMapper().readTree(text("/status.json")));
+        render.state = State.FINISHED;
+        JsonNode json = new ObjectMapper().readTree(text("/status.json"));
+        assertTrue(json.get("finished").asBoolean());
+        assertEquals("finished", json.get("state").asString());
     }
 
     @Test
     void healthIsOneWord() throws Exception {
-        assertEquals("rendering\n", text("/health"));
-        render.isFinished = true;
-        assertEquals("finished\n", text("/health"));
+        for (State state : State.values()) {
+            render.state = state;
+            assertEquals(state.word() + "\n", text("/health"));
+        }
+    }
+
+    private static int width(byte[] png) throws Exception {
+        return ImageIO.read(new ByteArrayInputStream(png)).getWidth();
     }
 
     @Test
-    void thePictureSoFarIsMadeAtMostOnceASecond() throws Exception {
+    void thePictureSoFarIsMadeAtMostOnceASecondButTheLastAtOnce() throws Exception {
         byte[] first = get("/picture.png");
+        assertEquals(4, width(first));
         render.image = black(6, 5);
         clock.addAndGet(StatusServer.PICTURE_PERIOD_NANOS - 1);
         assertArrayEquals(first, get("/picture.png"));
-        clock.addAndGet(1);
-        ByteArrayOutputStream next = new ByteArrayOutputStream();
-        ImageFiles.toPng(render.image, next, PngOptions.DEFAULT);
-        assertArrayEquals(next.toByteArray(), get("/picture.png"));
+        clock.addAndGet(1_000 * StatusServer.PICTURE_PERIOD_NANOS);
+        assertEquals(6, width(get("/picture.png")));
         assertEquals("image/png", open("/picture.png").getContentType());
+        render.image = black(7, 5);
+        render.state = State.FINISHED;
+        assertEquals(7, width(get("/picture.png")));
+    }
+
+    @Test
+    void whereThereIsNoPictureYetThereIsNone() throws Exception {
+        render.image = null;
+        assertEquals(404, open("/picture.png").getResponseCode());
+    }
+
+    @Test
+    void theEndWaitsForPagesThatHaveNotSeenItAndForNobodyElse() throws Exception {
+        server.awaitWatchers(60_000);
+        get("/status.json?page=gone");
+        clock.addAndGet(Watchers.SILENCE_NANOS + 1);
+        get("/status.json");
+        get("/status.json?page=one");
+        get("/status.json?page=two");
+        get("/picture.png?page=two");
+        render.state = State.FINISHED;
+        get("/picture.png?page=one");
+        get("/status.json?page=three");
+        Thread end = new Thread(() -> server.awaitWatchers(60_000));
+        end.start();
+        while (end.getState() != Thread.State.TIMED_WAITING) {
+            Thread.sleep(1);
+        }
+        get("/picture.png?page=two");
+        end.join();
+    }
+
+    @Test
+    void theEndWaitsForNobodyForLong() throws Exception {
+        for (int i = 0; i < 2 * Watchers.MOST; i++) {
+            get("/status.json?page=" + i);
+        }
+        server.awaitWatchers(1);
     }
 
     @Test
@@ -182,11 +202,17 @@ class StatusServerTest {
     }
 
     @Test
-    void thePageNeedsNothingFromElsewhere() throws Exception {
-        String html = text("/");
-        assertFalse(html.contains("http:") || html.contains("https:") || html.contains("//"), "an address");
-        String policy = open("/").getHeaderField("Content-Security-Policy");
+    void thePageNeedsNothingFromElsewhereAndNothingWithinItIsRun() throws Exception {
+        for (String path : List.of("/", "/status.css", "/status.js", "/icon.svg")) {
+            String text = text(path).replace("http://www.w3.org/2000/svg", "").replace("url(#", "");
+            assertFalse(text.contains("http:") || text.contains("https:") || text.contains("url("), path);
+        }
+        HttpURLConnection page = open("/");
+        String policy = page.getHeaderField("Content-Security-Policy");
         assertTrue(policy.startsWith("default-src 'none'"), policy);
+        assertFalse(policy.contains("unsafe"), policy);
+        assertEquals("same-origin", page.getHeaderField("Cross-Origin-Resource-Policy"));
+        assertFalse(text("/").matches("(?s).*(<script>|<style>|style=|onload=|onerror=).*"));
         assertEquals(404, open("/etc/passwd").getResponseCode());
     }
 

@@ -1,8 +1,8 @@
-package enlightenment.net.status;
+package enlightenment.status;
 
-import enlightenment.net.listen.Acceptor;
-import enlightenment.net.listen.ServerLog;
-import enlightenment.net.listen.Strangers;
+import enlightenment.listen.Acceptor;
+import enlightenment.listen.ServerLog;
+import enlightenment.listen.Strangers;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadFactory;
 import java.util.function.LongSupplier;
@@ -50,10 +51,28 @@ final class SmallHttp implements Closeable {
     }
 
     /** A request; {@code host} is null unless it is named exactly once. */
-    record Request(String method, String path, String host) {}
+    record Request(String method, String path, String query, String host) {
+        /** What the query says a name is, if anything; of bounded length, and nothing but text. */
+        Optional<String> value(String name) {
+            for (String part : query.split("&")) {
+                if (part.startsWith(name + "=")) {
+                    return Optional.of(part.substring(name.length() + 1));
+                }
+            }
+            return Optional.empty();
+        }
+    }
 
-    /** An answer. */
-    record Answer(int code, String type, byte[] body) {
+    /**
+     * An answer.
+     *
+     * @param sent is called when it has been sent
+     */
+    record Answer(int code, String type, byte[] body, Runnable sent) {
+        Answer(int code, String type, byte[] body) {
+            this(code, type, body, () -> {});
+        }
+
         static Answer text(int code, String text) {
             return new Answer(code, "text/plain; charset=utf-8", text.getBytes(StandardCharsets.UTF_8));
         }
@@ -114,8 +133,10 @@ final class SmallHttp implements Closeable {
         try {
             Request request = read(socket.getInputStream());
             deadlines.computeIfPresent(socket, (s, old) -> clock.getAsLong() + ANSWER_TIMEOUT_NANOS);
-            write(socket.getOutputStream(), request == null ? badRequest() : pages.answer(request));
+            Answer answer = request == null ? badRequest() : pages.answer(request);
+            write(socket.getOutputStream(), answer);
             socket.shutdownOutput();
+            answer.sent.run();
             drain(socket);
         } catch (IOException | RuntimeException | OutOfMemoryError e) {
             // Nobody waits for the answer any more, or it cannot be made now: the page asks again.
@@ -153,15 +174,19 @@ final class SmallHttp implements Closeable {
                 hosts++;
             }
         }
-        return new Request(words[0], words[1].replaceFirst("\\?.*", ""), hosts == 1 ? host : null);
+        int mark = words[1].indexOf('?');
+        String path = mark < 0 ? words[1] : words[1].substring(0, mark);
+        String query = mark < 0 ? "" : words[1].substring(mark + 1);
+        return new Request(words[0], path, query, hosts == 1 ? host : null);
     }
 
     private static void write(OutputStream out, Answer answer) throws IOException {
         String head = "HTTP/1.1 " + answer.code + " " + (answer.code == 200 ? "OK" : "No") + "\r\nContent-Type: "
                 + answer.type + "\r\nContent-Length: " + answer.body.length
                 + "\r\nConnection: close\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\n"
-                + "Content-Security-Policy: default-src 'none'; img-src 'self'; connect-src 'self'; "
-                + "style-src 'unsafe-inline'; script-src 'unsafe-inline'; frame-ancestors 'none'\r\n\r\n";
+                + "Cross-Origin-Resource-Policy: same-origin\r\nReferrer-Policy: no-referrer\r\n"
+                + "Content-Security-Policy: default-src 'none'; img-src 'self'; connect-src 'self'; style-src 'self'; "
+                + "script-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n\r\n";
         byte[] first = head.getBytes(StandardCharsets.US_ASCII);
         byte[] all = Arrays.copyOf(first, first.length + answer.body.length);
         System.arraycopy(answer.body, 0, all, first.length, answer.body.length);
@@ -176,6 +201,10 @@ final class SmallHttp implements Closeable {
         for (int n = 0, sum = 0; n >= 0 && sum < MAX_DRAINED_BYTES; sum += n) {
             n = socket.getInputStream().read(buffer);
         }
+    }
+
+    boolean isClosed() {
+        return acceptor.isClosed();
     }
 
     /** Ends what should have ended by now. */

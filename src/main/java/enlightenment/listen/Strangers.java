@@ -1,4 +1,4 @@
-package enlightenment.net.listen;
+package enlightenment.listen;
 
 import java.net.Inet6Address;
 import java.net.InetAddress;

@@ -1,4 +1,4 @@
-package enlightenment.net.listen;
+package enlightenment.listen;
 
 import java.io.Closeable;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package enlightenment.net.listen;
+package enlightenment.listen;
 
 import enlightenment.text.Plain;
 import java.util.HashMap;

@@ -1,0 +1,72 @@
+package enlightenment.cli;
+
+import enlightenment.scene.RenderSettings;
+import java.io.IOException;
+import java.util.Map;
+import java.util.Stack;
+import picocli.CommandLine.IParameterPreprocessor;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+
+/** The options that say how a render can be watched. */
+final class WatchOptions {
+    @Option(
+            names = "--serve",
+            arity = "0..1",
+            paramLabel = "PORT",
+            fallbackValue = "0",
+            converter = WholeNumber.Port.class,
+            preprocessor = PortOrNothing.class,
+            description = "show the picture so far as a web page on this machine; without PORT at any that is free")
+    private Integer port;
+
+    @Option(names = "--window", description = "show the picture so far in a window; closing it ends the render")
+    private boolean window;
+
+    WatchOptions() {}
+
+    /** Whether anybody is to see anything. */
+    boolean isAsked() {
+        return port != null || window;
+    }
+
+    /**
+     * Does what can be watched.
+     *
+     * @param title what is rendered
+     * @param settings how, as far as that is the same for all of it
+     * @param view how pictures are shown
+     * @param keeps whether a finished picture stays in its window until that is closed
+     * @return one of {@link ExitCode}
+     */
+    int watch(String title, RenderSettings settings, ViewOption view, boolean keeps, Terminal terminal, Watch.Work work)
+            throws IOException {
+        if (!isAsked()) {
+            work.run(Watch.NONE);
+            return ExitCode.DONE;
+        }
+        try (Watch watch = new Watch(title, settings, view, terminal)) {
+            if (window) {
+                watch.openWindow(keeps);
+            }
+            if (port != null) {
+                watch.serve(port);
+            }
+            return watch.run(work);
+        }
+    }
+
+    /** Takes the next argument for the port only if it is a number: what is none may be the scene. */
+    static final class PortOrNothing implements IParameterPreprocessor {
+        @Override
+        public boolean preprocess(Stack<String> args, CommandSpec command, ArgSpec option, Map<String, Object> info) {
+            boolean isAttached = info.get("separator") != null && !" ".equals(info.get("separator"));
+            if (!isAttached && (args.isEmpty() || !args.peek().matches("\\d+"))) {
+                // As if --serve=0 had been given.
+                args.push("0");
+            }
+            return false;
+        }
+    }
+}

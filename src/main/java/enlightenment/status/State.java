@@ -1,0 +1,24 @@
+package enlightenment.status;
+
+import java.util.Locale;
+
+/** Where a render is. */
+public enum State {
+    /** Nothing of the picture is there yet. */
+    PREPARING,
+    RENDERING,
+    /** The picture is whole. */
+    FINISHED,
+    /** It ended before the picture was whole. */
+    STOPPED;
+
+    /** As scripts and pages read it. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether nothing more will come. */
+    public boolean isOver() {
+        return this == FINISHED || this == STOPPED;
+    }
+}

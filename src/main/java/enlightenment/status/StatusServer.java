@@ -1,0 +1,177 @@
+package enlightenment.status;
+
+import enlightenment.image.Image;
+import enlightenment.listen.ServerLog;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.concurrent.ThreadFactory;
+import java.util.function.LongSupplier;
+
+/** Shows how far a render is, on loopback, read-only: a page, the picture so far, JSON, and health for scripts. */
+public final class StatusServer {
+    static final long PICTURE_PERIOD_NANOS = 1_000_000_000L;
+
+    /** The largest share of a processor that encoding pictures may take: large ones are made less often. */
+    static final double SHARE = 0.02;
+
+    private static final long TICK_MILLIS = 200;
+
+    private final StatusSource source;
+    private final LongSupplier clock;
+    private final SmallHttp http;
+    private final Watchers watchers = new Watchers();
+    private final byte[] page;
+    private final byte[] style;
+    private final byte[] script;
+    private final byte[] icon;
+    private byte[] picture;
+    private boolean isLastPicture;
+    private long pictureMade;
+    private long pictureTook = Long.MAX_VALUE;
+
+    private StatusServer(StatusSource source, int port, ThreadFactory threads, ServerLog log, LongSupplier clock)
+            throws IOException {
+        this.source = source;
+        this.clock = clock;
+        page = resource("status.html");
+        style = resource("status.css");
+        script = resource("status.js");
+        icon = resource("icon.svg");
+        http = SmallHttp.start(port, this::answer, threads, log, clock);
+    }
+
+    private static byte[] resource(String name) throws IOException {
+        try (InputStream in = StatusServer.class.getResourceAsStream(name)) {
+            return in.readAllBytes();
+        }
+    }
+
+    /**
+     * Begins to answer; whoever starts it calls {@link #check} now and then.
+     *
+     * @param port 0 for any that is free
+     * @param clock nanoseconds of any origin, that of {@link #check} too
+     * @throws IOException if it cannot listen there
+     */
+    public static StatusServer start(
+            StatusSource source, int port, ThreadFactory threads, ServerLog log, LongSupplier clock)
+            throws IOException {
+        return new StatusServer(source, port, threads, log, clock);
+    }
+
+    /**
+     * Begins to answer, with threads of its own, which keep no process from ending.
+     *
+     * @param port 0 for any that is free
+     * @throws IOException if it cannot listen there
+     */
+    public static StatusServer start(StatusSource source, int port, ServerLog log) throws IOException {
+        StatusServer server = start(source, port, Thread::new, log, System::nanoTime);
+        Thread ticking = new Thread(server::tick, "status tick");
+        ticking.setDaemon(true);
+        ticking.start();
+        return server;
+    }
+
+    private void tick() {
+        try {
+            while (!http.isClosed()) {
+                Thread.sleep(TICK_MILLIS);
+                check(clock.getAsLong());
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    public int port() {
+        return http.port();
+    }
+
+    /** Time has passed. */
+    public void check(long now) {
+        http.check(now);
+    }
+
+    /**
+     * Waits, once the render is over, until the pages that look at it have heard so and have its last picture.
+     *
+     * @param millis no longer than this
+     */
+    public void awaitWatchers(long millis) {
+        watchers.await(clock.getAsLong(), millis);
+    }
+
+    private SmallHttp.Answer answer(SmallHttp.Request request) throws IOException {
+        if (!isForUs(request.host())) {
+            return SmallHttp.Answer.text(403, "this page is for this machine only\n");
+        }
+        if (!request.method().equals("GET")) {
+            return SmallHttp.Answer.text(405, "only GET\n");
+        }
+        return switch (request.path()) {
+            case "/" -> new SmallHttp.Answer(200, "text/html; charset=utf-8", page);
+            case "/status.css" -> new SmallHttp.Answer(200, "text/css; charset=utf-8", style);
+            case "/status.js" -> new SmallHttp.Answer(200, "text/javascript; charset=utf-8", script);
+            case "/icon.svg" -> new SmallHttp.Answer(200, "image/svg+xml", icon);
+            case "/status.json" -> status(request);
+            case "/picture.png" -> picture(request);
+            case "/health" -> SmallHttp.Answer.text(200, source.state().word() + "\n");
+            default -> SmallHttp.Answer.text(404, "there is /, /status.json, /picture.png and /health\n");
+        };
+    }
+
+    /** A page elsewhere that has a name of its own point here does not get an answer. */
+    private static boolean isForUs(String host) {
+        return host != null && host.matches("(localhost|127(\\.\\d{1,3}){3}|\\[::1])(:\\d+)?");
+    }
+
+    private SmallHttp.Answer status(SmallHttp.Request request) {
+        Status status = source.status();
+        Optional<String> watcher = request.value("page");
+        if (watcher.isPresent() && !status.state().isOver()) {
+            watchers.told(watcher.get(), clock.getAsLong());
+        }
+        return new SmallHttp.Answer(
+                200, "application/json", StatusJson.of(status).getBytes(StandardCharsets.UTF_8));
+    }
+
+    private SmallHttp.Answer picture(SmallHttp.Request request) throws IOException {
+        boolean isLast = source.state().isOver();
+        byte[] png = picture(isLast);
+        if (png == null) {
+            return SmallHttp.Answer.text(404, "there is no picture yet\n");
+        }
+        return new SmallHttp.Answer(200, "image/png", png, () -> {
+            if (isLast) {
+                request.value("page").ifPresent(watchers::served);
+            }
+        });
+    }
+
+    /** @return null if there is none */
+    private synchronized byte[] picture(boolean isLast) throws IOException {
+        long now = clock.getAsLong();
+        boolean isDue =
+                picture == null || now - pictureMade >= Math.max(PICTURE_PERIOD_NANOS, (long) (pictureTook / SHARE));
+        if (isDue || isLast && !isLastPicture) {
+            Optional<Image> image = source.image();
+            if (image.isEmpty()) {
+                return null;
+            }
+            long start = System.nanoTime();
+            picture = QuickPng.of(image.get());
+            isLastPicture = isLast;
+            pictureMade = now;
+            // The least of all: what the others took longer they waited for a processor.
+            pictureTook = Math.min(System.nanoTime() - start, pictureTook);
+        }
+        return picture;
+    }
+
+    public void close() throws IOException {
+        http.close();
+    }
+}

@@ -1,0 +1,167 @@
+package enlightenment.status;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import enlightenment.browser.Browser;
+import enlightenment.image.Image;
+import enlightenment.listen.ServerLog;
+import enlightenment.render.RenderProgress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The page of a render in one process as a browser shows it, after its scripts ran. */
+@Timeout(120)
+class RenderPageTest {
+    private static Browser browser;
+
+    private final WatchedRender render = new WatchedRender("<b>a scene</b>", image -> image, System::nanoTime);
+    private final RenderProgress progress = render.listening(RenderProgress.NONE);
+    private StatusServer server;
+    private String origin;
+
+    @BeforeAll
+    static void openBrowser() throws Exception {
+        Optional<Path> executable = Browser.executable();
+        assumeTrue(executable.isPresent(), "no Chromium on the path");
+        browser = new Browser(executable.get());
+    }
+
+    @AfterAll
+    static void closeBrowser() throws Exception {
+        if (browser != null) {
+            browser.close();
+        }
+    }
+
+    @BeforeEach
+    void serve() throws Exception {
+        server = StatusServer.start(render, 0, new ServerLog(line -> {}, System::nanoTime));
+        origin = "http://127.0.0.1:" + server.port() + "/";
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        server.close();
+    }
+
+    private static String text(String selector) throws Exception {
+        return browser.value("document.querySelector('" + selector + "').textContent")
+                .asString();
+    }
+
+    /** A picture of one colour. */
+    private static Image plain(int width, int height, float red, float green) {
+        float[] rgb = new float[3 * width * height];
+        for (int i = 0; i < rgb.length; i += 3) {
+            rgb[i] = red;
+            rgb[i + 1] = green;
+        }
+        return new Image(width, height, rgb);
+    }
+
+    /** The colour of a pixel of the picture that is shown, once it is this one. */
+    private static void untilShown(String rgba) throws Exception {
+        browser.value("function colour() { const c = document.createElement('canvas'); c.width = c.height = 1;"
+                + "const g = c.getContext('2d'); g.drawImage(document.querySelector('#picture'), 0, 0);"
+                + "return g.getImageData(0, 0, 1, 1).data.join(); } 0");
+        browser.until("colour() == '" + rgba + "'");
+    }
+
+    @Test
+    void aRenderIsShownFromItsBeginningToItsEndAndStaysWhenItIsGone() throws Exception {
+        browser.open(origin);
+        browser.until("document.readyState == 'complete' && document.querySelector('#numbers').textContent != ''");
+        assertTrue(text("#numbers").startsWith("The picture is being prepared; "), text("#numbers"));
+        assertTrue(browser.value("document.querySelector('#picture').hidden").asBoolean());
+
+        progress.note("something about the budget");
+        progress.planned(16, "samples");
+        render.statistic("method", "raytrace");
+        progress.progress(25, 100, () -> plain(10, 10, 1, 0));
+        browser.until("document.querySelector('#state').textContent == '25 %'");
+        untilShown("255,0,0,255");
+        assertEquals("<b>a scene</b>", text("#title"));
+        assertEquals(
+                "25 % \u2013 <b>a scene</b>", browser.value("document.title").asString());
+        assertTrue(text("#numbers").startsWith("25 of 100 pixels done; "), text("#numbers"));
+        assertTrue(text("#facts").contains("methodraytrace"), text("#facts"));
+        assertTrue(text("#facts").contains("16, decided by samples"), text("#facts"));
+        assertTrue(text("#log").contains("something about the budget"), text("#log"));
+        assertTrue(browser.value("document.querySelector('#farm').hidden").asBoolean());
+        assertEquals(
+                "pixels",
+                browser.value("document.querySelector('#picture').className").asString());
+        assertEquals(
+                0,
+                browser.value("document.querySelector('#picture').width % 10").asInt());
+        assertTrue(browser.value("document.querySelector('#picture').width").asInt() > 300);
+
+        progress.progress(100, 100, () -> plain(10, 10, 0, 1));
+        browser.until("document.querySelector('#state').textContent == '100 %'");
+        assertEquals(List.of(), browser.problems());
+        assertTrue(
+                browser.requests().stream().allMatch(r -> r.startsWith(origin)),
+                browser.requests().toString());
+
+        render.ended(true);
+        server.awaitWatchers(60_000);
+        server.close();
+        untilShown("0,255,0,255");
+        assertEquals("finished", text("#state"));
+        int polls = browser.requests().size();
+        browser.until("last.state == 'finished'");
+        while (browser.requests().size() < polls + 2) {
+            Thread.sleep(20);
+        }
+        assertEquals("", text("#problem"));
+        assertEquals("finished", text("#state"));
+        untilShown("0,255,0,255");
+    }
+
+    @Test
+    void aRenderThatIsKilledIsToldOf() throws Exception {
+        progress.progress(25, 100, () -> plain(10, 10, 1, 0));
+        browser.open(origin);
+        browser.until("document.readyState == 'complete' && document.querySelector('#state').textContent == '25 %'");
+        server.close();
+        browser.until("document.querySelector('#problem').textContent.startsWith('There is no answer')");
+    }
+
+    @Test
+    void thePageRunsNothingThatIsNotItsOwn() throws Exception {
+        browser.open(origin);
+        browser.until("document.readyState == 'complete' && document.querySelector('#numbers').textContent != ''");
+        browser.value(
+                "document.addEventListener('securitypolicyviolation', e => window.violated = e.violatedDirective);"
+                        + "const s = document.createElement('script'); s.textContent = 'window.ran = 1';"
+                        + "document.body.append(s); 0");
+        browser.until("window.violated !== undefined");
+        assertTrue(browser.value("window.ran === undefined").asBoolean());
+    }
+
+    @Test
+    void largePicturesFitOnNarrowScreens() throws Exception {
+        progress.progress(25, 100, () -> plain(2000, 30, 1, 0));
+        browser.call(
+                "Emulation.setDeviceMetricsOverride",
+                "{\"width\":320,\"height\":600,\"deviceScaleFactor\":1,\"mobile\":false}");
+        try {
+            browser.open(origin);
+            browser.until("document.readyState == 'complete' && document.querySelector('#picture').naturalWidth > 0");
+            browser.until("!document.querySelector('#picture').hidden");
+            assertEquals(
+                    320, browser.value("document.scrollingElement.scrollWidth").asInt());
+        } finally {
+            browser.call("Emulation.clearDeviceMetricsOverride", "{}");
+        }
+    }
+}

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FilePlace;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
 import enlightenment.render.RenderProgress;
@@ -123,8 +124,12 @@ final class AnimateCommand extends Subcommand {
         CommandFiles files = new CommandFiles()
                 .reads(argument.file(), scene)
                 .reads("the program of --ffmpeg", video.program())
-                .writes("--video", video.file())
                 .writesNumbered("-o", frames);
+        if (isInNewFolder(video.file())) {
+            files.makes("--video", video.file());
+        } else {
+            files.writes("--video", video.file());
+        }
         report.register(files);
         serving.register(files);
         if (!output.aov().kinds().isEmpty()) {
@@ -136,6 +141,15 @@ final class AnimateCommand extends Subcommand {
                             .toList());
         }
         files.check();
+    }
+
+    /** Whether a file is to lie in the folder of the frames, which will be made. */
+    private boolean isInNewFolder(Path file) throws IOException {
+        Path folder = output.pattern().folder();
+        return file != null
+                && file.getParent() != null
+                && !Files.exists(folder)
+                && FilePlace.same(file.getParent(), folder);
     }
 
     /** As many as can be looked at in some seconds. */

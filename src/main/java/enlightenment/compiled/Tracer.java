@@ -255,12 +255,12 @@ public final class Tracer {
     }
 
     /**
-     * Traces a ray between two places on surfaces: whether nothing lies between them. Whether rounding puts the end's own surface before or
+     * Traces a ray between two places, on surfaces or not: whether nothing lies between them. Whether rounding puts the end's own surface before or
      * behind it means nothing.
      *
      * @param ray it knows the surfaces that it starts on
      * @param length the t at which it ends
-     * @param endId the primitive that it ends on
+     * @param endId the primitive that it ends on; -1 if it ends on none
      * @param endFace the face of that
      */
     public boolean joins(Ray ray, double length, int endId, int endFace) {
@@ -271,7 +271,7 @@ public final class Tracer {
         if (met == NOTHING) {
             return true;
         }
-        if (met != endId && !scene.coincident.concerns(endId)) {
+        if (met != endId && (endId == NOTHING || !scene.coincident.concerns(endId))) {
             return false;
         }
         scene.primitives[met].complete(ray, closest.t(), end);

@@ -17,13 +17,14 @@ public final class EarlierUnits {
     public static Optional<EarlierUnits> of(RenderOutline earlier, RenderOutline now) {
         WorkUnits before = WorkUnits.forMachines(earlier.settings(), earlier.plan());
         WorkUnits units = WorkUnits.forMachines(now.settings(), now.plan());
-        boolean isUseful = earlier.plan().method() == now.plan().method()
-                && earlier.plan().samples() < now.plan().samples()
-                && before.haveTiles()
-                && units.haveTiles()
-                && before.passes() == 1
-                && units.passes() == 1
-                && haveSamePlaces(before, units);
+        boolean isUseful =
+                earlier.plan().method().word().equals(now.plan().method().word())
+                        && earlier.plan().samples() < now.plan().samples()
+                        && before.haveTiles()
+                        && units.haveTiles()
+                        && before.passes() == 1
+                        && units.passes() == 1
+                        && haveSamePlaces(before, units);
         return isUseful ? Optional.of(new EarlierUnits(before, units)) : Optional.empty();
     }
 

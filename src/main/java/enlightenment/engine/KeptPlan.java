@@ -81,7 +81,7 @@ public record KeptPlan(int round, int depth, RenderOutline outline) {
     public boolean hasUnitsOf(RenderOutline other) {
         RenderPlan mine = outline.plan();
         RenderPlan its = other.plan();
-        return mine.method() == its.method()
+        return mine.method().word().equals(its.method().word())
                 && Double.compare(mine.level(), its.level()) == 0
                 && Double.compare(mine.samples(), its.samples()) == 0
                 && mine.lightPaths() == its.lightPaths()

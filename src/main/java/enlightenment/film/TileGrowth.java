@@ -1,7 +1,6 @@
 package enlightenment.film;
 
 import java.nio.ByteBuffer;
-import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -28,8 +27,6 @@ public final class TileGrowth {
 
     /** The pixel that is rendered. */
     private int at;
-
-    private int samples;
 
     /** For the pixels of a tile; none of them has samples. */
     public TileGrowth(FilmTile tile) {
@@ -105,7 +102,6 @@ public final class TileGrowth {
      */
     public int begin(FilmTile tile, int column, int row, int count, SampleSpread spread) {
         at = NUMBERS * pixel(column, row);
-        samples = count;
         int there = before[pixel(column, row)];
         if (there > 0) {
             tile.put(column, row, numbers, at, there);
@@ -117,21 +113,23 @@ public final class TileGrowth {
             } else {
                 spread.goOn(there, new double[] {numbers[at], numbers[at + 2], numbers[at + 4]}, 0);
             }
-            Arrays.fill(numbers, at + FIRST_HALF, at + NUMBERS, 0);
         }
         return there;
     }
 
-    /** Takes note of a sample, before it is added to the tile. */
-    public void add(FilmTile tile, int column, int row, int index, double[] color) {
-        if (2L * index == samples) {
-            for (int c = 0; c < 3; c++) {
-                numbers[at + FIRST_HALF + c] = tile.sum(column, row, c);
-            }
+    /** Takes note that the first half of a pixel's samples is in the tile. */
+    public void half(FilmTile tile, int column, int row) {
+        for (int c = 0; c < 3; c++) {
+            numbers[at + FIRST_HALF + c] = tile.sum(column, row, c);
+            numbers[at + SECOND_HALF + c] = 0;
         }
-        for (int c = 0; c < 3 && 2L * index >= samples; c++) {
-            numbers[at + SECOND_HALF + c] += color[c];
-        }
+    }
+
+    /** Adds a sample of the second half. */
+    public void add(double[] color) {
+        numbers[at + SECOND_HALF] += color[0];
+        numbers[at + SECOND_HALF + 1] += color[1];
+        numbers[at + SECOND_HALF + 2] += color[2];
     }
 
     /** Ends a pixel. */

@@ -21,6 +21,11 @@ public final class MachineFacts {
                 .orElse(0L);
     }
 
+    /** Processor time that the calling thread has taken, in nanoseconds; 0 where nobody can tell. */
+    public static long threadNanos() {
+        return hasBeans() ? ManagementBeans.threadNanos() : 0;
+    }
+
     /** Runnable threads of the whole machine, in the mean of the last minute; negative where nobody can tell. */
     public static double loadAverage() {
         return hasBeans() ? ManagementBeans.loadAverage() : -1;

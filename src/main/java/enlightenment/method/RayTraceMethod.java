@@ -199,14 +199,15 @@ public final class RayTraceMethod implements TileIntegrator {
         int samples = samples(x, y);
         spread.begin(samples);
         int there = growth.begin(tile, x, y, samples, spread);
-        for (int s = there; s < samples; s++) {
-            shade(x, y, s);
-            growth.add(tile, x, y, s, color);
-            tile.add(x, y, color[0], color[1], color[2]);
-            spread.at(dx, dy);
-            spread.add(color[0], color[1], color[2]);
-        }
         if (there < samples) {
+            // There is a half of them at most: all others or none.
+            int half = (samples + 1) / 2;
+            take(tile, x, y, there, half);
+            growth.half(tile, x, y);
+            for (int s = half; s < samples; s++) {
+                take(tile, x, y, s, s + 1);
+                growth.add(color);
+            }
             tile.spread(x, y, spread);
         }
         growth.end(tile, x, y);
@@ -230,20 +231,20 @@ public final class RayTraceMethod implements TileIntegrator {
             return;
         }
         spread.begin(samples);
-        for (int s = 0; s < samples; s++) {
+        take(tile, x, y, 0, samples);
+        tile.spread(x, y, spread);
+    }
+
+    /** Takes samples that the spread hears of. */
+    private void take(FilmTile tile, int x, int y, int from, int to) {
+        for (int s = from; s < to; s++) {
             sample(tile, x, y, s);
             spread.at(dx, dy);
             spread.add(color[0], color[1], color[2]);
         }
-        tile.spread(x, y, spread);
     }
 
     private void sample(FilmTile tile, int x, int y, int index) {
-        shade(x, y, index);
-        tile.add(x, y, color[0], color[1], color[2]);
-    }
-
-    private void shade(int x, int y, int index) {
         sampler.sample(index);
         dx = sampler.filmX();
         dy = sampler.filmY();
@@ -253,5 +254,6 @@ public final class RayTraceMethod implements TileIntegrator {
         } else {
             exposure.shade(index, (x + dx) / settings.width(), (y + dy) / settings.height(), ray, sampler, color);
         }
+        tile.add(x, y, color[0], color[1], color[2]);
     }
 }

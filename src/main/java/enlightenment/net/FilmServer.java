@@ -157,7 +157,7 @@ public final class FilmServer implements Closeable {
             return null;
         }
         round = more;
-        return chain.follow(more::job, more.number());
+        return chain.follow(more::job);
     }
 
     /**

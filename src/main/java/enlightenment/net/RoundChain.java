@@ -31,12 +31,11 @@ final class RoundChain {
      * Ends the latest round and begins the next one.
      *
      * @param job makes the next round's job, afresh for each attempt
-     * @param number how many rounds there are then
      * @return null if that cannot be, or all was stopped
      */
-    ServerRound follow(Supplier<ServerJob> job, int number) {
+    ServerRound follow(Supplier<ServerJob> job) {
         ServerRound before = latest();
-        ServerOptions options = before.optionsFor(number);
+        ServerOptions options = before.optionsOfNext();
         before.end(true);
         for (int k = 1; !isStopped(); k++) {
             try {

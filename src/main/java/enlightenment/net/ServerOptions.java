@@ -51,9 +51,6 @@ public final class ServerOptions {
     final List<String> pardoned;
     final Consumer<String> log;
 
-    /** Which render of the picture this is: greater than 1 for a render with more samples that follows another. */
-    final int round;
-
     final String version;
     final ThreadFactory threads;
     final Timing timing;
@@ -76,7 +73,6 @@ public final class ServerOptions {
         auditRate = b.auditRate;
         pardoned = b.pardoned;
         log = b.log;
-        round = b.round;
         version = b.version;
         threads = b.threads;
         timing = b.timing;
@@ -114,7 +110,6 @@ public final class ServerOptions {
         private double auditRate = DEFAULT_AUDIT_RATE;
         private List<String> pardoned = List.of();
         private Consumer<String> log = line -> {};
-        private int round = 1;
         private String version = Build.number();
         private ThreadFactory threads = Thread::new;
         private Timing timing = Timing.DEFAULT;
@@ -139,7 +134,6 @@ public final class ServerOptions {
             auditRate = o.auditRate;
             pardoned = o.pardoned;
             log = o.log;
-            round = o.round;
             version = o.version;
             threads = o.threads;
             timing = o.timing;
@@ -225,8 +219,8 @@ public final class ServerOptions {
         }
 
         /**
-         * The file that keeps what is done; a server with the same job goes on from it. Renders with more samples that follow
-         * the first have files of their own beside it: FILE.2, FILE.3 …
+         * The file that keeps what is done, also of renders with more samples that follow the first; a server with the same scene and
+         * settings goes on from it, as does a render in one process.
          */
         public Builder checkpoint(Path file) {
             checkpoint = Optional.of(file);
@@ -344,16 +338,13 @@ public final class ServerOptions {
         return toBuilder().archives(all).build();
     }
 
-    /** For the same picture with more samples: at the same ports, with a checkpoint of its own beside that of the first. */
-    ServerOptions following(int port, int statusPort, int round) {
-        Builder next = toBuilder().address(host, port).statusPort(statusPort).pardoned(List.of());
-        next.round = round;
-        return next.build();
-    }
-
-    /** Where this render of the picture is kept: the file that was given, and FILE.2, FILE.3 … for those that follow. */
-    Optional<Path> checkpointOfRound() {
-        return round == 1 ? checkpoint : checkpoint.map(file -> file.resolveSibling(file.getFileName() + "." + round));
+    /** For the same picture with more samples: at the same ports. */
+    ServerOptions following(int port, int statusPort) {
+        return toBuilder()
+                .address(host, port)
+                .statusPort(statusPort)
+                .pardoned(List.of())
+                .build();
     }
 
     /** Where the secrets are. */

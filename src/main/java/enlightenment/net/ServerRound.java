@@ -80,7 +80,7 @@ final class ServerRound implements StatusSource {
 
     /** Begins to listen. */
     static ServerRound start(ServerOptions options, ServerLog log, Secrets secrets, ServerJob job) throws IOException {
-        Optional<Path> checkpoint = options.checkpointOfRound();
+        Optional<Path> checkpoint = options.checkpoint;
         if (checkpoint.isPresent()) {
             job.open(checkpoint.get(), options.pardoned);
         }
@@ -103,9 +103,9 @@ final class ServerRound implements StatusSource {
         return start(following, log, coordination.secrets(), more);
     }
 
-    /** The options of the round with this number, which comes after this one. */
-    ServerOptions optionsFor(int round) {
-        return options.following(port(), statusPort(), round);
+    /** The options of the round that comes after this one. */
+    ServerOptions optionsOfNext() {
+        return options.following(port(), statusPort());
     }
 
     ServerLog log() {

@@ -51,7 +51,7 @@ final class ServerRounds {
         }
         ServedPicture next = picture.with(more);
         picture = next;
-        return chain.follow(() -> next.job(round.log()), more.round());
+        return chain.follow(() -> next.job(round.log()));
     }
 
     /** Ends the latest round, and no other will follow. */

@@ -22,10 +22,13 @@ final class Pace {
     private static final double LAST_CALL = 0.6;
 
     /**
-     * Seconds after which the code is about as fast as it gets: even a long budget need not be tried for longer. Until then
-     * its speed was measured to grow about with the square root of the time.
+     * Seconds after which the code is about as fast as it gets on a machine that does nothing else. Until then its speed was measured to
+     * grow about with the square root of the time.
      */
     private static final double WARM = 2.5;
+
+    /** Until this share of the time is gone a trial costs little beside what it tells, however long that is. */
+    private static final double CHEAP = 0.08;
 
     /** A trial counts as faster only by this factor; after {@link #CALM} trials that were not faster no more are made. */
     private static final double FASTER = 1.04;
@@ -93,7 +96,7 @@ final class Pace {
             return elapsed < LAST_CALL * seconds;
         }
         return trials < MOST_TRIALS
-                && elapsed < Math.min(MOST_TRIAL_TIME * seconds, WARM)
+                && elapsed < Math.max(Math.min(MOST_TRIAL_TIME * seconds, WARM), CHEAP * seconds)
                 && (calm < CALM || elapsed < LEAST_TRIAL_TIME * seconds);
     }
 

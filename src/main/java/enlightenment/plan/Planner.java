@@ -57,7 +57,7 @@ public final class Planner {
             samples = Math.min(samples, n);
         }
         if (budget.seconds().isPresent()) {
-            double n = new TimePlanner(plans, trial, cancelled, notes::add)
+            double n = new TimePlanner(settings.threads(), plans, trial, cancelled, notes::add)
                     .samples(budget.seconds().getAsDouble(), time, 1 + previewed);
             by = n < samples ? "time" : by;
             samples = Math.min(samples, n);

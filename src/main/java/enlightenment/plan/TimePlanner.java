@@ -11,13 +11,18 @@ final class TimePlanner {
 
     private static final double FEWEST_BLOCKS = 64;
 
+    private final int threads;
     private final SamplePlans plans;
     private final Trial trial;
     private final BooleanSupplier cancelled;
     private final Consumer<String> notes;
 
-    /** @param notes hears what cannot be kept */
-    TimePlanner(SamplePlans plans, Trial trial, BooleanSupplier cancelled, Consumer<String> notes) {
+    /**
+     * @param threads that render
+     * @param notes hears what cannot be kept
+     */
+    TimePlanner(int threads, SamplePlans plans, Trial trial, BooleanSupplier cancelled, Consumer<String> notes) {
+        this.threads = threads;
         this.plans = plans;
         this.trial = trial;
         this.cancelled = cancelled;
@@ -45,10 +50,14 @@ final class TimePlanner {
                 plans.prepareSurveyed();
             }
             double before = time.seconds();
+            double processors = time.processorSeconds();
+            double worked = trial.processorSeconds();
             piece.render(n, over);
             double now = time.seconds();
             if (!over.getAsBoolean()) {
-                pace.tried(n, now - before, now);
+                double took = undisturbed(
+                        now - before, time.processorSeconds() - processors, trial.processorSeconds() - worked);
+                pace.tried(n, took, now);
             }
         } while (!over.getAsBoolean() && pace.isWorthTrying());
         double planned = pace.planned(time.seconds());
@@ -57,5 +66,20 @@ final class TimePlanner {
                     "time " + Rounds.number(seconds) + " s is too short: the least is taken, one sample per pixel");
         }
         return plans.isSurveyed(planned) && !surveyed ? plans.traits().mostBelow() : Tidy.of(planned);
+    }
+
+    /**
+     * How long a trial would have taken without the just-in-time compiler: that shares the processors with the first seconds of a render, and
+     * with little of the rest.
+     *
+     * @param took how long it took
+     * @param processors seconds of all threads of this process meanwhile
+     * @param worked those of the trial alone
+     */
+    private double undisturbed(double took, double processors, double worked) {
+        if (!(processors > worked) || !(worked > 0)) {
+            return took;
+        }
+        return Math.min(Math.max(took * (worked / processors), worked / threads), took);
     }
 }

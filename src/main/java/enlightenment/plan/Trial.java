@@ -10,8 +10,10 @@ import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.Stopwatch;
 import enlightenment.work.Workers;
 import java.util.List;
+import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 
@@ -27,6 +29,9 @@ final class Trial {
     private final RenderSettings settings;
     private final SamplePlans plans;
 
+    /** Seconds of processors that went into pieces. */
+    private final DoubleAdder worked = new DoubleAdder();
+
     Trial(CompiledScene scene, RenderSettings settings, SamplePlans plans) {
         this.scene = scene;
         this.settings = settings.withSeed(Hash.of(settings.seed(), PURPOSE));
@@ -36,6 +41,17 @@ final class Trial {
     /** What pixels are, and how they become what a screen takes. */
     DisplayCurve display() {
         return scene.display;
+    }
+
+    /** Seconds of processor time that all trials so far have taken themselves; 0 where nobody can tell. */
+    double processorSeconds() {
+        return worked.sum();
+    }
+
+    private void work(Runnable piece) {
+        double before = Stopwatch.threadSeconds();
+        piece.run();
+        worked.add(Stopwatch.threadSeconds() - before);
     }
 
     /** What a trial for a time does: a part of the picture, and of a method whose paths may end anywhere some of the paths. */
@@ -128,12 +144,12 @@ final class Trial {
             // Not before: what is not a piece of the work cannot be ended in its middle.
             method.stopWhen(stop);
             SplatBatch out = new SplatBatch(region.x(), region.y(), region.width(), region.height(), scale);
-            return (IntConsumer) i -> {
+            return (IntConsumer) i -> work(() -> {
                 out.begin(AT_ONCE);
                 method.trace((long) i * AT_ONCE, AT_ONCE, out);
                 // Nobody looks at them, but they take time.
                 out.sums();
-            };
+            });
         });
     }
 
@@ -144,7 +160,7 @@ final class Trial {
             TileIntegrator method =
                     (TileIntegrator) Integrators.of(plan, scene, settings, new RayCounters(scene.kindNames.size()));
             method.stopWhen(stop);
-            return (IntConsumer) i -> method.render(blocks.get(i));
+            return (IntConsumer) i -> work(() -> method.render(blocks.get(i)));
         });
     }
 }

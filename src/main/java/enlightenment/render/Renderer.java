@@ -8,6 +8,7 @@ import enlightenment.image.Image;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
+import enlightenment.plan.Rounds;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -132,6 +133,11 @@ public final class Renderer {
                 .orElseGet(() -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share())));
         PictureMemory.check(settings, images + (plan.lightPaths() > 0 ? PictureMemory.IMAGES_OF_ADDED_SPLATS : 0));
         planner.notes().forEach(request.progress()::note);
+        if (kept.isPresent() && settings.budget().seconds().isPresent()) {
+            request.progress()
+                    .note("the plan that is kept is gone on with: " + Rounds.number(plan.samples())
+                            + " samples per pixel, whatever time is left");
+        }
         request.progress().planned(plan.samples(), plan.decidedBy());
         Preview preview = previewed ? new Preview(scene, settings, planner) : null;
         if (preview != null) {

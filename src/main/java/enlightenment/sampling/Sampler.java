@@ -31,7 +31,11 @@ public interface Sampler {
         /** How far a path goes in a medium that scatters light; counted by such ways, not by bounces. */
         FLIGHT,
         /** The wavelength of a path, the first of a pair; at bounce 0. */
-        WAVELENGTH
+        WAVELENGTH,
+        /** {@link #FLIGHT} of a path from a light. */
+        LIGHT_FLIGHT,
+        /** Which vertices of two paths are connected, where there are too many. */
+        CONNECTION
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

@@ -99,7 +99,7 @@ public enum BuiltInMethod implements Method {
     @Override
     public boolean canRender(LightFeature feature) {
         return switch (feature) {
-            case SCATTERING -> this != BIDIRECTIONAL;
+            case SCATTERING -> true;
             case FLUORESCENCE -> true;
             case DISPERSION -> true;
             case MOTION -> this == RAYTRACE || this == LIGHT || this == BIDIRECTIONAL;

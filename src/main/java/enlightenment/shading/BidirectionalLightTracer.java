@@ -57,7 +57,7 @@ final class BidirectionalLightTracer extends LightPathTracer {
         boolean goes = begins;
         while (goes) {
             goes = switch (light.next(sampler)) {
-                case SURFACE, BORDER -> light.mayScatter() && scatter();
+                case SURFACE, BORDER, MEDIUM -> light.mayScatter() && scatter();
                 case PASSED -> true;
                 case NOTHING, ENDED -> false;
             };
@@ -78,7 +78,7 @@ final class BidirectionalLightTracer extends LightPathTracer {
         if (!isSeen(light.bsdf, s, light.isBorder ? light.color : null)) {
             return;
         }
-        double weight = weight(Math.abs(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz));
+        double weight = weight(light.projected(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz));
         int vertices = light.vertices.size() + 1;
         double f = eye.importance() * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
         PathWavelength wavelength = light.path.glass.wavelength;

@@ -21,6 +21,9 @@ public final class BidirectionalTracer implements Shader {
     /** How many light paths that are connected to the eye straight there are for each path from the eye. */
     public static final double LIGHT_PATHS_PER_SAMPLE = 1;
 
+    /** In media paths have many vertices: of those from a light each one from the eye is connected to so many at most. */
+    private static final int MOST_CONNECTIONS = 8;
+
     private final PhysicalScene physical;
     private final EyeSubpath eye;
 
@@ -43,6 +46,9 @@ public final class BidirectionalTracer implements Shader {
 
     /** Null but in tests. */
     private Strategies strategies;
+
+    /** The inverse of the share of the light's vertices that are connected. */
+    private double share;
 
     private double red;
     private double green;
@@ -119,7 +125,7 @@ public final class BidirectionalTracer implements Shader {
         boolean goes = light.begin(sampler);
         while (goes) {
             goes = switch (light.next(sampler)) {
-                case SURFACE, BORDER -> light.mayScatter() && light.leave(sampler);
+                case SURFACE, BORDER, MEDIUM -> light.mayScatter() && light.leave(sampler);
                 case PASSED -> true;
                 case NOTHING, ENDED -> false;
             };
@@ -145,7 +151,7 @@ public final class BidirectionalTracer implements Shader {
                 glow();
                 eye.passDye();
                 break;
-            case BORDER:
+            case BORDER, MEDIUM:
                 break;
             default:
                 return false;
@@ -165,7 +171,7 @@ public final class BidirectionalTracer implements Shader {
      * Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). Leaves the surface, too.
      */
     private boolean gatherInfinite(Sampler sampler) {
-        if (!eye.bsdf.isDelta()) {
+        if (!eye.bsdf.isDelta() && eye.seesLamps()) {
             double[] tint = eye.isBorder ? eye.color : null;
             infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.address, eye.isFirst);
             addInfinite();
@@ -233,15 +239,29 @@ public final class BidirectionalTracer implements Shader {
 
     private void gather(Sampler sampler) {
         int t = eye.vertices.size() + 1;
-        if (lights.aim(sampler)) {
+        if (eye.seesLamps() && lights.aim(sampler)) {
             double weight = watched(1, t, lights.weight);
             add(colors(true), weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
         }
-        for (int k = 0; k < light.vertices.size(); k++) {
-            if (light.vertices.bsdf(k) != null
-                    && light.vertices.bounces(k) + eye.path.bounces() + 2 <= physical.maxBounces) {
-                connect(k, t);
+        int size = light.vertices.size();
+        if (eye.inMedium == null || size <= MOST_CONNECTIONS) {
+            share = 1;
+            for (int k = 0; k < size; k++) {
+                mayConnect(k, t);
             }
+            return;
+        }
+        share = (double) size / MOST_CONNECTIONS;
+        double from = sampler.unit(eye.address, Sampler.Purpose.CONNECTION);
+        for (int j = 0; j < MOST_CONNECTIONS; j++) {
+            mayConnect(Math.min((int) ((j + from) * share), size - 1), t);
+        }
+    }
+
+    private void mayConnect(int k, int t) {
+        if (light.vertices.bsdf(k) != null
+                && light.vertices.bounces(k) + eye.path.bounces() + 2 <= physical.maxBounces) {
+            connect(k, t);
         }
     }
 
@@ -257,7 +277,7 @@ public final class BidirectionalTracer implements Shader {
         s.iy = y / d;
         s.iz = z / d;
         double here = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz;
-        if (!(d > 0) || !(eye.isBorder || here > 0)) {
+        if (!(d > 0) || !(eye.isBorder || eye.isMedium || here > 0)) {
             return;
         }
         Bsdf bsdf = v.bsdf(k);
@@ -289,7 +309,7 @@ public final class BidirectionalTracer implements Shader {
         }
         segments.begin(eye.isBorder, here < 0);
         if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
-            double weight = watched(k + 2, t, weight(k, here, beyond, d2));
+            double weight = share * watched(k + 2, t, weight(k, here, beyond, d2));
             boolean isColored = wavelength != null && (colors(true) || v.isColored(k));
             double[] left = segments.rgb;
             add(isColored, weight, r * left[0], g * left[1], b * left[2], u * left[2]);
@@ -300,8 +320,8 @@ public final class BidirectionalTracer implements Shader {
     private double weight(int k, double here, double beyond, double d2) {
         PathVertices v = light.vertices;
         double q = v.survival(k);
-        double toLight = eye.survival * eye.s.pdf * Math.abs(beyond) / d2;
-        double toEye = q * there.pdf * Math.abs(here) / d2;
+        double toLight = eye.survival * eye.s.pdf * v.projected(k, beyond) / d2;
+        double toEye = q * there.pdf * eye.projected(here) / d2;
         double ofLight = SubpathDensities.square(toLight) * v.behind(k, q * reverse.of(v.bsdf(k), there));
         double ofEye =
                 SubpathDensities.square(toEye) * eye.densities.behind(eye.survival * reverse.of(eye.bsdf, eye.s));

@@ -31,7 +31,13 @@ final class EyeSubpath extends Subpath {
     private final double[] dyed = new double[3];
 
     EyeSubpath(CompiledScene scene, RayCounters counters, double lightPaths) {
-        super(scene, counters, Sampler.Purpose.CHOICE, Sampler.Purpose.DIRECTION, Sampler.Purpose.ROULETTE);
+        super(
+                scene,
+                counters,
+                Sampler.Purpose.CHOICE,
+                Sampler.Purpose.DIRECTION,
+                Sampler.Purpose.ROULETTE,
+                Sampler.Purpose.FLIGHT);
         eye = new EyeProjection(scene.camera);
         this.lightPaths = lightPaths;
         mixing = BandMixing.of(scene.physical);

@@ -5,13 +5,16 @@ import enlightenment.compiled.HomogeneousMedium;
 /**
  * How far a path flies freely in a medium that scatters light, and what such a flight is worth.
  *
- * <p>Where a medium's extinction differs between bands a flight is drawn for one of them, chosen by what the path carries, and weighted
- * against all by the balance heuristic (A. Wilkie et al., "Hero wavelength spectral sampling", 2014; J. Novák et al., "Monte Carlo methods
- * for volumetric light transport simulation", 2018): no weight exceeds the inverse of {@link #LEAST_SHARE}. Where it does not, every
- * flight has the weight 1, and every scattering that of the medium's albedo. A mutable work object, one per thread.
+ * <p>Where a medium's extinction differs between bands a flight is drawn for one of them, and weighted against all by the balance heuristic
+ * (A. Wilkie et al., "Hero wavelength spectral sampling", 2014; J. Novák et al., "Monte Carlo methods for volumetric light transport
+ * simulation", 2018). The weights are those of the whole way since the last opaque surface: there bands have shares by what the path
+ * carries, none of them less than {@link #LEAST_SHARE}, and from flight to flight they become what is left of these, as if each band had
+ * walked by itself. So the product of all weights of a band stays below the inverse of its first share, however long the walk. Where
+ * the extinction does not differ every flight has the weight 1, and every scattering that of the medium's albedo. A mutable work object,
+ * one per thread.
  */
 final class FreeFlight {
-    /** The least probability of a band. */
+    /** The least probability of a band when a walk begins. */
     private static final double LEAST_SHARE = 0.1;
 
     /** In a medium without end nothing comes back from here. */
@@ -19,7 +22,10 @@ final class FreeFlight {
 
     private HomogeneousMedium medium;
 
-    /** The probabilities of the bands, unless the medium is grey. */
+    /** Whether no flight has been drawn for a band since the walk began. */
+    private boolean isFirst;
+
+    /** The probabilities of the bands for the next flight; of a walk that has begun. */
     private double shareR;
 
     private double shareG;
@@ -34,6 +40,11 @@ final class FreeFlight {
     double weightG;
     double weightB;
 
+    /** Begins a walk: what was flown until now does not matter for the next flight's band. */
+    void begin() {
+        isFirst = true;
+    }
+
     /**
      * Draws the length of a flight.
      *
@@ -45,14 +56,23 @@ final class FreeFlight {
         medium = in;
         double extinction = in.extinctionR;
         if (!in.isGrey) {
-            double sum = Math.abs(r) + Math.abs(g) + Math.abs(b);
-            double scale = sum > 0 ? (1 - 3 * LEAST_SHARE) / sum : 0;
-            shareR = Math.fma(Math.abs(r), scale, LEAST_SHARE);
-            shareG = Math.fma(Math.abs(g), scale, LEAST_SHARE);
-            shareB = Math.fma(Math.abs(b), scale, LEAST_SHARE);
+            if (isFirst) {
+                share(Math.abs(r), Math.abs(g), Math.abs(b));
+                isFirst = false;
+            }
             extinction = v < shareR ? in.extinctionR : v < shareR + shareG ? in.extinctionG : in.extinctionB;
         }
         length = extinction > 0 ? -StrictMath.log1p(-u) / extinction : Double.POSITIVE_INFINITY;
+    }
+
+    /** Sets the shares by what the path carries. */
+    private void share(double r, double g, double b) {
+        double sum = r + g + b;
+        double scale = sum > 0 ? (1 - 3 * LEAST_SHARE) / sum : 0;
+        double least = sum > 0 ? LEAST_SHARE : 1.0 / 3;
+        shareR = Math.fma(r, scale, least);
+        shareG = Math.fma(g, scale, least);
+        shareB = Math.fma(b, scale, least);
     }
 
     /** Whether the flight leaves everything behind. */
@@ -97,6 +117,20 @@ final class FreeFlight {
         weightR = r * red * scale;
         weightG = g * green * scale;
         weightB = b * blue * scale;
+        carryOn();
+    }
+
+    /** The shares change as what the path carries does. */
+    private void carryOn() {
+        double red = shareR * weightR;
+        double green = shareG * weightG;
+        double blue = shareB * weightB;
+        double sum = red + green + blue;
+        if (sum > 0) {
+            shareR = red / sum;
+            shareG = green / sum;
+            shareB = blue / sum;
+        }
     }
 
     private static double transmittance(double extinction, double flown) {

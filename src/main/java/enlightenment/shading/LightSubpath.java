@@ -31,7 +31,8 @@ final class LightSubpath extends Subpath {
                 counters,
                 Sampler.Purpose.LIGHT_CHOICE,
                 Sampler.Purpose.LIGHT_DIRECTION,
-                Sampler.Purpose.LIGHT_ROULETTE);
+                Sampler.Purpose.LIGHT_ROULETTE,
+                Sampler.Purpose.LIGHT_FLIGHT);
         source = new LightSource(starts, scene.physical);
     }
 

@@ -127,6 +127,9 @@ abstract class LightWalker extends LightPathTracer {
         counts = !onlyCaustics;
         path.beginAtLight(ray, source.media());
         end.begin();
+        if (flight != null) {
+            flight.begin();
+        }
         while (step()) {
             events++;
         }
@@ -194,6 +197,9 @@ abstract class LightWalker extends LightPathTracer {
                 return glass();
             }
             path.turnTo(opaque);
+        }
+        if (flight != null) {
+            flight.begin();
         }
         SurfaceMaterial material = path.material();
         Bsdf bsdf = isGlass ? Lambert.INSTANCE : material.bsdf;

@@ -20,7 +20,8 @@ final class PathVertices {
     private static final int BEYOND = 17;
     private static final int SURVIVAL = 18;
     private static final int ULTRAVIOLET = 19;
-    private static final int NUMBERS = 20;
+    private static final int MEDIUM = 20;
+    private static final int NUMBERS = 21;
 
     private static final int ID = 0;
     private static final int FACE = 1;
@@ -94,6 +95,17 @@ final class PathVertices {
         int k = (size - 1) * NUMBERS;
         set(k + POWER, r, g, b);
         numbers[k + ULTRAVIOLET] = ultraviolet;
+    }
+
+    /** Sets {@link MediumVertex#density} of the vertex that was added last; 0 if it is on a surface. */
+    void medium(double density) {
+        numbers[(size - 1) * NUMBERS + MEDIUM] = density;
+    }
+
+    /** {@link Subpath#projected} of a vertex that may be connected. */
+    double projected(int k, double cosine) {
+        double density = numbers[k * NUMBERS + MEDIUM];
+        return density > 0 ? density : Math.abs(cosine);
     }
 
     /** Tells whether light of the vertex that was added last has the colour of the path's wavelength. */

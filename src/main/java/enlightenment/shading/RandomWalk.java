@@ -60,10 +60,14 @@ final class RandomWalk {
         if (path.surfaces == 0) {
             flights = 0;
             end.begin();
+            flight.begin();
         }
         medium = in == null ? null : in.medium;
         if (medium == null) {
             PathFollower.Event found = path.next(ray);
+            if (found == PathFollower.Event.SURFACE) {
+                flight.begin();
+            }
             if (found == PathFollower.Event.NOTHING && in != null && in == physical.around) {
                 value.absorb(in, Double.MAX_VALUE);
             }
@@ -84,6 +88,9 @@ final class RandomWalk {
             flight.pass(isNothing ? Double.POSITIVE_INFINITY : path.distance(ray));
         }
         value.filter(flight.weightR, flight.weightG, flight.weightB);
+        if (found == PathFollower.Event.SURFACE) {
+            flight.begin();
+        }
         return found;
     }
 

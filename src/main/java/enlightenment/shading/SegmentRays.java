@@ -53,7 +53,7 @@ final class SegmentRays {
         isBeyond = through;
     }
 
-    /** Whether it sees the place at this distance along a unit vector, on a face of a primitive. */
+    /** Whether it sees the place at this distance along a unit vector, on a face of a primitive, or on none if its id is negative. */
     boolean reaches(double x, double y, double z, double distance, int id, int face) {
         dx = x;
         dy = y;
@@ -102,7 +102,7 @@ final class SegmentRays {
     }
 
     private boolean isEnd(double left) {
-        return path.tracer.isEnd(ray, left, walk.id, walk.hit, endId, endFace);
+        return endId >= 0 && path.tracer.isEnd(ray, left, walk.id, walk.hit, endId, endFace);
     }
 
     private void absorb(SurfaceMaterial medium, double distance) {

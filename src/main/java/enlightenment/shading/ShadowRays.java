@@ -67,9 +67,6 @@ final class ShadowRays {
 
     /** Begins at the surface that the path is at. */
     void begin() {
-        x = hit.px;
-        y = hit.py;
-        z = hit.pz;
         isBorder = false;
         turn(false);
     }
@@ -81,6 +78,9 @@ final class ShadowRays {
     }
 
     private void turn(boolean through) {
+        x = hit.px;
+        y = hit.py;
+        z = hit.pz;
         isBeyond = through;
         side = through ? -hit.side : hit.side;
         medium = absorbs ? path.medium(through) : null;

@@ -6,11 +6,9 @@ import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Hit;
-import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import java.util.Arrays;
 
@@ -19,7 +17,7 @@ import java.util.Arrays;
  * path must know of it. Roulette goes by the surface alone, from the first vertex on: so it is known, too, how likely somebody who
  * comes the other way survives. One per thread.
  */
-abstract class Subpath {
+abstract class Subpath extends CarriedLight {
     /** What a part of a path comes to. */
     enum Event {
         /** It leaves the scene. */
@@ -28,15 +26,14 @@ abstract class Subpath {
         SURFACE,
         /** A rough border of two media. */
         BORDER,
+        /** A point of a medium that scatters light. */
+        MEDIUM,
         /** It has passed glass, or was reflected by it, and goes on. */
         PASSED,
         /** It ends. */
         ENDED
     }
 
-    final PathFollower path;
-    final PhysicalScene physical;
-    final Ray ray = new Ray();
     final SubpathDensities densities = new SubpathDensities();
 
     /** The vertices so far. */
@@ -50,7 +47,7 @@ abstract class Subpath {
     /** Whether it is a rough border of two media. */
     boolean isBorder;
 
-    /** The colours of what passes that. */
+    /** The colours of what passes a border. */
     final double[] color = new double[3];
 
     /** What it emits; null if nothing. */
@@ -58,15 +55,6 @@ abstract class Subpath {
 
     /** The probability of going on from here. */
     double survival;
-
-    /** What is left of the path's light: the product of all weights. */
-    double red;
-
-    double green;
-    double blue;
-
-    /** The same of ultraviolet, which surfaces reflect as blue. */
-    double ultraviolet;
 
     /** Which numbers of the sampler the path has used. */
     int address;
@@ -90,7 +78,6 @@ abstract class Subpath {
 
     final ReverseDensity reverse = new ReverseDensity();
     private final RayCounters counters;
-    private final boolean absorbs;
     private final Scattering border = new Scattering();
     private final double[] pair = new double[2];
     private final double[] weight = new double[3];
@@ -107,21 +94,17 @@ abstract class Subpath {
             RayCounters counters,
             Sampler.Purpose choosing,
             Sampler.Purpose directing,
-            Sampler.Purpose surviving) {
-        physical = scene.physical;
+            Sampler.Purpose surviving,
+            Sampler.Purpose flying) {
+        super(scene, counters, flying);
         this.counters = counters;
         this.choosing = choosing;
         this.directing = directing;
         this.surviving = surviving;
-        path = new PathFollower(scene, counters, physical.maxBounces);
-        absorbs = physical.hasAbsorption;
     }
 
     void begin(double r, double g, double b, double u) {
-        red = r;
-        green = g;
-        blue = b;
-        ultraviolet = u;
+        carry(r, g, b, u);
         address = 0;
         isFirst = true;
         lastConnects = false;
@@ -131,7 +114,7 @@ abstract class Subpath {
     /**
      * Sets the densities at the path's first vertex: what {@link #s} says, at {@link PathFollower#hit}.
      *
-     * @param cosine between the normal and the direction that the path came from
+     * @param cosine between the normal and the direction that the path came from; in a medium {@link MediumVertex#density}
      */
     abstract void beginDensities(double cosine);
 
@@ -146,27 +129,32 @@ abstract class Subpath {
 
     /** Goes to the next event. */
     Event next(Sampler sampler) {
-        SurfaceMaterial medium = absorbs ? path.medium() : null;
-        PathFollower.Event event = path.next(ray);
+        PathFollower.Event event = meet(sampler);
+        if (event == null) {
+            return scattered();
+        }
         if (event == PathFollower.Event.NOTHING) {
             return Event.NOTHING;
-        }
-        if (medium != null && medium.absorbs) {
-            Arrays.fill(weight, 1);
-            medium.absorb(path.distance(ray), weight);
-            filter(weight[0], weight[1], weight[2]);
         }
         return event == PathFollower.Event.SURFACE ? surface() : glass(sampler);
     }
 
-    private void filter(double r, double g, double b) {
-        red *= r;
-        green *= g;
-        blue *= b;
-        ultraviolet *= b;
+    /** Where a medium scatters the path. */
+    private Event scattered() {
+        isBorder = false;
+        glowing = null;
+        Arrays.fill(color, 1);
+        s = inMedium.event;
+        bsdf = inMedium.phase();
+        survival = inMedium.survival();
+        arrive();
+        return Event.MEDIUM;
     }
 
     private Event surface() {
+        if (inMedium != null) {
+            inMedium.flight.begin();
+        }
         SurfaceMaterial material = path.material();
         glowing = material.glows ? material : null;
         opaque(material, material.bsdf);
@@ -210,7 +198,7 @@ abstract class Subpath {
 
     private void arrive() {
         Hit at = path.hit;
-        double cosine = SubpathDensities.cosine(s.ox * s.nx + s.oy * s.ny + s.oz * s.nz);
+        double cosine = SubpathDensities.cosine(projected(s.ox * s.nx + s.oy * s.ny + s.oz * s.nz));
         boolean isDelta = bsdf.isDelta();
         if (isFirst && isDelta) {
             beginDensitiesOfDelta();
@@ -229,6 +217,7 @@ abstract class Subpath {
         } else {
             vertices.add(at, path.id, bsdf, s, color, path.bounces(), densities, survival);
             vertices.power(red, green, blue, ultraviolet);
+            vertices.medium(isMedium ? inMedium.density() : 0);
             if (path.glass.wavelength != null) {
                 vertices.colored(path.glass.wavelength.colors(isBorder));
             }
@@ -316,7 +305,7 @@ abstract class Subpath {
     /** Leaves the surface or the border that the path is at; returns whether it goes on. */
     boolean leave(Sampler sampler) {
         sampler.pair(address, directing, pair);
-        boolean goes = isBorder ? leaveBorder(sampler) : leaveSurface(sampler);
+        boolean goes = isMedium ? leaveMedium(sampler) : isBorder ? leaveBorder(sampler) : leaveSurface(sampler);
         address++;
         return goes && path.goesOn();
     }
@@ -341,6 +330,15 @@ abstract class Subpath {
         return survives(sampler, survival);
     }
 
+    private boolean leaveMedium(Sampler sampler) {
+        bsdf.sample(s, pair[0], pair[1], 0);
+        remember(s, true);
+        Arrays.fill(weight, 1);
+        leave(s);
+        ray.set(path.hit.px, path.hit.py, path.hit.pz, s.ix, s.iy, s.iz, 0);
+        return survives(sampler, survival);
+    }
+
     private boolean leaveBorder(Sampler sampler) {
         path.glass.choose(choice, pair);
         cross();
@@ -353,7 +351,7 @@ abstract class Subpath {
     }
 
     private void leave(Scattering at) {
-        double cosine = at.ix * at.nx + at.iy * at.ny + at.iz * at.nz;
+        double cosine = projected(at.ix * at.nx + at.iy * at.ny + at.iz * at.nz);
         densities.leave(cosine, survival * at.pdf, survival * reverse.of(bsdf, at));
     }
 

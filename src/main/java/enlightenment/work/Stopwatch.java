@@ -1,5 +1,6 @@
 package enlightenment.work;
 
+import enlightenment.machine.MachineFacts;
 import java.util.function.LongSupplier;
 
 /** The time since something began. */
@@ -7,6 +8,7 @@ public final class Stopwatch {
     private static final double NANO = 1e-9;
 
     private final LongSupplier nanos;
+    private final LongSupplier processors;
     private final long start;
 
     /**
@@ -15,17 +17,32 @@ public final class Stopwatch {
      * @param nanos the clock, in nanoseconds from any origin
      */
     public Stopwatch(LongSupplier nanos) {
+        this(nanos, () -> 0);
+    }
+
+    private Stopwatch(LongSupplier nanos, LongSupplier processors) {
         this.nanos = nanos;
+        this.processors = processors;
         start = nanos.getAsLong();
     }
 
     /** Starts now, by {@link System#nanoTime}. */
     public static Stopwatch started() {
-        return new Stopwatch(System::nanoTime);
+        return new Stopwatch(System::nanoTime, MachineFacts::processorNanos);
     }
 
     /** Seconds since the start. */
     public double seconds() {
         return (nanos.getAsLong() - start) * NANO;
+    }
+
+    /** Seconds of processor time that this process has taken since any moment; always 0 by other clocks than the system's. */
+    public double processorSeconds() {
+        return processors.getAsLong() * NANO;
+    }
+
+    /** Processor time that the calling thread has taken since any moment, in seconds; always 0 where nobody can tell. */
+    public static double threadSeconds() {
+        return MachineFacts.threadNanos() * NANO;
     }
 }

@@ -75,6 +75,7 @@ class FloatingLiteralsTest {
             new Explained("shading/FreeFlight.java", "0.1", "the least probability of a band of a flight"),
             new Explained("shading/WalkEnd.java", "4", "units of the frame, in which every coordinate is below 2"),
             new Explained("shading/FreeFlight.java", "0x1p100", "units of the frame: nothing comes back from there"),
+            new Explained("shading/MediumVertex.java", "0x1p-8", "roulette: a share of all events"),
             new Explained(
                     "compiled/HomogeneousMedium.java",
                     "0x1p36",

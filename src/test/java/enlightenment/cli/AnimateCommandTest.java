@@ -279,6 +279,13 @@ class AnimateCommandTest {
     }
 
     @Test
+    void aFilmMayLieInTheFolderThatIsMadeForItsFrames() throws IOException {
+        Path film = frames.resolve("film.apng");
+        assertEquals(new CliRun(0, "", ""), CliRun.of("animate", scene, "-o", pattern, "--video", film));
+        assertTrue(Files.size(film) > 0);
+    }
+
+    @Test
     void furtherFilesAreThoseThatRenderWritesAndAFrameWithoutThemIsNotThere() throws IOException {
         assertEquals(
                 0, CliRun.of("animate", scene, "-o", pattern, "--frames", "0-2").code());

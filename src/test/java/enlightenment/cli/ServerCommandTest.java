@@ -143,7 +143,7 @@ class ServerCommandTest {
         Files.writeString(scene, Files.readString(scene).replace("\"radius\": 1,", "\"radius\": 2,"));
         CliRun run = CliRun.of(args);
         assertEquals(1, run.code());
-        assertTrue(run.err().contains("is the checkpoint of another job"), run.err());
+        assertTrue(run.err().contains("is the checkpoint of another render, which differs in the scene"), run.err());
         assertArrayEquals(before, Files.readAllBytes(checkpoint));
     }
 

@@ -5,9 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.checkpoint.Checkpoint;
 import enlightenment.engine.UnitAssembly;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.job.Build;
+import enlightenment.job.RenderIdentity;
+import enlightenment.job.SceneDocument;
 import enlightenment.net.protocol.Timing;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
@@ -22,9 +26,11 @@ import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -88,6 +94,37 @@ class RenderServerTest {
         }
     }
 
+    /** One file, whoever writes it: what one process has done a server does not do again, and the other way round. */
+    @Test
+    void aServerGoesOnFromTheCheckpointOfOneProcessAndThatFromTheServers() throws Exception {
+        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withSamples(4));
+        RenderResult alone = Renderer.render(RenderRequest.of(Farm.SCENE, settings));
+        Path file = folder.resolve("checkpoint");
+        RenderIdentity render = RenderIdentity.of(SceneDocument.of(Farm.SCENE).hash(), settings, Build.number());
+        try (Checkpoint checkpoint = Checkpoint.open(file, render, false)) {
+            RenderResult part = Renderer.render(RenderRequest.of(Farm.SCENE, settings)
+                    .withArchives(List.of(checkpoint))
+                    .withCancelled(() -> checkpoint.results() >= 3));
+            assertFalse(part.complete());
+        }
+        // Everything is made twice: what one process has made must be what workers make, to the byte.
+        ServerOptions.Builder options =
+                Farm.options().checkpoint(file).auditRate(1).awaitWorkers(1, 30);
+        try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
+            farm.join(Farm.worker(2));
+            assertArrayEquals(alone.image().toArray(), farm.result().image().toArray());
+            assertTrue(farm.logHas("tiles are done already"));
+            assertFalse(farm.logHas("expelled"));
+        }
+        try (Checkpoint checkpoint = Checkpoint.open(file, render, true)) {
+            int before = checkpoint.results();
+            RenderResult again =
+                    Renderer.render(RenderRequest.of(Farm.SCENE, settings).withArchives(List.of(checkpoint)));
+            assertArrayEquals(alone.image().toArray(), again.image().toArray());
+            assertEquals(before, checkpoint.results());
+        }
+    }
+
     /** Workers come to the render that follows, whose picture is that of one process. */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
@@ -110,8 +147,9 @@ class RenderServerTest {
                             "the picture is done",
                             worker.get(20, TimeUnit.SECONDS).reason());
                 }
-                assertTrue(Files.exists(
-                        folder.resolve("checkpoint." + alone.report().sampling().rounds())));
+                try (Stream<Path> files = Files.list(folder)) {
+                    assertEquals(List.of(checkpoint), files.toList(), "one file for all rounds");
+                }
             }
         }
     }

@@ -33,7 +33,9 @@ class BidirectionalPartnerTest {
             strings = {
                 "at most 2",
                 "background and lights",
+                "ball of wax",
                 "checkered metal, mirror and glass",
+                "fog with a mirror and glass",
                 "glowing disk and triangle",
                 "glowing mirror and metal",
                 "glowing tubes",
@@ -41,6 +43,7 @@ class BidirectionalPartnerTest {
                 "lights of all kinds",
                 "many lights of all kinds",
                 "metals",
+                "milk in glass",
                 "nested glass",
                 "pane",
                 "rough glass",

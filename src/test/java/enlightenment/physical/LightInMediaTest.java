@@ -33,6 +33,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Light that media scatter, from the lights and from the eye: one picture. */
@@ -100,15 +101,25 @@ class LightInMediaTest {
         return RenderSettings.of(scene).withMethod(method).withAntialias(4);
     }
 
-    /** Welch's test of the quarters at 1 % for all of them and all scenes together. */
     @ParameterizedTest
     @MethodSource("names")
     void pathsFromTheLightsMakeThePictureOfPathsFromTheEye(String name) {
+        bothMakeTheSamePicture(BuiltInMethod.LIGHT, name);
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void pathsFromBothEndsMakeItToo(String name) {
+        bothMakeTheSamePicture(BuiltInMethod.BIDIRECTIONAL, name);
+    }
+
+    /** Welch's test of the quarters at 1 % for all of them and all scenes and methods together. */
+    private static void bothMakeTheSamePicture(BuiltInMethod method, String name) {
         Scene scene = SCENES.get(name).build();
-        RenderSettings settings = by(BuiltInMethod.LIGHT, scene);
+        RenderSettings settings = by(method, scene);
         List<Image> light = Rendered.seeds(scene, settings, 1, SEEDS);
         List<Image> eye = Rendered.seeds(scene, by(BuiltInMethod.RAYTRACE, scene), 1, SEEDS);
-        double level = Welch.sidak(0.01, PARTS * SCENES.size());
+        double level = Welch.sidak(0.01, 2 * PARTS * SCENES.size());
         for (int k = 0; k < PARTS; k++) {
             int x = k / 3 % 2 * 8;
             int y = k / 6 * 8;
@@ -122,24 +133,20 @@ class LightInMediaTest {
 
     /** A medium that absorbs nothing is not seen where as much light comes from everywhere: paths bring what they take away. */
     @ParameterizedTest
-    @MethodSource("anisotropies")
-    void aCloudIsNotSeenInAFurnace(double anisotropy) {
+    @CsvSource({"LIGHT, -0.7", "LIGHT, 0", "LIGHT, 0.6", "BIDIRECTIONAL, 0", "BIDIRECTIONAL, 0.6"})
+    void aCloudIsNotSeenInAFurnace(BuiltInMethod method, double anisotropy) {
         Scene empty = Scene.builder()
                 .size(16, 16)
                 .camera(room().build().camera())
                 .shading(new PhysicalShading(OptionalInt.empty(), Rgb.gray(0.5)))
                 .object(ball(0, 0.9, -2, 0.5), Material.Scattering.of(medium(8, 4, 2, 0, anisotropy)))
                 .build();
-        List<Image> pictures = Rendered.seeds(empty, by(BuiltInMethod.LIGHT, empty), 1, SEEDS);
+        List<Image> pictures = Rendered.seeds(empty, by(method, empty), 1, SEEDS);
         for (int band = 0; band < 3; band++) {
             Statistics s = Statistics.of(Rendered.means(pictures, 0, 0, 16, 16, band));
             assertTrue(Math.abs(s.mean() - 0.5) <= 5 * s.error() + 1e-6, s::toString);
             assertTrue(s.error() < 0.03, s::toString);
         }
-    }
-
-    static Stream<Double> anisotropies() {
-        return Stream.of(-0.7, 0.0, 0.6);
     }
 
     /** Nothing of the surroundings comes through a fog that has no end, however thin it is and whoever looks for it. */
@@ -160,6 +167,6 @@ class LightInMediaTest {
     }
 
     static Stream<BuiltInMethod> methods() {
-        return Stream.of(BuiltInMethod.RAYTRACE, BuiltInMethod.LIGHT);
+        return Stream.of(BuiltInMethod.RAYTRACE, BuiltInMethod.LIGHT, BuiltInMethod.BIDIRECTIONAL);
     }
 }

@@ -90,7 +90,7 @@ class MediaMethodsTest {
     @ParameterizedTest
     @EnumSource(
             value = BuiltInMethod.class,
-            names = {"RAYTRACE", "CLUSTER", "METROPOLIS"})
+            names = {"RAYTRACE", "CLUSTER", "METROPOLIS", "BIDIRECTIONAL"})
     void threadsTilesAndScaleChangeNoBitNorDoesACrop(BuiltInMethod method) {
         Scene scene = foggy(0);
         RenderSettings settings = settings(scene, method);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.HenyeyGreenstein;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.EyeProjection;
@@ -24,6 +25,7 @@ import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -39,8 +41,12 @@ class BidirectionalWeightsTest {
             """
             { "image": { "width": 64, "height": 64 },
               "camera": CAMERA,
-              "shading": { "model": "physical" },
+              "shading": SHADING,
               "materials": {
+                "wax": { "type": "scattering", "scatteringCoefficient": [9, 6, 3], "absorptionCoefficient": [0.1, 0.3, 0.5],
+                  "anisotropy": 0.3 },
+                "jade": { "type": "scattering", "scatteringCoefficient": 4, "absorptionCoefficient": 0.5,
+                  "indexOfRefraction": 1.3, "roughness": 0.5 },
                 "white": { "type": "matte", "color": { "linear": [0.8, 0.7, 0.6] } },
                 "clay": { "type": "matte", "color": { "linear": [0.5, 0.6, 0.7] }, "roughness": 0.8 },
                 "mirror": { "type": "mirror", "color": { "linear": [0.9, 0.8, 0.9] } },
@@ -68,6 +74,7 @@ class BidirectionalWeightsTest {
                 { "type": "disk", "center": [0.6, 0.6, -0.6], "normal": [0.3, 0.2, 1], "radius": 0.4, "material": "glass" },
                 { "type": "torus", "center": [0.6, 0.1, 1.2], "axis": [0, 1, 0], "majorRadius": 0.4, "minorRadius": 0.1,
                   "material": { "type": "matte", "color": "#804020", "radiance": [0.5, 1, 1] } }
+                MORE
               ] }
             """;
     private static final String PERSPECTIVE =
@@ -83,12 +90,28 @@ class BidirectionalWeightsTest {
     private final ReverseDensity reverse = new ReverseDensity();
     private int paths;
     private int throughDelta;
+    private int inMedia;
 
     /** How many paths have vertices so near to each other that they are not compared. */
     private int near;
 
-    private void read(String camera) {
-        Scene read = SceneReader.readString(SCENE.replace("CAMERA", camera), Path.of(""), "");
+    private void read(String camera, boolean inFog) {
+        String shading = "{ \"model\": \"physical\" }";
+        String fog =
+                """
+                { "model": "physical", "medium": { "scatteringCoefficient": [0.2, 0.3, 0.4], "absorptionCoefficient": 0.05 } }
+                """;
+        String more =
+                """
+                , { "type": "sphere", "center": [-1.3, 0.3, -0.3], "radius": 0.3, "material": "wax" },
+                { "type": "sphere", "center": [1.5, 0.3, -0.5], "radius": 0.3, "material": "jade" }
+                """;
+        Scene read = SceneReader.readString(
+                SCENE.replace("CAMERA", camera)
+                        .replace("SHADING", inFog ? fog : shading)
+                        .replace("MORE", inFog ? more : ""),
+                Path.of(""),
+                "");
         scene = SceneCompiler.compile(read, RenderSettings.of(read));
         starts = scene.lightStarts(false);
         eye = new EyeProjection(scene.camera);
@@ -104,6 +127,11 @@ class BidirectionalWeightsTest {
 
         final double survival;
         final boolean isBorder;
+
+        /** The vertices that it is one of, and which; null for a point of a light. */
+        final PathVertices of;
+
+        final int number;
 
         /** Unit vectors to its neighbours. */
         Vec3 toLight;
@@ -121,6 +149,8 @@ class BidirectionalWeightsTest {
             v.get(k, s);
             survival = v.survival(k);
             isBorder = bsdf.transmits();
+            of = v;
+            number = k;
         }
 
         /** A point of a light. */
@@ -129,10 +159,13 @@ class BidirectionalWeightsTest {
             bsdf = null;
             survival = 0;
             isBorder = false;
+            of = null;
+            number = 0;
         }
 
         double cosine(Vec3 d) {
-            return Math.abs(d.x() * s.nx + d.y() * s.ny + d.z() * s.nz);
+            double cosine = d.x() * s.nx + d.y() * s.ny + d.z() * s.nz;
+            return of == null ? Math.abs(cosine) : of.projected(number, cosine);
         }
 
         /** The density of going to one neighbour, coming from the other. */
@@ -332,6 +365,11 @@ class BidirectionalWeightsTest {
                 expected = ofHit(l, e, t);
             }
             throughDelta += e.bsdf(0) == null ? 1 : 0;
+            boolean isInMedium = false;
+            for (int k = 0; k < t - 2 && e.bsdf(k) != null; k++) {
+                isInMedium |= e.bsdf(k) instanceof HenyeyGreenstein;
+            }
+            inMedia += isInMedium ? 1 : 0;
             assertEquals(expected, weight, 1e-10 * (s + t), () -> "s = " + s + ", t = " + t);
             return weight;
         }
@@ -383,26 +421,47 @@ class BidirectionalWeightsTest {
     @ParameterizedTest
     @ValueSource(strings = {PERSPECTIVE, PARALLEL})
     void theWeightsOfPathsFromBothEndsFollowFromAllDensities(String camera) {
-        read(camera);
+        read(camera, false);
+        checkPathsFromBothEnds(100_000);
+        assertTrue(throughDelta > 1000, "few paths are seen in mirrors: " + throughDelta);
+    }
+
+    @Test
+    void soTheyDoInMediaThatScatterLight() {
+        read(PERSPECTIVE, true);
+        checkPathsFromBothEnds(40_000);
+        assertTrue(inMedia > 10_000, "few paths are scattered by media: " + inMedia);
+    }
+
+    private void checkPathsFromBothEnds(int most) {
         BidirectionalTracer tracer = new BidirectionalTracer(scene, new RayCounters(scene.kindNames.size()));
         tracer.watch(new Checked(tracer));
         SobolSampler sampler = new SobolSampler();
         Ray ray = new Ray();
         double[] color = new double[3];
         tracer.beginTile(0, 0, 1, 1);
-        for (int k = 0; paths < 100_000; k++) {
+        for (int k = 0; paths < most; k++) {
             sampler.pixel(5, k % SIDE, k / SIDE % SIDE);
             sampler.sample(k / (SIDE * SIDE));
             scene.camera.ray((k % SIDE + sampler.filmX()) / SIDE, (k / SIDE % SIDE + sampler.filmY()) / SIDE, ray);
             tracer.shade(ray, sampler, color);
         }
-        assertTrue(throughDelta > 1000, "few paths are seen in mirrors: " + throughDelta);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {PERSPECTIVE, PARALLEL})
     void theWeightsOfPathsToTheEyeItselfFollowFromAllDensities(String camera) {
-        read(camera);
+        read(camera, false);
+        checkPathsToTheEye();
+    }
+
+    @Test
+    void soDoThoseOfPathsToTheEyeItselfInMediaThatScatterLight() {
+        read(PERSPECTIVE, true);
+        checkPathsToTheEye();
+    }
+
+    private void checkPathsToTheEye() {
         BidirectionalLightTracer tracer =
                 new BidirectionalLightTracer(scene, 7, SIDE, SIDE, new RayCounters(scene.kindNames.size()));
         PathVertices none = new PathVertices();

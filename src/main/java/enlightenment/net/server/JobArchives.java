@@ -55,7 +55,8 @@ final class JobArchives {
     Set<Integer> begin(byte[] plan, UnitAssembly film) {
         each((archive, none) -> {
             plans.put(archive, archive.keep(plan));
-            archive.replay(plans.get(archive), (unit, bytes) -> {
+            archive.replay(plans.get(archive), (unit, result) -> {
+                byte[] bytes = PlainResult.of(film, unit, result);
                 Optional<String> problem = film.problem(unit, bytes);
                 if (problem.isPresent()) {
                     log.accept(archive.name() + ": tile " + unit + ": " + problem.get());

@@ -104,23 +104,30 @@ public final class ServerJob implements Closeable {
         List<String> wrong = new ArrayList<>();
         byte[] bytes = plan.toBytes();
         key = CheckpointJournal.key(bytes);
-        List<Long> planned = new ArrayList<>();
+        Set<Long> planned = new HashSet<>();
+        Set<Long> ours = new HashSet<>(Set.of(0L, key));
         journal = CheckpointJournal.open(checkpoint, identity(), true, System.nanoTime(), (about, entry, place) -> {
-            if (entry instanceof JournalRecord.Planned) {
+            if (entry instanceof JournalRecord.Planned other) {
                 planned.add(about);
-            } else if (about != 0 && about != key) {
+                KeptPlan.read(other.plan())
+                        .filter(p -> p.hasUnitsOf(plan.outline()))
+                        .ifPresent(p -> ours.add(about));
+            } else if (!ours.contains(about)) {
                 // Of the same picture with another number of samples.
                 return;
             }
-            if (entry instanceof JournalRecord.Kept kept) {
-                String problem = film.problem(kept.tile(), kept.data()).orElse(null);
-                if (problem != null) {
-                    wrong.add("tile " + kept.tile() + ": " + problem);
-                    return;
-                }
-                film.put(kept.tile(), kept.data());
+            if (!(entry instanceof JournalRecord.Kept kept)) {
+                builder.add(entry);
+                return;
             }
-            builder.add(entry);
+            byte[] result = PlainResult.of(film, kept.tile(), kept.data());
+            String problem = film.problem(kept.tile(), result).orElse(null);
+            if (problem != null) {
+                wrong.add("tile " + kept.tile() + ": " + problem);
+                return;
+            }
+            film.put(kept.tile(), result);
+            builder.add(new JournalRecord.Kept(kept.tile(), kept.origin(), result));
         });
         if (!planned.contains(key)) {
             journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));

@@ -46,9 +46,12 @@ if %E_MAJOR% LSS 17 (
     exit /b 1
 )
 
-rem Short commands are over before the better of the two compilers pays for itself.
-set "E_SHORT=-XX:TieredStopAtLevel=1"
-for %%C in (render merge trade bench server worker) do if "%~1"=="%%C" set "E_SHORT="
+rem Short commands are over before the better of the two compilers pays for itself. In the others it compiles only what is still called
+rem by the time it comes to it, and not so soon. Java 17 to 25 know these options; a newer one may do without.
+set "E_LONG=-XX:+UnlockDiagnosticVMOptions -XX:TieredOldPercentage=10000000 -XX:Tier4InvocationThreshold=20000 -XX:Tier4MinInvocationThreshold=4000 -XX:Tier4CompileThreshold=60000"
+if %E_MAJOR% GTR 25 set "E_LONG=%E_LONG% -XX:+IgnoreUnrecognizedVMOptions"
+set "E_COMPILER=-XX:TieredStopAtLevel=1"
+for %%C in (render animate merge render-store store-export trade bench server worker) do if "%~1"=="%%C" set "E_COMPILER=%E_LONG%"
 
 rem The archive of classes.
 set "E_ARCHIVE="
@@ -74,5 +77,5 @@ if not exist "%LOCALAPPDATA%\enlightenment" mkdir "%LOCALAPPDATA%\enlightenment"
 if exist "%LOCALAPPDATA%\enlightenment" set "E_USE=-XX:+AutoCreateSharedArchive -XX:+UnlockDiagnosticVMOptions -XX:-PrintWarnings -XX:SharedArchiveFile="%E_ARCHIVE%""
 
 :start
-"%E_JAVA%" %E_SHORT% %E_USE% -Xlog:disable "-Denlightenment.archive=%E_ARCHIVE%" "-Denlightenment.launcher=enlightenment" %JAVA_OPTS% %ENLIGHTENMENT_OPTS% -cp "%E_JAR%" enlightenment.cli.Main %*
+"%E_JAVA%" %E_COMPILER% %E_USE% -Xlog:disable "-Denlightenment.archive=%E_ARCHIVE%" "-Denlightenment.launcher=enlightenment" %JAVA_OPTS% %ENLIGHTENMENT_OPTS% -cp "%E_JAR%" enlightenment.cli.Main %*
 exit /b %ERRORLEVEL%

@@ -8,6 +8,7 @@ FOLDER has scene.json, reference.pfm, variance.pfm (linear, rows from the bottom
 `agree` renders K seeds and compares the means of blocks of 8 x 8 pixels with the reference: docs/physical-light.md says by which rule.
 `kept` renders K seeds with `--error E` and counts in how many the displayed error against the reference is no larger.
 `race` gives CPU-seconds of whole processes, in turns, and errors against the reference, its own variance subtracted.
+JAR is the jar, for `java -jar`, or the launcher of the application.
 Needs numpy; `race` also mitsuba (pip install numpy mitsuba; Debian's libllvm19 for its variant llvm_ad_rgb).
 """
 import argparse
@@ -49,8 +50,9 @@ def run(command):
 def ours(jar, folder, seed, out, samples, options, size=None):
     antialias = ["--samples", str(samples)]
     sizes = ["--size", size] if size else []
+    program = ["java", "-jar", jar] if str(jar).endswith(".jar") else [jar]
     return run(
-        ["java", "-jar", jar, "render", folder / "scene.json", "-o", out, "--seed", str(seed), "--progress", "none"]
+        program + ["render", folder / "scene.json", "-o", out, "--seed", str(seed), "--progress", "none"]
         + antialias + sizes + shlex.split(options)
     )
 

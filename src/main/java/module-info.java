@@ -40,8 +40,6 @@ module enlightenment {
 
     // Methods of rendering from outside.
     uses enlightenment.scene.MethodExtension;
-    // Databases for the sample store.
-    uses java.sql.Driver;
 
     opens enlightenment.cli to
             info.picocli;

@@ -48,6 +48,10 @@ final class StoreExportCommand extends Subcommand {
             SampleRows samples = SampleRows.of(store, render, StorePicture.plan(store, render));
             long count = rows ? samples.fillTable() : write(samples);
             terminal.say(count + " samples of render " + SampleStore.shortId(render) + " unpacked");
+            long without = samples.unitsWithout();
+            if (without > 0) {
+                terminal.say(without + " units were kept without them and are left out");
+            }
             if (samples.damaged() > 0) {
                 throw CliException.failed(samples.damaged() + " blocks of samples are damaged and were left out");
             }

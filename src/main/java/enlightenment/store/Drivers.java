@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.security.CodeSource;
 import java.sql.Connection;
 import java.sql.Driver;
+import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -98,6 +99,10 @@ final class Drivers {
 
     /** All that can be loaded: one that cannot is none of ours. */
     private static List<Driver> services(ClassLoader loader) {
+        if (Drivers.class.getModule().isNamed()) {
+            // A module that said that it uses drivers could not be loaded where there is no java.sql.
+            return DriverManager.drivers().toList();
+        }
         List<Driver> all = new ArrayList<>();
         Iterator<Driver> drivers = ServiceLoader.load(Driver.class, loader).iterator();
         for (int failures = 0; failures < ARTIFACTS.size(); ) {

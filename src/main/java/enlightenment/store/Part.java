@@ -81,8 +81,13 @@ record Part(Place place, long samples, String worker, byte[] data) {
 
     /** Takes a result out, with its samples. */
     static void delete(Connection c, Place place) throws SQLException {
-        delete(c, "film_part", place);
+        deleteResult(c, place);
         delete(c, "sample_block", place);
+    }
+
+    /** Takes a result out, but not its samples. */
+    static void deleteResult(Connection c, Place place) throws SQLException {
+        delete(c, "film_part", place);
     }
 
     private static void delete(Connection c, String table, Place place) throws SQLException {

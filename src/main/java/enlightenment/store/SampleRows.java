@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.Writer;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
+import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.sql.Types;
@@ -83,6 +84,23 @@ public final class SampleRows {
                 select.setInt(2, plan.pass());
                 select.setInt(3, kind);
                 return select.executeQuery().next();
+            }
+        });
+    }
+
+    /** How many units have no such samples, and are left out. */
+    public long unitsWithout() throws IOException {
+        String sql = "SELECT COUNT(*) FROM film_part p WHERE p.render_id = ? AND p.pass = ? AND NOT EXISTS (SELECT 1"
+                + " FROM sample_block b WHERE b.render_id = p.render_id AND b.pass = p.pass AND b.tile = p.tile"
+                + " AND b.kind = ?)";
+        return database.read(c -> {
+            try (PreparedStatement select = c.prepareStatement(sql)) {
+                select.setString(1, render.id());
+                select.setInt(2, pass);
+                select.setInt(3, kind);
+                ResultSet row = select.executeQuery();
+                row.next();
+                return row.getLong(1);
             }
         });
     }

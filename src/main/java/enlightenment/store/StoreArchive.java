@@ -189,6 +189,10 @@ public final class StoreArchive implements SampleArchive {
         }
         database.write(c -> {
             for (Block block : blocks) {
+                if (!parts.containsKey(block.place())) {
+                    // More of its samples follow: what was kept without them must not be taken for whole meanwhile.
+                    Part.deleteResult(c, block.place());
+                }
                 block.insert(c, database.dialect());
             }
             for (Part part : parts.values()) {

@@ -85,6 +85,24 @@ class StoreCommandsTest {
         assertSame(direct, again);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"cornell-box", "glass-physical", "bounce"})
+    void raysCostThePictureNotABit(String name) throws Exception {
+        Path shipped = Path.of("scenes", name + ".json");
+        ok("render", shipped, "-o", direct, "--size", "20x12", "--samples", 4);
+        ok("render", shipped, "-o", picture, "--size", "20x12", "--samples", 4, "--store", store, "--store-rays");
+        assertSame(direct, picture);
+        ok("store-export", store, "--rows");
+        assertEquals(20 * 12 * 4, (int) sql(store, "SELECT COUNT(*) FROM sample"));
+        assertTrue((int) sql(store, "SELECT COUNT(*) FROM sample WHERE outcome = 'lit'") > 100);
+        assertEquals(
+                0,
+                (int)
+                        sql(
+                                store,
+                                "SELECT COUNT(*) FROM sample WHERE outcome IN ('lit', 'shadowed') AND (light_x IS NULL OR surface_x IS NULL)"));
+    }
+
     @Test
     void whatIsMissingIsBlackAndSaidAndIsAllThatIsRenderedNext() throws Exception {
         ok("render", scene, "-o", direct, "--store", store);
@@ -177,6 +195,8 @@ class StoreCommandsTest {
         assertSame(direct, picture);
         assertEquals((int) sql(store, "SELECT SUM(samples) FROM film_part"), (int)
                 sql(store, "SELECT SUM(n) FROM sample_block"));
+        sql(store, "DELETE FROM sample_block WHERE tile % 2 = 0");
+        assertTrue(ok("store-export", store, "--rows").err().contains("units were kept without them"));
         CliRun third = ok("render", scene, "-o", picture, "--store", store, "--store-samples");
         assertTrue(third.err().contains("units are kept from before"), third.err());
     }

@@ -132,6 +132,14 @@ class LauncherIT {
         List<String> lines = run.out().lines().toList();
         assertEquals(given, lines.subList(lines.indexOf("enlightenment.cli.Main") + 1, lines.size()));
         assertFalse(lines.contains("-XX:TieredStopAtLevel=1"));
+        assertTrue(lines.contains("-XX:TieredOldPercentage=10000000"), run::toString);
+        assertFalse(lines.contains("-XX:+IgnoreUnrecognizedVMOptions"), run::toString);
+    }
+
+    @Test
+    void aJavaThatIsNewerThanTheLauncherMayLackOptions() throws Exception {
+        Packages.Run run = launch(launcher, showing("99"), "render", "x");
+        assertTrue(run.out().lines().anyMatch("-XX:+IgnoreUnrecognizedVMOptions"::equals), run::toString);
     }
 
     @Test

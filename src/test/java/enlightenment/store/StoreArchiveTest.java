@@ -116,6 +116,26 @@ class StoreArchiveTest {
         }
     }
 
+    /** Their process may be killed between the two transactions. */
+    @ParameterizedTest
+    @ValueSource(strings = {"sqlite", "h2"})
+    void aUnitWhoseSamplesAreNotAllThereYetDoesNotCount(String database) throws IOException {
+        StoreAddress address = address(database);
+        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE)) {
+            archive.keep(TestStores.PLAN);
+            archive.keep(0, 7, "a", TestStores.result(7));
+        }
+        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.PIXELS)) {
+            assertTrue(replayed(archive, 0).isEmpty());
+            archive.keepSamples(0, 7, 0, 7, TestStores.samples(7));
+            archive.write();
+            assertTrue(replayed(archive, 0).isEmpty());
+            archive.keepSamples(0, 7, 0, 7, TestStores.samples(7));
+            archive.keep(0, 7, "a", TestStores.result(7));
+            assertEquals(1, replayed(archive, 0).size());
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"sqlite"})
     void damagedResultsAreLeftOutAndMadeAgain(String database) throws Exception {

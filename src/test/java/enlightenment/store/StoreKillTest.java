@@ -28,9 +28,18 @@ class StoreKillTest {
         kill(20);
     }
 
+    @Tag("full")
+    @Test
+    void nothingAcknowledgedIsLostByH2AsItIsOpenedHere() throws Exception {
+        kill(6, StoreAddress.of("jdbc:h2:" + folder.resolve("h")));
+    }
+
     private void kill(int moments) throws Exception {
+        kill(moments, TestStores.at(folder.resolve("s.db")));
+    }
+
+    private static void kill(int moments, StoreAddress address) throws Exception {
         Random random = new Random(7);
-        StoreAddress address = TestStores.at(folder.resolve("s.db"));
         int safe = -1;
         for (int k = 0; k < moments; k++) {
             Process writer = TestWriter.start(address, "", 0, UNITS, 1);

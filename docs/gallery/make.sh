@@ -22,6 +22,7 @@ run prism prism --size 400x267 --samples 1024
 run fluorescent-poster fluorescent-poster --size 400x200 --samples 256
 run wax wax --size 400x267 --method light --samples 1000
 run milk-and-glass milk-and-glass --size 400x267 --samples 256
+run fog fog --size 400x267 --samples 256
 for scene in metals glass-physical lamp-room fire-and-ice-physical; do
     run "$scene" "$scene" --size 400x200 --samples 128
 done

@@ -224,6 +224,7 @@ class ShippedScenesTest {
                 "prism",
                 "wax",
                 "milk-and-glass",
+                "fog",
                 "fire-and-ice-physical")) {
             assertEquals(Shading.Model.PHYSICAL, read(name + ".json").shading().model(), name);
         }

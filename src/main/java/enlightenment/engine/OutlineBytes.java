@@ -3,6 +3,7 @@ package enlightenment.engine;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.Tone;
+import enlightenment.compiled.ChanceError;
 import enlightenment.film.SplatScale;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
@@ -145,6 +146,8 @@ public final class OutlineBytes {
         write(out, outline.kinds());
         out.writeInt(outline.splatScale().exponent());
         write(out, outline.display());
+        out.writeDouble(outline.chance().shortfall());
+        out.writeDouble(outline.chance().most());
     }
 
     /**
@@ -161,7 +164,8 @@ public final class OutlineBytes {
         kinds.forEach(OutlineBytes::plain);
         return new RenderOutline(name, decided.settings(), decided.plan(), features, kinds)
                 .withSplatScale(new SplatScale(in.readInt()))
-                .withDisplay(readDisplay(in));
+                .withDisplay(readDisplay(in))
+                .withChance(new ChanceError(in.readDouble(), in.readDouble()));
     }
 
     /** The kind of the pixels' numbers, exposure, and kind of the tone curve. */

@@ -14,6 +14,7 @@ import enlightenment.scene.Shading;
 import enlightenment.surroundings.Surroundings;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
@@ -98,6 +99,8 @@ public final class CompiledScene {
     private ConeSearch coneSearch;
     private LightStarts lightStarts;
     private LightStarts lightStartsWithBackground;
+    private ChanceLight chanceLight;
+    private boolean knowsChance;
     private final List<String> features;
     private final List<String> absent;
 
@@ -252,6 +255,19 @@ public final class CompiledScene {
             lightStarts = new LightStarts(this, false);
         }
         return lightStarts;
+    }
+
+    /**
+     * What is left to chance in the picture. Found out when it is first asked for.
+     *
+     * @param finder finds it; null if nothing is known to be
+     */
+    public synchronized ChanceLight chanceLight(Supplier<ChanceLight> finder) {
+        if (!knowsChance) {
+            chanceLight = finder.get();
+            knowsChance = true;
+        }
+        return chanceLight;
     }
 
     /** The moments that the picture is the mean of: this scene alone where there are no {@link #instants}. */

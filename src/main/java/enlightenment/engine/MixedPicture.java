@@ -104,7 +104,7 @@ final class MixedPicture extends PictureFilm {
 
     @Override
     public ErrorEstimate error() {
-        return sum().error();
+        return sum().error().with(outline.chance());
     }
 
     @Override

@@ -3,6 +3,7 @@ package enlightenment.engine;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.Tone;
+import enlightenment.compiled.ChanceError;
 import enlightenment.film.SplatScale;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
@@ -140,6 +141,8 @@ public final class OutlineBytes {
         write(out, outline.kinds());
         out.writeInt(outline.splatScale().exponent());
         write(out, outline.display());
+        out.writeDouble(outline.chance().shortfall());
+        out.writeDouble(outline.chance().most());
     }
 
     /**
@@ -153,7 +156,8 @@ public final class OutlineBytes {
         Decided decided = read(in, threads);
         return new RenderOutline(name, decided.settings(), decided.plan(), readTexts(in), readTexts(in))
                 .withSplatScale(new SplatScale(in.readInt()))
-                .withDisplay(readDisplay(in));
+                .withDisplay(readDisplay(in))
+                .withChance(new ChanceError(in.readDouble(), in.readDouble()));
     }
 
     /** The kind of the pixels' numbers, exposure, and kind of the tone curve. */

@@ -1,6 +1,7 @@
 package enlightenment.engine;
 
 import enlightenment.color.DisplayCurve;
+import enlightenment.compiled.ChanceError;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatScale;
@@ -21,6 +22,7 @@ import java.util.List;
  * @param kinds the kinds of primitives in the scene, in the order of their counters
  * @param display what pixels are, and how they become what a screen takes
  * @param splatScale the unit in which contributions of paths are summed; of no meaning where no units are batches of paths
+ * @param chance what light that is left to chance does to the error, as far as is known
  */
 public record RenderOutline(
         String sceneName,
@@ -29,7 +31,8 @@ public record RenderOutline(
         List<String> features,
         List<String> kinds,
         DisplayCurve display,
-        SplatScale splatScale) {
+        SplatScale splatScale,
+        ChanceError chance) {
     private static final SplatScale NO_SCALE = new SplatScale(0);
 
     public RenderOutline {
@@ -40,15 +43,16 @@ public record RenderOutline(
     /** An outline for units that are tiles of display-referred pixels. */
     public RenderOutline(
             String sceneName, RenderSettings settings, RenderPlan plan, List<String> features, List<String> kinds) {
-        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE);
+        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE, ChanceError.NONE);
     }
 
     /** The outline of a render of this scene. */
     public static RenderOutline of(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
         List<String> features = new ArrayList<>(scene.features());
         Integrators.blindSpot(settings.method(), scene).ifPresent(features::add);
-        RenderOutline outline =
-                new RenderOutline(sceneName, settings, plan, features, scene.kindNames).withDisplay(scene.display);
+        RenderOutline outline = new RenderOutline(sceneName, settings, plan, features, scene.kindNames)
+                .withDisplay(scene.display)
+                .withChance(Integrators.chance(plan, scene));
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {
@@ -61,12 +65,17 @@ public record RenderOutline(
 
     /** The same outline with another scale. */
     public RenderOutline withSplatScale(SplatScale scale) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale, chance);
     }
 
     /** The same outline for other pixels. */
     public RenderOutline withDisplay(DisplayCurve curve) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale, chance);
+    }
+
+    /** The same outline with other light that is left to chance. */
+    public RenderOutline withChance(ChanceError of) {
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, of);
     }
 
     /** Number of units of work, as they are handed out to many machines. */

@@ -1,5 +1,6 @@
 package enlightenment.film;
 
+import enlightenment.compiled.ChanceError;
 import enlightenment.film.VarianceDecay.Curve;
 import enlightenment.film.VarianceDecay.Samples;
 import java.util.Arrays;
@@ -73,6 +74,26 @@ public final class ErrorEstimate {
         this.unseen = unseen;
         this.pixels = pixels;
         this.linear = linear;
+    }
+
+    /** The same where some light is left to chance: the samples tell of it only where it was found. */
+    public ErrorEstimate with(ChanceError chance) {
+        if (!(chance.most() > 0)) {
+            return this;
+        }
+        double told = meanSquare + chance.shortfall();
+        LinearError light = linear == null || chance.shortfall() < meanSquare
+                ? linear
+                : new LinearError(linear.relative(), linear.kurtosis(), true);
+        return new ErrorEstimate(
+                variances,
+                told,
+                meanSquare * least / told,
+                // As far as it was found it is in what is told.
+                Math.max(meanSquare * most, meanSquare + chance.most()) / told,
+                unseen,
+                pixels,
+                light);
     }
 
     /** The same with what is told of linear light. */

@@ -1,10 +1,12 @@
 package enlightenment.method;
 
+import enlightenment.compiled.ChanceLight;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatBatch;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
+import enlightenment.shading.ChanceProbe;
 import enlightenment.shading.LightPathTracer;
 import java.util.function.BooleanSupplier;
 
@@ -74,6 +76,14 @@ public final class LightPaths implements SplatIntegrator {
      */
     public static LightPaths ofBidirectional(CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return new LightPaths(scene, settings, counters, LightPathTracer::ofBidirectional);
+    }
+
+    /**
+     * What paths from the eye find by chance only, since paths from lights cannot be connected to the eye where it is seen: caustics in mirrors
+     * and through glass; null if nothing is known to be left so. Found out once for a scene of physical shading.
+     */
+    public static ChanceLight leftToChance(CompiledScene scene) {
+        return scene.chanceLight(() -> ChanceProbe.find(scene));
     }
 
     @Override

@@ -1,5 +1,7 @@
 package enlightenment.plan;
 
+import enlightenment.compiled.ChanceError;
+import enlightenment.compiled.ChanceLight;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
@@ -180,6 +182,21 @@ public final class Integrators {
         return Optional.of(
                 method.word() + " cannot see surfaces in mirrors, in panes or through glass that bends light:"
                         + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
+    }
+
+    /**
+     * What light that is left to chance does to the error of a picture, as far as is known: of methods whose paths from the eye find by chance
+     * what others of theirs do not.
+     */
+    public static ChanceError chance(RenderPlan plan, CompiledScene scene) {
+        boolean isByChance = plan.method() == BuiltInMethod.RAYTRACE
+                || plan.method() == BuiltInMethod.CLUSTER
+                || plan.method() == BuiltInMethod.BIDIRECTIONAL;
+        if (scene.physical == null || !isByChance) {
+            return ChanceError.NONE;
+        }
+        ChanceLight light = LightPaths.leftToChance(scene);
+        return light == null ? ChanceError.NONE : light.error(scene.display, plan.samples());
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */

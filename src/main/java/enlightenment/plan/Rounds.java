@@ -4,6 +4,7 @@ import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import java.math.BigDecimal;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
@@ -31,8 +32,25 @@ public final class Rounds {
 
     private static final double LEAST_WORTH = 1.1;
 
+    /** How far the error falls is known after so many times as many samples as in the first round. */
+    private static final double TOLD_BY = 64;
+
+    /** A render that needs more samples per pixel than these is not begun unless its user says so. */
+    private static final double TOO_MANY = 1 << 20;
+
     private final Budget budget;
+
+    /** Of the first round. */
+    private double firstSamples;
+
+    private double firstError;
+
+    /** How many samples would be needed, where that is too many; 0 before. */
+    private double outOfReach;
+
+    /** Of the last round. */
     private double samples;
+
     private double error;
     private boolean isLimited;
 
@@ -57,6 +75,9 @@ public final class Rounds {
         boolean isEndless =
                 !(aim > 0) && budget.samples().isEmpty() && budget.seconds().isEmpty();
         if (isMet(outcome) || !(n < most) || isEndless) {
+            return OptionalDouble.empty();
+        }
+        if (budget.samples().isEmpty() && budget.seconds().isEmpty() && isOutOfReach(n, outcome.errorHigh(), aim)) {
             return OptionalDouble.empty();
         }
         double next = samplesFor(n, outcome.errorHigh(), aim);
@@ -90,6 +111,35 @@ public final class Rounds {
     public static OptionalDouble samplesForError(RenderReport report) {
         OptionalDouble error = report.settings().budget().error();
         return error.isEmpty() ? error : new Rounds(Budget.NONE.withError(error.getAsDouble())).next(report, 0, 0);
+    }
+
+    /** Whether the error has fallen so slowly that a render which goes on so would hardly end. */
+    private boolean isOutOfReach(double n, double e, double aim) {
+        if (firstSamples == 0) {
+            firstSamples = n;
+            firstError = e;
+        }
+        if (n < TOLD_BY * firstSamples || !(aim > 0)) {
+            return false;
+        }
+        double inAll = StrictMath.log(firstError / e) / StrictMath.log(n / firstSamples);
+        double last = StrictMath.log(error / e) / StrictMath.log(n / samples);
+        double slope = Math.max(inAll, last);
+        double needed = slope > 0 ? n * StrictMath.pow(e / aim, 1 / slope) : Double.POSITIVE_INFINITY;
+        outOfReach = needed > TOO_MANY ? needed : 0;
+        return outOfReach > 0;
+    }
+
+    /** Why nothing more is tried though the error is not kept; empty if there is no such reason. */
+    public Optional<String> resignation() {
+        if (outOfReach == 0) {
+            return Optional.empty();
+        }
+        String many = outOfReach <= Budget.MAX_SAMPLES
+                ? "about " + number(Tidy.of(outOfReach)) + " samples per pixel would be needed"
+                : "no number of samples would do";
+        return Optional.of("the error falls too slowly with this method: at this rate " + many
+                + "; try another method, or --time or --samples for the best within a limit");
     }
 
     /** What decided about the last number: error, samples or time. */

@@ -75,6 +75,7 @@ final class RenderRounds {
                     ? null
                     : archives.planFor(settings, round + 1).orElse(null);
             if (next.isEmpty() && kept == null || request.cancelled().getAsBoolean()) {
+                rounds.resignation().ifPresent(request.progress()::note);
                 return best;
             }
             double n = kept == null ? next.getAsDouble() : kept.samples();

@@ -143,6 +143,9 @@ public final class BidirectionalTracer implements Shader {
                 }
                 return false;
             case PASSED:
+                if (!eye.path.glass.passedStraight() && !eye.path.glass.border.transmitted) {
+                    images.wasReflected();
+                }
                 return true;
             case SURFACE:
                 glow();

@@ -8,7 +8,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
 /**
- * The light that the eye has straight from lights, or by way of one mirror, where their images are smaller than a pixel. Samples of a
+ * The light that the eye has straight from lights, or by way of one mirror or reflection at glass, where their images are smaller than a pixel. Samples of a
  * pixel may all miss such an image, and then nothing tells of it; however bright the lamp is, it is missing. So every sample takes a second
  * place on the film, in a box around what of the image is in the pixel, and what the first place sees of the image does not count: all
  * light is found exactly once, whatever the box is. See docs/path-tracing.md. A mutable work object, one per thread.
@@ -152,7 +152,16 @@ final class EyeImages {
 
     /** Tells that the surface that the path is at reflects it as a mirror. */
     void reflected() {
-        if (count > 0 && path.surfaces == 0) {
+        noteReflection(0);
+    }
+
+    /** The same of a surface that the path has left. */
+    void wasReflected() {
+        noteReflection(1);
+    }
+
+    private void noteReflection(int surfaces) {
+        if (count > 0 && path.surfaces == surfaces) {
             mirror = path.id;
             face = path.hit.face;
         }

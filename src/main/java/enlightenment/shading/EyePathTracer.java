@@ -77,6 +77,8 @@ abstract class EyePathTracer implements Shader {
         Arrays.fill(surface, path.glass.weight());
         if (through) {
             path.filter(surface);
+        } else {
+            images.reflected();
         }
         value.enter(path.glass.indexOfRefraction());
     }

@@ -213,14 +213,20 @@ abstract class LightWalker extends LightPathTracer {
             return false;
         }
         Scattering s = path.arrive(ray, surface);
-        if (!isDelta) {
-            connect(bsdf, s, null);
+        if (!isDelta && !arrive(bsdf, s)) {
+            return false;
         }
         if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
             return false;
         }
         path.leave(ray, s);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
+    }
+
+    /** At a surface that scatters light other than into single directions; returns whether the path goes on. */
+    boolean arrive(Bsdf bsdf, Scattering s) {
+        connect(bsdf, s, null);
+        return true;
     }
 
     /** Follows the ray to what it meets next; null if the medium that it is in scatters it first: then the path is there. */

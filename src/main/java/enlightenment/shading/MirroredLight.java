@@ -39,7 +39,7 @@ final class MirroredLight {
     }
 
     /**
-     * Whether a ray meets a mirror, which reflects it to a light, and something of it is left.
+     * Whether a ray meets a mirror, or glass from empty space, which reflects it to a light, and something of it is left.
      *
      * @param ray is overwritten
      * @param mirror the id of a primitive that coincides with no other
@@ -58,12 +58,17 @@ final class MirroredLight {
         event.red = color[0];
         event.green = color[1];
         event.blue = color[2];
-        if (!material.bsdf.sample(event, 0, 0, 0)) {
+        if (material.isGlass) {
+            event.eta = 1 / material.indexOfRefraction;
+        }
+        // Of glass this choice is what is reflected, and its probability the share.
+        if (!material.bsdf.sample(event, 0, 0, 0) || event.transmitted) {
             return false;
         }
-        red = event.valueR;
-        green = event.valueG;
-        blue = event.valueB;
+        double share = material.isGlass ? event.pdf : 1;
+        red = share * event.valueR;
+        green = share * event.valueG;
+        blue = share * event.valueB;
         counters.mirrorRays++;
         Optics.leave(ray, met, event);
         return isMetBy(ray, light);

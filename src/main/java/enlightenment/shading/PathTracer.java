@@ -30,6 +30,9 @@ public final class PathTracer extends EyePathTracer {
     /** Follows paths through media that scatter light; null if there are none. */
     private final RandomWalk walk;
 
+    /** What looks for light that the path leaves to chance; null if nobody does. */
+    private ChanceProbe probe;
+
     /** Whether a path ends where light has come to its first vertex straight. */
     private final boolean endsSoon;
 
@@ -65,6 +68,13 @@ public final class PathTracer extends EyePathTracer {
         hasCausticPass = leavesOut;
         walk = RandomWalk.of(physical, path, value, isAlbedo);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
+    }
+
+    /** A tracer that shows surfaces which are seen in mirrors or through glass to a probe. */
+    static PathTracer probing(CompiledScene scene, RayCounters counters, ChanceProbe probe) {
+        PathTracer tracer = new PathTracer(scene, counters);
+        tracer.probe = probe;
+        return tracer;
     }
 
     @Override
@@ -217,6 +227,9 @@ public final class PathTracer extends EyePathTracer {
 
     /** Adds light that balls reflect to the surface if the eye sees this, or the first, in a mirror or through glass; returns whether it does. */
     private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
+        if (probe != null && !history.scattered && history.isSeenByMirrors()) {
+            probe.look(bsdf, path.arrive(ray, surface), path.hit, value);
+        }
         if (mirrors == null || !history.isSeenByMirrors()) {
             return false;
         }

@@ -15,7 +15,7 @@ import java.util.List;
 
 /**
  * Finds the images of lights that are smaller than a pixel: of the balls around lights, as they are seen straight, in flat mirrors, and in
- * mirrors that are spheres. Whether something hides them is not asked. Those in other mirrors, in glass, and of images are not found.
+ * mirrors that are spheres; glass reflects as mirrors do. Whether something hides them is not asked. Those in other mirrors, through glass, and of images are not found.
  */
 final class SmallImages {
     /** Mirrors and lights are many in few scenes: so many pairs of them are looked at, the first ones. */
@@ -77,10 +77,15 @@ final class SmallImages {
         }
         for (int face = 0; face < p.faceCount(); face++) {
             SurfaceMaterial m = scene.material(id, face);
-            if (m.isDelta && !m.isGlass && !m.isBlack) {
+            if (m.isDelta && !m.isBlack && (!m.isGlass || reflectsOutside(p, m))) {
                 addMirrored(id, face);
             }
         }
+    }
+
+    /** Whether the outside of smooth glass reflects one share of the light at all wavelengths: a sample knows it. */
+    private boolean reflectsOutside(Primitive p, SurfaceMaterial m) {
+        return p.isSolid() && m.transparency == 1 && m.medium == null && !scene.physical.hasDispersion;
     }
 
     private void addMirrored(int id, int face) {

@@ -64,6 +64,8 @@ class FloatingLiteralsTest {
             new Explained("compiled/AlbedoInversion.java", "0.25", "a term of the series of the logarithm"),
             new Explained("compiled/AlbedoInversion.java", "0.2", "a term of the series of the logarithm"),
             new Explained("sampling/SobolSampler.java", "0x1p-32", "32 bits to 0..1"),
+            new Explained("compiled/ChanceLight.java", "1.96", "deviations of a normal distribution"),
+            new Explained("compiled/ChanceLight.java", "4", "a ratio of squared errors, four quarters"),
             new Explained("compiled/CausticPass.java", "0.05", "the least cosine that powers are estimated with"),
             new Explained("shading/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),
             new Explained("shading/MirrorImage.java", "0x1p-6", "an image is so much wider than it need be: a ratio"),

@@ -11,6 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
+import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -98,6 +99,35 @@ class SmallImagesTest {
         Image large = render(scene, ZOOM, 16, BuiltInMethod.RAYTRACE, 1);
         for (BuiltInMethod method : BuiltInMethod.values()) {
             assertSame(large, render(scene, 1, 1 << 13, method, 2), 0.04);
+        }
+    }
+
+    /**
+     * A box and a ball of glass reflect some hundredths of a lamp behind the eye. With one event nothing comes through. In the flat face it is seen
+     * in the distance d at the angle a, at both of which Fresnel's share hardly differs from that at right angles: a pixel of side s has L R Ω / (s² cos³ a).
+     */
+    @Test
+    void glassReflectsLampsOnce() {
+        Material glass = Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5);
+        Scene scene = Scene.builder()
+                .size(SMALL, SMALL)
+                .shading(PhysicalScenes.atMost(1, 0))
+                .camera(EYE)
+                .object(new Box(at(0.5, -4, 15), at(4, -0.5, 16)), glass)
+                .object(ball(-5, 4, 20, 3), glass)
+                .light(sphereLight(3, -2.5, -10, 1, 9000))
+                .light(sphereLight(-2, 1, -10, 1, 20_000))
+                .build();
+        double d = new Vec3(3, -2.5, 40).length();
+        double side = 2 * Math.tan(Math.toRadians(20)) / SMALL;
+        double angle = Math.PI / (d * d);
+        double expected = 9000 * 0.04 * angle / (side * side * Math.pow(40 / d, 3));
+        double inBall = render(scene, 1, 1 << 13, BuiltInMethod.RAYTRACE, 1).component(0, 0, 0);
+        assertTrue(inBall > 0.5, "seen in the ball: " + inBall);
+        for (BuiltInMethod method : BuiltInMethod.values()) {
+            Image picture = render(scene, 1, 1 << 13, method, 2);
+            assertEquals(expected, picture.component(2, 2, 0), 0.03 * expected, method.word());
+            assertEquals(inBall, picture.component(0, 0, 0), 0.05 * inBall, method.word());
         }
     }
 

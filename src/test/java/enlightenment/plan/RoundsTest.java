@@ -150,4 +150,23 @@ class RoundsTest {
         // The estimate alone would be 0.0084.
         assertFalse(report(budget, 4, 0.0101, 0).isErrorMet());
     }
+
+    /** The error of light paths in a scene of narrow lobes: it falls as n^-0.14, and a tenth of it is asked for. */
+    @Test
+    void anErrorThatHardlyFallsIsGivenUpUnlessSomethingElseLimitsTheRender() {
+        DoubleUnaryOperator error = n -> 0.5 * Math.pow(n, -0.14);
+        Rounds rounds = new Rounds(Budget.NONE.withError(0.02));
+        double n = 4;
+        double all = 0;
+        for (OptionalDouble next = OptionalDouble.of(n); next.isPresent(); ) {
+            assertTrue(rounds.resignation().isEmpty());
+            n = next.getAsDouble();
+            all += n;
+            next = rounds.next(report(Budget.NONE.withError(0.02), n, error.applyAsDouble(n), 0), 0, 0);
+        }
+        assertTrue(n >= 256 && all < 3000, n + " of " + all);
+        assertTrue(rounds.resignation().orElseThrow().contains("no number of samples"));
+        Budget limited = Budget.NONE.withError(0.02).withSamples(100_000);
+        assertEquals(100_000, render(limited, 4, error, 0).last);
+    }
 }

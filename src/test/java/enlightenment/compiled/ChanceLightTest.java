@@ -1,0 +1,77 @@
+package enlightenment.compiled;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.color.DisplayCurve;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Pixels whose rare light is known, and pictures of them by a random generator. */
+class ChanceLightTest {
+    private static final int PARTS = 64;
+    private static final double[] OTHER = {0.1, 0.05, 0.02};
+    private static final double[] LIGHT = {0.3, 0.2, 0.1};
+    private static final double FOUND = 1e-3;
+
+    private static ChanceLight light() {
+        ChanceLight.Builder parts = new ChanceLight.Builder(PARTS);
+        for (int k = 0; k < PARTS; k++) {
+            parts.set(k, OTHER, LIGHT, FOUND);
+        }
+        return parts.build();
+    }
+
+    /** The squared error of one picture with n samples per pixel, each of which meets all of the light with the probability q. */
+    private static double squaredError(int samples, Random random) {
+        double sum = 0;
+        for (int k = 0; k < PARTS; k++) {
+            int met = 0;
+            for (int s = 0; s < samples; s++) {
+                met += random.nextDouble() < FOUND ? 1 : 0;
+            }
+            for (int c = 0; c < 3; c++) {
+                double shown = DisplayCurve.SRGB.of(OTHER[c] + LIGHT[c] * met / (samples * FOUND));
+                double d = shown - DisplayCurve.SRGB.of(OTHER[c] + LIGHT[c]);
+                sum += d * d;
+            }
+        }
+        return sum / (3 * PARTS);
+    }
+
+    /** By a normal distribution: that of few pictures in which such light was met is more skewed. */
+    @ParameterizedTest
+    @ValueSource(ints = {16, 128, 500, 1500})
+    void nearlyAllPicturesErrByNoMoreThanIsSaid(int samples) {
+        ChanceError error = light().error(DisplayCurve.SRGB, samples);
+        Random random = new Random(samples);
+        int kept = 0;
+        double mean = 0;
+        for (int k = 0; k < 200; k++) {
+            double square = squaredError(samples, random);
+            kept += square <= error.most() ? 1 : 0;
+            mean += square / 200;
+        }
+        assertTrue(kept >= 170, "of 200: " + kept);
+        assertTrue(error.most() < 1.6 * mean, error.most() + " where it is " + mean);
+        assertTrue(error.shortfall() < 1.1 * mean, error.shortfall() + " where it is " + mean);
+    }
+
+    @Test
+    void fewSamplesTellNothingOfItAndManyTellAll() {
+        ChanceLight light = light();
+        ChanceError few = light.error(DisplayCurve.SRGB, 4);
+        assertEquals(few.most(), few.shortfall(), 0.1 * few.most());
+        assertEquals(ChanceError.NONE, light.error(DisplayCurve.SRGB, 1 << 20));
+    }
+
+    @Test
+    void withoutSuchLightThereIsNothingToTell() {
+        ChanceLight.Builder parts = new ChanceLight.Builder(2);
+        parts.set(0, OTHER, new double[3], 0);
+        assertNull(parts.build());
+    }
+}

@@ -4,7 +4,6 @@ import enlightenment.file.WholeFile;
 import enlightenment.store.RenderRow;
 import enlightenment.store.SampleRows;
 import enlightenment.store.SampleStore;
-import enlightenment.store.StorePicture;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
@@ -45,9 +44,10 @@ final class StoreExportCommand extends Subcommand {
         files.check();
         try (SampleStore store = rows ? argument.openToUnpack() : argument.open()) {
             RenderRow render = argument.choose(store);
-            SampleRows samples = SampleRows.of(store, render, StorePicture.plan(store, render));
+            SampleRows samples = SampleRows.of(store, render);
             long count = rows ? samples.fillTable() : write(samples);
-            terminal.say(count + " samples of render " + SampleStore.shortId(render) + " unpacked");
+            terminal.say(count + " samples of render " + SampleStore.shortId(render) + ", pass " + samples.pass()
+                    + ", unpacked");
             long without = samples.unitsWithout();
             if (without > 0) {
                 terminal.say(without + " units were kept without them and are left out");

@@ -10,6 +10,8 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.sql.Types;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 
@@ -61,14 +63,20 @@ public final class SampleRows {
     }
 
     /**
-     * The samples of a plan, with their rays if they were kept.
+     * The samples of the plan whose picture {@link StorePicture} makes, or else of the last that has any; with their rays if they were
+     * kept.
      *
-     * @throws IOException if no samples of it were kept
+     * @throws IOException if no samples of the render were kept
      */
-    public static SampleRows of(SampleStore store, RenderRow render, PlanRow plan) throws IOException {
-        for (int kind : new int[] {SampleLog.RAYS, SampleLog.PIXELS}) {
-            if (has(store.database(), render, plan, kind)) {
-                return new SampleRows(store.database(), render, plan.pass(), kind);
+    public static SampleRows of(SampleStore store, RenderRow render) throws IOException {
+        List<PlanRow> plans = new ArrayList<>(store.plans(render));
+        plans.add(StorePicture.plan(store, render));
+        Collections.reverse(plans);
+        for (PlanRow plan : plans) {
+            for (int kind : new int[] {SampleLog.RAYS, SampleLog.PIXELS}) {
+                if (has(store.database(), render, plan, kind)) {
+                    return new SampleRows(store.database(), render, plan.pass(), kind);
+                }
             }
         }
         throw new StoreException("no samples of render " + SampleStore.shortId(render) + " were kept: render with"
@@ -86,6 +94,11 @@ public final class SampleRows {
                 return select.executeQuery().next();
             }
         });
+    }
+
+    /** The number of their plan within the render. */
+    public int pass() {
+        return pass;
     }
 
     /** How many units have no such samples, and are left out. */

@@ -188,6 +188,13 @@ class StoreCommandsTest {
     }
 
     @Test
+    void samplesOfAnEarlierPassAreFoundWhereTheLastHasNone() throws Exception {
+        ok("render", scene, "-o", picture, "--samples", "4", "--store", store, "--store-samples");
+        ok("render", scene, "-o", picture, "--samples", "8", "--store", store);
+        assertTrue(ok("store-export", store, "--rows").err().contains(", pass 0, unpacked"));
+    }
+
+    @Test
     void unitsWithoutTheSamplesThatAreWantedAreRenderedAgain() throws Exception {
         ok("render", scene, "-o", direct, "--store", store);
         assertRefused(1, "no samples of render", "store-export", store, "--rows");

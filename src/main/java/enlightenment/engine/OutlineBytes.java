@@ -11,6 +11,7 @@ import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
+import enlightenment.text.Plain;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -29,6 +30,9 @@ public final class OutlineBytes {
     private static final int MAX_TEXTS = 1_000;
 
     private static final int MAX_TEXT_BYTES = 1 << 20;
+
+    /** Of what decides, and of a kind of primitives. */
+    private static final int LONGEST_WORD = 200;
 
     private OutlineBytes() {}
 
@@ -125,7 +129,8 @@ public final class OutlineBytes {
                 in.readInt());
         return new Decided(
                 settings,
-                new RenderPlan(Method.named(text(in)), in.readDouble(), in.readDouble(), text(in), in.readLong()));
+                new RenderPlan(
+                        Method.named(text(in)), in.readDouble(), in.readDouble(), plain(text(in)), in.readLong()));
     }
 
     private static OptionalDouble readOptional(DataInputStream in) throws IOException {
@@ -154,7 +159,10 @@ public final class OutlineBytes {
     public static RenderOutline readOutline(DataInputStream in, int threads) throws IOException {
         String name = text(in);
         Decided decided = read(in, threads);
-        return new RenderOutline(name, decided.settings(), decided.plan(), readTexts(in), readTexts(in))
+        List<String> features = readTexts(in);
+        List<String> kinds = readTexts(in);
+        kinds.forEach(OutlineBytes::plain);
+        return new RenderOutline(name, decided.settings(), decided.plan(), features, kinds)
                 .withSplatScale(new SplatScale(in.readInt()))
                 .withDisplay(readDisplay(in))
                 .withChance(new ChanceError(in.readDouble(), in.readDouble()));
@@ -209,6 +217,14 @@ public final class OutlineBytes {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         out.writeInt(bytes.length);
         out.write(bytes);
+    }
+
+    /** A word of this program, which shows it as it is: one from elsewhere that says something to terminals is none. */
+    private static String plain(String word) {
+        if (!word.equals(Plain.line(word, LONGEST_WORD))) {
+            throw new IllegalArgumentException(Plain.quoted(word) + " is no word of this program");
+        }
+        return word;
     }
 
     static String text(DataInputStream in) throws IOException {

@@ -4,6 +4,7 @@ import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.RenderCourse;
 import enlightenment.engine.RenderOutline;
+import enlightenment.engine.ResultCheck;
 import enlightenment.engine.UnitGroups;
 import enlightenment.net.server.FrameAssemblies;
 import enlightenment.scene.RenderSettings;
@@ -59,6 +60,11 @@ record PlannedFrame(RenderOutline outline, RenderCourse course, long pixels, int
         @Override
         public UnitGroups groups(int frame) {
             return UnitGroups.of(frames.get(frame).outline, frames.get(frame).group);
+        }
+
+        @Override
+        public ResultCheck check(int frame) {
+            return ResultCheck.of(frames.get(frame).outline);
         }
 
         @Override

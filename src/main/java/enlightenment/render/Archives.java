@@ -16,6 +16,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
@@ -91,10 +93,10 @@ final class Archives {
         for (Kept kept : List.copyOf(all)) {
             try {
                 use.of(kept);
-            } catch (IOException e) {
+            } catch (IOException | RuntimeException e) {
                 all.remove(kept);
-                note(kept.archive.name() + ": " + e.getMessage()
-                        + "; it is not used any more, the render goes on without");
+                String why = e instanceof IOException && e.getMessage() != null ? e.getMessage() : e.toString();
+                note(kept.archive.name() + ": " + why + "; it is not used any more, the render goes on without");
             }
         }
     }
@@ -270,23 +272,46 @@ final class Archives {
         }
     }
 
-    /** Lets archives know that time passes, until this is interrupted. */
-    Thread startTicking() {
-        Thread ticker = new Thread(
-                () -> {
-                    try {
-                        while (true) {
-                            Thread.sleep(TICK_MILLIS);
-                            each(kept -> kept.archive.tick());
-                        }
-                    } catch (InterruptedException e) {
-                        // The render is over.
-                        return;
-                    }
-                },
-                "enlightenment-archives");
-        ticker.setDaemon(true);
-        ticker.start();
-        return ticker;
+    /** Lets archives know that time passes, until it is closed. */
+    Ticker startTicking() {
+        return new Ticker();
+    }
+
+    /** Tells archives that time passes, by a thread that is never interrupted: the file that it writes to would be closed. */
+    final class Ticker implements AutoCloseable {
+        private final CountDownLatch over = new CountDownLatch(1);
+        private final Thread thread = new Thread(this::tick, "enlightenment-archives");
+
+        private Ticker() {
+            thread.setDaemon(true);
+            thread.start();
+        }
+
+        private void tick() {
+            try {
+                while (!over.await(TICK_MILLIS, TimeUnit.MILLISECONDS)) {
+                    each(kept -> kept.archive.tick());
+                }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        /** When it returns archives hear no more of it: whoever opened them may close them. */
+        @Override
+        public void close() {
+            over.countDown();
+            boolean wasInterrupted = false;
+            while (thread.isAlive()) {
+                try {
+                    thread.join();
+                } catch (InterruptedException e) {
+                    wasInterrupted = true;
+                }
+            }
+            if (wasInterrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
     }
 }

@@ -50,7 +50,7 @@ final class KeptRender implements PictureRender {
         archives.begin(round, render, assembly);
         int[] missing = assembly.missing();
         tell();
-        Thread ticker = archives.startTicking();
+        Archives.Ticker ticker = archives.startTicking();
         try {
             Workers.run(settings.threads(), missing.length, cancelled, () -> {
                 Archives.Samples samples = archives.samples(settings.width());
@@ -68,7 +68,7 @@ final class KeptRender implements PictureRender {
                 };
             });
         } finally {
-            ticker.interrupt();
+            ticker.close();
         }
     }
 

@@ -111,7 +111,8 @@ final class Drivers {
                     return all;
                 }
                 all.add(drivers.next());
-            } catch (ServiceConfigurationError e) {
+            } catch (ServiceConfigurationError | LinkageError e) {
+                // A class for a later Java, for instance.
                 failures++;
             }
         }

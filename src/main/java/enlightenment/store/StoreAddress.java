@@ -60,9 +60,11 @@ public record StoreAddress(String url, Optional<Path> file) {
         if (path.isBlank() || path.startsWith(":")) {
             throw new IllegalArgumentException("a store in memory is lost with the process: name a file");
         }
-        return path.startsWith("file:")
-                ? new StoreAddress(url, Optional.empty())
-                : new StoreAddress(url, Optional.of(Path.of(path)));
+        if (path.startsWith("file:")) {
+            // It may be anything, in memory too, and nobody but SQLite knows which file it is.
+            throw new IllegalArgumentException(Plain.quoted(text) + " is the URL of a URL: give the path of the file");
+        }
+        return new StoreAddress(url, Optional.of(Path.of(path)));
     }
 
     /** All files of a store that is one: SQLite keeps two more beside it while it is open. */

@@ -1,5 +1,6 @@
 package enlightenment.store;
 
+import enlightenment.image.PngOptions;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
@@ -35,18 +36,30 @@ final class Texts {
         out.write(utf8);
     }
 
-    /** What was written; what makes no sense is left out. */
+    /** What was written; what makes no sense, or no file can have, is left out. */
     static Map<String, String> of(byte[] bytes) {
         Map<String, String> texts = new LinkedHashMap<>();
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {
             while (in.available() > 0 && texts.size() < MOST) {
                 String key = read(in);
-                texts.put(key, read(in));
+                String value = read(in);
+                if (isComment(key, value)) {
+                    texts.put(key, value);
+                }
             }
         } catch (IOException e) {
             texts.clear();
         }
         return texts;
+    }
+
+    /** Whether a file can have it: a store may come from anybody. */
+    private static boolean isComment(String key, String value) {
+        try {
+            return !PngOptions.DEFAULT.withText(key, value).text().isEmpty();
+        } catch (IllegalArgumentException e) {
+            return false;
+        }
     }
 
     private static String read(DataInputStream in) throws IOException {

@@ -203,7 +203,7 @@ class ArchitectureTest {
                     "net",
                     "cli")
             .whereLayer("text")
-            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "listen", "net", "cli", "store")
+            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "engine", "listen", "net", "cli", "store")
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")
@@ -215,7 +215,7 @@ class ArchitectureTest {
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers(
                     "picture", "texture", "film", "plan", "render", "engine", "job", "status", "window", "net",
-                    "measure", "cli", "json");
+                    "measure", "store", "cli", "json");
 
     /** Server and workers, from what is said over the wire up to what is exported. */
     @ArchTest

@@ -21,6 +21,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Settings as bytes: those of the method in use, whichever it is, and no others. */
@@ -49,6 +50,20 @@ class OutlineBytesTest {
         assertEquals(s, again(bytes(s)));
         s = SETTINGS.using(new ToyMethod.Settings(5, "square"));
         assertEquals(s, again(bytes(s)));
+    }
+
+    /** Statistics show them as they are, of files from anybody too. */
+    @Test
+    void wordsThatSaySomethingToTerminalsAreRefused() throws IOException {
+        for (boolean isKind : new boolean[] {false, true}) {
+            RenderPlan plan = new RenderPlan(SETTINGS.method(), 1, 4, isKind ? "samples" : "samples\u001b[2J");
+            List<String> kinds = List.of(isKind ? "sphere\u001b[2J" : "sphere");
+            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+            OutlineBytes.write(
+                    new DataOutputStream(bytes), new RenderOutline("a scene", SETTINGS, plan, List.of(), kinds));
+            DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes.toByteArray()));
+            assertThrows(IllegalArgumentException.class, () -> OutlineBytes.readOutline(in, 1));
+        }
     }
 
     /** Bytes are hashed, and a picture that does not depend on something has one hash. */

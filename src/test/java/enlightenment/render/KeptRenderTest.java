@@ -19,6 +19,8 @@ import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -298,5 +300,40 @@ class KeptRenderTest {
         RenderRequest request = RenderRequest.of(FIRE).withArchives(List.of(archive));
         assertThrows(IllegalArgumentException.class, () -> request.withClusters(true));
         assertThrows(IllegalArgumentException.class, () -> request.withChains(true));
+    }
+
+    /** A file that is written by an interrupted thread closes itself, and whoever opened an archive closes it after the render. */
+    @Test
+    void thatTimeHasPassedIsToldWithoutInterruptAndNotBeyondTheEnd() {
+        CountDownLatch ticking = new CountDownLatch(1);
+        AtomicBoolean isTicking = new AtomicBoolean();
+        AtomicBoolean wasInterrupted = new AtomicBoolean();
+        archive.whenTicked = () -> {
+            isTicking.set(true);
+            ticking.countDown();
+            try {
+                Thread.sleep(300);
+            } catch (InterruptedException e) {
+                wasInterrupted.set(true);
+            }
+            isTicking.set(false);
+        };
+        Kind kind = fire(BuiltInMethod.RAYTRACE);
+        RenderProgress listener = (done, total, soFar) -> {
+            try {
+                // Nothing is kept after this: the render ends while somebody is told of the time.
+                if (done == total) {
+                    ticking.await();
+                }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        };
+        RenderResult result = Renderer.render(RenderRequest.of(kind.scene, kind.settings(2))
+                .withProgress(listener)
+                .withArchives(List.of(archive)));
+        assertFalse(isTicking.get(), "after the end");
+        assertFalse(wasInterrupted.get(), "an interrupt");
+        assertSame(alone(kind, 2), result);
     }
 }

@@ -16,6 +16,9 @@ final class MemoryArchive implements ResultArchive {
     /** How many results it takes before its disk is full. */
     int room = Integer.MAX_VALUE;
 
+    /** What happens when time has passed. */
+    Runnable whenTicked = () -> {};
+
     /** How often it was asked for a single result, and had it. */
     int found;
 
@@ -65,6 +68,11 @@ final class MemoryArchive implements ResultArchive {
         }
         given++;
         results.get(plan).put(unit, result);
+    }
+
+    @Override
+    public void tick() throws IOException {
+        whenTicked.run();
     }
 
     @Override

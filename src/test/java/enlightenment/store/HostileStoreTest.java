@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.Connection;
@@ -13,7 +15,12 @@ import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.jar.JarOutputStream;
+import java.util.zip.ZipEntry;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -151,6 +158,48 @@ class HostileStoreTest {
             String all = render + SampleStore.shortId(render);
             assertFalse(all.chars().anyMatch(c -> Character.isISOControl(c) || c == 0x202E), all);
         }
+    }
+
+    /** They would end the command where the file is written. */
+    @Test
+    void textsThatNoFileCanHaveAreLeftOut() {
+        Map<String, String> texts = new LinkedHashMap<>();
+        texts.put("Title", "a scene");
+        texts.put("", "no keyword");
+        texts.put("two  spaces", "");
+        texts.put("\u001b[2J", "moves the cursor");
+        texts.put("Comment", "ends\0here");
+        assertEquals(Map.of("Title", "a scene"), Texts.of(Texts.toBytes(texts)));
+    }
+
+    /** Whoever only looks would make such a file, and nobody would see that a picture is to be written over it. */
+    @Test
+    void urlsWithinUrlsAreRefused() {
+        for (String url : List.of("jdbc:sqlite:file:" + file, "jdbc:sqlite:file::memory:?cache=shared")) {
+            IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> StoreAddress.of(url));
+            assertTrue(e.getMessage().contains("give the path of the file"), e.getMessage());
+        }
+    }
+
+    /** One jar of many in the folder may be for a later Java. */
+    @Test
+    void driversThatCannotBeLoadedAreAsGoodAsNone() throws Exception {
+        byte[] driver;
+        try (InputStream in = Drivers.class.getResourceAsStream("Drivers.class")) {
+            driver = in.readAllBytes();
+        }
+        // The version of the class file.
+        driver[6] = Byte.MAX_VALUE;
+        try (JarOutputStream jar = new JarOutputStream(Files.newOutputStream(folder.resolve("later.jar")))) {
+            jar.putNextEntry(new ZipEntry("META-INF/services/java.sql.Driver"));
+            jar.write("later.Driver".getBytes(StandardCharsets.UTF_8));
+            jar.putNextEntry(new ZipEntry("later/Driver.class"));
+            jar.write(driver);
+        }
+        StoreAddress address = StoreAddress.of("jdbc:unheardof:there");
+        IOException e = assertThrows(IOException.class, () -> new Drivers(List.of(folder))
+                .connect(address, address.url(), new Properties()));
+        assertTrue(e.getMessage().startsWith("there is no JDBC driver for unheardof here"), e.getMessage());
     }
 
     @Test

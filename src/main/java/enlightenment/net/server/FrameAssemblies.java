@@ -3,6 +3,7 @@ package enlightenment.net.server;
 import enlightenment.checkpoint.ResultJournal;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.FrameLayout;
+import enlightenment.engine.ResultCheck;
 import enlightenment.engine.ResultStore;
 import enlightenment.engine.UnitAssembly;
 import enlightenment.engine.UnitGroups;
@@ -45,6 +46,9 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
 
         /** Which units of the picture are one here. */
         UnitGroups groups(int frame);
+
+        /** What can be results of the picture's units; asked without any lock. */
+        ResultCheck check(int frame);
 
         /** An empty picture. */
         FilmAssembly empty(int frame);
@@ -161,11 +165,12 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
 
     @Override
     public int longest(int unit) {
-        Open of = of(unit);
-        int group = within(unit);
+        int frame = layout.frame(unit);
+        UnitGroups groups = frames.groups(frame);
+        ResultCheck check = frames.check(frame);
         int sum = 0;
-        for (int one = of.groups.first(group); one < of.groups.last(group); one++) {
-            sum += Integer.BYTES + of.film.longest(one);
+        for (int one = groups.first(within(unit)); one < groups.last(within(unit)); one++) {
+            sum += Integer.BYTES + check.longest(one);
         }
         return sum;
     }
@@ -175,32 +180,22 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
         if (unit < 0 || unit >= units()) {
             return Optional.of("there is no such tile");
         }
-        Open of = of(unit);
-        int group = within(unit);
-        Optional<List<byte[]>> results = of.groups.split(group, bytes);
+        int frame = layout.frame(unit);
+        UnitGroups groups = frames.groups(frame);
+        Optional<List<byte[]>> results = groups.split(within(unit), bytes);
         if (results.isEmpty()) {
             return Optional.of("it is not the results of a group of tiles");
         }
-        for (int i = 0; i < results.get().size(); i++) {
-            Optional<String> problem =
-                    of.film.problem(of.groups.first(group) + i, results.get().get(i));
+        // The picture may be taken, or not begun: then it has no memory, and gets none for what somebody says of it.
+        ResultCheck check = frames.check(frame);
+        int one = groups.first(within(unit));
+        for (byte[] result : results.get()) {
+            Optional<String> problem = check.problem(one++, result);
             if (problem.isPresent()) {
                 return problem;
             }
         }
         return Optional.empty();
-    }
-
-    /** The picture of a unit as it is; an empty one where nothing is kept, as after it was taken. */
-    private Open of(int unit) {
-        int frame = layout.frame(unit);
-        synchronized (this) {
-            Open there = open.get(frame);
-            if (there != null) {
-                return there;
-            }
-        }
-        return opened(frame);
     }
 
     @Override

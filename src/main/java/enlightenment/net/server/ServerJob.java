@@ -23,6 +23,7 @@ import java.util.BitSet;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -100,41 +101,19 @@ public final class ServerJob implements Closeable {
      * @throws IllegalArgumentException if one of them is not expelled
      */
     public void open(Path checkpoint, List<String> pardoned) throws IOException {
-        Restored.Builder builder = new Restored.Builder();
-        List<String> wrong = new ArrayList<>();
+        Reading reading = new Reading();
         byte[] bytes = plan.toBytes();
         key = CheckpointJournal.key(bytes);
-        Set<Long> planned = new HashSet<>();
-        Set<Long> ours = new HashSet<>(Set.of(0L, key));
-        journal = CheckpointJournal.open(checkpoint, identity(), true, System.nanoTime(), (about, entry, place) -> {
-            if (entry instanceof JournalRecord.Planned other) {
-                planned.add(about);
-                KeptPlan.read(other.plan())
-                        .filter(p -> p.hasUnitsOf(plan.outline()))
-                        .ifPresent(p -> ours.add(about));
-            } else if (!ours.contains(about)) {
-                // Of the same picture with another number of samples.
-                return;
-            }
-            if (!(entry instanceof JournalRecord.Kept kept)) {
-                builder.add(entry);
-                return;
-            }
-            byte[] result = PlainResult.of(film, kept.tile(), kept.data());
-            String problem = film.problem(kept.tile(), result).orElse(null);
-            if (problem != null) {
-                wrong.add("tile " + kept.tile() + ": " + problem);
-                return;
-            }
-            film.put(kept.tile(), result);
-            builder.add(new JournalRecord.Kept(kept.tile(), kept.origin(), result));
-        });
-        if (!planned.contains(key)) {
+        reading.plans.addAll(List.of(0L, key));
+        journal = CheckpointJournal.open(
+                checkpoint, identity(), true, System.nanoTime(), (about, entry, place) -> reading.add(about, entry));
+        if (!reading.knowsPlan) {
+            // Twice: all results of its units would be of no use without it.
             journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
             journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
         }
-        pardon(pardoned, builder);
-        restored = builder.build();
+        pardon(pardoned, reading.builder);
+        restored = reading.builder.build();
         BitSet there = new BitSet();
         restored.tiles().forEach(tile -> {
             there.set(tile.tile());
@@ -145,7 +124,48 @@ public final class ServerJob implements Closeable {
                 film.remove(tile);
             }
         }
-        wrong.forEach(w -> log.accept("checkpoint: " + w));
+        reading.wrong.forEach(w -> log.accept("checkpoint: " + w));
+        tellOfCheckpoint();
+    }
+
+    /** The records of a checkpoint, which may be of the same picture with other numbers of samples, too. */
+    private final class Reading {
+        final Restored.Builder builder = new Restored.Builder();
+        final List<String> wrong = new ArrayList<>();
+
+        /** The keys of plans with the same units, and that of what is about none. */
+        final Set<Long> plans = new HashSet<>();
+
+        boolean knowsPlan;
+
+        void add(long about, JournalRecord entry) {
+            if (entry instanceof JournalRecord.Planned planned) {
+                knowsPlan |= about == key;
+                KeptPlan.read(planned.plan())
+                        .filter(p -> p.hasUnitsOf(plan.outline()))
+                        .ifPresent(p -> plans.add(about));
+            } else if (plans.contains(about)) {
+                if (entry instanceof JournalRecord.Kept tile) {
+                    put(tile);
+                } else {
+                    builder.add(entry);
+                }
+            }
+        }
+
+        private void put(JournalRecord.Kept tile) {
+            byte[] result = PlainResult.of(film, tile.tile(), tile.data());
+            Optional<String> problem = film.problem(tile.tile(), result);
+            if (problem.isPresent()) {
+                wrong.add("tile " + tile.tile() + ": " + problem.get());
+                return;
+            }
+            film.put(tile.tile(), result);
+            builder.add(new JournalRecord.Kept(tile.tile(), tile.origin(), result));
+        }
+    }
+
+    private void tellOfCheckpoint() {
         if (journal.gaps() > 0) {
             log.accept("checkpoint: damaged in " + journal.gaps() + " places, " + journal.lostBytes()
                     + " bytes; what they held is rendered again");

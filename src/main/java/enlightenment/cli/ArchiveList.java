@@ -29,7 +29,10 @@ final class ArchiveList implements Closeable {
             try {
                 archive.close();
             } catch (IOException e) {
-                terminal.say(archive.name() + ": " + e.getMessage());
+                terminal.say(archive.name() + ": " + FileFailures.describe(e));
+            } catch (RuntimeException e) {
+                // The picture is not written yet.
+                terminal.say(archive.name() + ": " + e);
             }
         }
     }

@@ -36,13 +36,13 @@ final class FilmServing {
                 .map(OptionSpec::longestName)
                 .filter(ours::contains)
                 .toList();
-        if (!server && !given.isEmpty()) {
-            throw CliException.wrongUsage(given.get(0) + " is for --server, which is not given");
-        }
-        if (server && (given.contains("--checkpoint") || given.contains("--pardon"))) {
+        if (given.contains("--checkpoint") || given.contains("--pardon")) {
             throw CliException.wrongUsage(
                     (given.contains("--checkpoint") ? "--checkpoint" : "--pardon")
                             + " must not be given with a film, whose finished frames are what is kept: the same command goes on from them");
+        }
+        if (!server && !given.isEmpty()) {
+            throw CliException.wrongUsage(given.get(0) + " is for --server, which is not given");
         }
         if (server && render.hasTime()) {
             throw CliException.wrongUsage(

@@ -89,6 +89,7 @@ class AnimateServerTest {
 
     @Test
     void whatDoesNotGoTogetherIsRefused() {
+        assertRefused("--checkpoint must not be given with a film", "--checkpoint", "film.ck");
         assertRefused("--port is for --server, which is not given", "--port", 0);
         assertRefused("--local-threads is for --server", "--local-threads", 1);
         assertRefused("--checkpoint must not be given with a film", "--server", "--checkpoint", folder.resolve("ck"));

@@ -18,6 +18,7 @@ import enlightenment.scene.json.SceneReader;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -335,5 +336,40 @@ class KeptRenderTest {
         assertFalse(isTicking.get(), "after the end");
         assertFalse(wasInterrupted.get(), "an interrupt");
         assertSame(alone(kind, 2), result);
+    }
+
+    /** As a driver of a database may, which is not of this program. */
+    @Test
+    void anArchiveThatFailsInAnyWayDoesNotCostThePicture() {
+        CountDownLatch ticked = new CountDownLatch(1);
+        archive.whenTicked = () -> {
+            ticked.countDown();
+            throw new IllegalStateException("a driver's fault");
+        };
+        List<String> said = Collections.synchronizedList(new ArrayList<>());
+        Kind kind = fire(BuiltInMethod.RAYTRACE);
+        RenderProgress listener = new RenderProgress() {
+            @Override
+            public void progress(long done, long total, java.util.function.Supplier<Image> soFar) {
+                try {
+                    ticked.await();
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+
+            @Override
+            public void note(String text) {
+                said.add(text);
+            }
+        };
+        RenderResult result = Renderer.render(RenderRequest.of(kind.scene, kind.settings(2))
+                .withProgress(listener)
+                .withArchives(List.of(archive)));
+        assertSame(alone(kind, 2), result);
+        assertEquals(
+                List.of("memory: java.lang.IllegalStateException: a driver's fault; it is not used any more, the render"
+                        + " goes on without"),
+                said);
     }
 }

@@ -39,10 +39,10 @@ final class JobArchives {
         for (ResultArchive archive : List.copyOf(plans.keySet())) {
             try {
                 use.of(archive, plans.get(archive));
-            } catch (IOException e) {
+            } catch (IOException | RuntimeException e) {
                 plans.remove(archive);
-                log.accept(archive.name() + ": " + e.getMessage()
-                        + "; it is not used any more, the render goes on without");
+                String why = e instanceof IOException && e.getMessage() != null ? e.getMessage() : e.toString();
+                log.accept(archive.name() + ": " + why + "; it is not used any more, the render goes on without");
             }
         }
     }

@@ -8,7 +8,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -89,6 +91,7 @@ final class CommandFiles {
                 checkInputs(output);
             }
         }
+        checkNumbered();
         for (Named output : outputs) {
             if (output.isChecked) {
                 checkWritable(output.file);
@@ -97,6 +100,20 @@ final class CommandFiles {
         }
         if (!numbered.isEmpty()) {
             clean(numbered.get(0));
+        }
+    }
+
+    /** Their names differ, but some may be links to others. */
+    private void checkNumbered() throws IOException {
+        if (numbered.stream().noneMatch(output -> Files.isSymbolicLink(output.file))) {
+            return;
+        }
+        Map<Path, Named> places = new HashMap<>();
+        for (Named output : numbered) {
+            Named other = places.put(FilePlace.of(output.file), output);
+            if (other != null) {
+                checkOutputs(output, List.of(other));
+            }
         }
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FilePlace;
 import enlightenment.store.StoreAddress;
 import enlightenment.store.StoreLogin;
 import java.io.IOException;
@@ -7,6 +8,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
@@ -40,8 +42,21 @@ final class StoreAccess {
     }
 
     /** Says which files belong to a store that is read. */
-    static void reads(StoreAddress address, CommandFiles files) {
-        address.files().forEach(file -> files.reads("the store", file));
+    static void reads(StoreAddress address, CommandFiles files) throws IOException {
+        address.file().ifPresent(file -> files.reads("the store", file));
+        beside(address).forEach(file -> files.reads("what lies beside the store", file));
+    }
+
+    /** Says which files belong to a store that is written. */
+    static void writes(StoreAddress address, CommandFiles files) throws IOException {
+        address.file().ifPresent(file -> files.writes("--store", file));
+        beside(address).forEach(file -> files.makes("--store", file));
+    }
+
+    private static List<Path> beside(StoreAddress address) throws IOException {
+        return address.file().isEmpty()
+                ? List.of()
+                : StoreAddress.beside(FilePlace.of(address.file().get()));
     }
 
     /** Says that the password is read. */

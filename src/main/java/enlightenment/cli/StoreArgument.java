@@ -32,7 +32,7 @@ final class StoreArgument {
     }
 
     /** Says which files are read. */
-    void register(CommandFiles files) {
+    void register(CommandFiles files) throws IOException {
         StoreAccess.reads(address(), files);
         access.register(files);
     }

@@ -8,7 +8,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneWriter;
 import enlightenment.store.RenderRow;
-import enlightenment.store.StoreAddress;
 import enlightenment.store.StoreArchive;
 import enlightenment.store.StoredSamples;
 import java.io.IOException;
@@ -47,12 +46,10 @@ final class StoreOptions {
     }
 
     /** Says which files are read and written. */
-    void register(CommandFiles files) {
+    void register(CommandFiles files) throws IOException {
         if (store != null) {
             access.register(files);
-            StoreAddress address = StoreAccess.address(store);
-            address.file().ifPresent(file -> files.writes("--store", file));
-            address.files().stream().skip(1).forEach(file -> files.makes("--store", file));
+            StoreAccess.writes(StoreAccess.address(store), files);
         }
     }
 

@@ -53,7 +53,8 @@ public record StoreAddress(String url, Optional<Path> file) {
             throw new IllegalArgumentException(
                     Plain.quoted(text) + " does not say which database it is, as jdbc:mariadb://host/name does");
         }
-        if (!url.startsWith(SQLITE)) {
+        // The driver takes capital letters too.
+        if (!url.regionMatches(true, 0, SQLITE, 0, SQLITE.length())) {
             return new StoreAddress(url, Optional.empty());
         }
         String path = url.substring(SQLITE.length()).replaceFirst("\\?.*", "");
@@ -67,11 +68,13 @@ public record StoreAddress(String url, Optional<Path> file) {
         return new StoreAddress(url, Optional.of(Path.of(path)));
     }
 
-    /** All files of a store that is one: SQLite keeps two more beside it while it is open. */
-    public List<Path> files() {
-        return file.isEmpty()
-                ? List.of()
-                : List.of(file.get(), sibling(file.get(), "-wal"), sibling(file.get(), "-shm"));
+    /**
+     * What SQLite keeps beside the file of a store while it is open, and after a process was killed. It follows links first.
+     *
+     * @param file the file of a store, which is no link
+     */
+    public static List<Path> beside(Path file) {
+        return List.of(sibling(file, "-wal"), sibling(file, "-shm"), sibling(file, "-journal"));
     }
 
     private static Path sibling(Path file, String suffix) {

@@ -249,6 +249,12 @@ class AnimateCommandTest {
         CliRun byLink = CliRun.of("animate", scene, "-o", pattern, "--overwrite");
         assertTrue(byLink.err().contains("-o would write over the scene"), byLink.err());
         assertEquals(List.of(2, 2, 2), List.of(overTexture.code(), overFrame.code(), byLink.code()));
+        Files.delete(frame(2));
+        Files.createSymbolicLink(frame(2), frame(4).getFileName());
+        CliRun twice = CliRun.of("animate", scene, "-o", pattern, "--overwrite");
+        assertEquals(2, twice.code());
+        assertTrue(twice.err().contains("-o and -o would write the same file"), twice.err());
+        assertFalse(Files.exists(frame(4)));
         assertArrayEquals(before, Files.readAllBytes(texture));
         assertEquals(text, Files.readString(scene));
     }

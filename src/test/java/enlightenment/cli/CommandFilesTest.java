@@ -34,6 +34,8 @@ class CommandFilesTest {
     /** Options that speak of files, but neither read nor write one of their own. */
     private static final Set<String> ABOUT_FILES = Set.of(
             "render --depth",
+            "render --resume",
+            "render-store --depth",
             "animate --depth",
             "animate --overwrite",
             "merge --depth",
@@ -46,11 +48,16 @@ class CommandFilesTest {
             "completion");
 
     /** What is read only, by commands that write nothing, or in a place where nothing is written. */
-    private static final Set<String> READ_ONLY =
-            Set.of("validate SCENE", "inspect SCENE", "worker --token-file", "worker --tls-ca");
+    private static final Set<String> READ_ONLY = Set.of(
+            "validate SCENE",
+            "inspect SCENE",
+            "store-info STORE",
+            "store-info --store-password-file",
+            "worker --token-file",
+            "worker --tls-ca");
 
-    /** Patterns of many files, which {@link AnimateCommandTest} tries. */
-    private static final String FRAMES = "animate -o";
+    /** What is refused whenever it is given. */
+    private static final String REFUSED = "animate --checkpoint";
 
     private static final Pattern SPEAKS_OF_FILES = Pattern.compile("(?i)\\b(files?|folder|write|writes|written)\\b");
 
@@ -93,7 +100,7 @@ class CommandFilesTest {
                     .forEach(name -> known.add(line.command() + " " + name));
         }
         found.removeAll(ABOUT_FILES);
-        assertTrue(found.remove(FRAMES));
+        assertTrue(found.remove(REFUSED));
         assertEquals(known, found);
     }
 
@@ -174,18 +181,18 @@ class CommandFilesTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(names = {"RENDER", "SERVER"})
+    @EnumSource(names = {"RENDER", "RENDER_KEPT", "ANIMATE", "ANIMATE_SERVER", "SERVER"})
     void noOutputOfManyWritesOverAnInputByAnyName(CommandLines line) throws IOException {
         checkNoOutputOverAnInput(line, true);
     }
 
-    /** Of the names of a file all, or of a command with many files three at a time, in turn, so that each has several turns. */
+    /** Of the names of a file all, or of a command with many files a few at a time, in turn, so that each has several turns. */
     private static List<Path> some(List<Path> names, CommandLines line, boolean all, int turn) {
-        if (all || line != CommandLines.RENDER && line != CommandLines.SERVER) {
+        if (all || !line.hasMany()) {
             return names;
         }
         int n = names.size();
-        return Stream.of(3 * turn, 3 * turn + 1, 3 * turn + 2)
+        return Stream.of(2 * turn, 2 * turn + 1)
                 .map(i -> names.get(i % n))
                 .distinct()
                 .toList();
@@ -218,7 +225,7 @@ class CommandFilesTest {
 
     @ParameterizedTest
     @Tag("full")
-    @EnumSource(names = {"RENDER", "SERVER"})
+    @EnumSource(names = {"RENDER", "RENDER_KEPT", "ANIMATE", "ANIMATE_SERVER", "SERVER"})
     void noTwoOutputsOfManyAreOneFileByAnyName(CommandLines line) throws IOException {
         checkNoTwoOutputsAreOne(line, true);
     }

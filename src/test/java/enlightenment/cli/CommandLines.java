@@ -13,21 +13,36 @@ import java.util.Map;
 /** Command lines of all commands that write files, for tests that put their files into each other's places. */
 enum CommandLines {
     RENDER(List.of("SCENE", "texture"), "-o", "--report", "--aov", "--dump-clusters", "--dump-chains"),
-    /** The files of frames are those of {@link AnimateCommandTest}. */
-    ANIMATE(List.of("SCENE", "texture", "--ffmpeg"), "--video"),
+    RENDER_KEPT(
+            List.of("SCENE", "texture", "--store-password-file"), "-o", "--report", "--aov", "--checkpoint", "--store"),
+    /** Of a film with one frame. */
+    ANIMATE(List.of("SCENE", "texture", "--ffmpeg"), "-o", "--aov", "--video", "--report"),
+    ANIMATE_SERVER(
+            List.of("SCENE", "texture", "--ffmpeg", "--tls-cert", "--tls-key"),
+            "-o",
+            "--video",
+            "--report",
+            "--token-file",
+            "--tls"),
     RENDER_PART(List.of("SCENE", "texture"), "-o"),
     CONVERT(List.of("IN.nff"), "OUT.json"),
     COMPARE(List.of("A", "B"), "--heatmap"),
     MERGE(List.of("PART"), "-o", "--report"),
     SERVER(
-            List.of("SCENE", "texture", "--tls-cert", "--tls-key"),
+            List.of("SCENE", "texture", "--tls-cert", "--tls-key", "--store-password-file"),
             "-o",
             "--report",
             "--checkpoint",
+            "--store",
             "--token-file",
             "--tls"),
     TRADE(List.of("SCENE", "texture", "--reference"), "-o"),
+    RENDER_STORE(List.of("STORE", "--store-password-file"), "-o", "--report"),
+    STORE_EXPORT(List.of("STORE", "--store-password-file"), "--csv"),
     BENCH(List.of("--scenes", "texture"), "--json");
+
+    /** What {@code %04d} of a frame's file is in a film with one frame. */
+    private static final String FRAME = "0000";
 
     private static final String NFF =
             """
@@ -54,14 +69,27 @@ enum CommandLines {
     }
 
     String command() {
-        return this == RENDER_PART ? "render" : name().toLowerCase(java.util.Locale.ROOT);
+        return switch (this) {
+            case RENDER_PART, RENDER_KEPT -> "render";
+            case ANIMATE_SERVER -> "animate";
+            default -> name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
+        };
+    }
+
+    private boolean isFilm() {
+        return this == ANIMATE || this == ANIMATE_SERVER;
+    }
+
+    /** Whether there are so many pairs of files that not each can be tried by each name within a moment. */
+    boolean hasMany() {
+        return outputs.size() > 3;
     }
 
     /** What the name of that output must end in. */
     String extension(String output) {
         return switch (output) {
-            case "-o" -> this == RENDER_PART ? ".film" : ".png";
-            case "--aov" -> ".depth.png";
+            case "-o" -> this == RENDER_PART ? ".film" : isFilm() ? FRAME + ".png" : ".png";
+            case "--aov" -> isFilm() ? FRAME + ".depth.png" : ".depth.png";
             case "--heatmap" -> ".png";
             case "--video" -> ".gif";
             case "--dump-clusters", "--dump-chains", "OUT.json" -> ".json";
@@ -129,7 +157,8 @@ enum CommandLines {
                         args.addAll(List.of(input, files.get(input)));
                     }
                 }
-                case "--reference", "--ffmpeg" -> args.addAll(List.of(input, files.get(input)));
+                case "--reference", "--ffmpeg", "--store-password-file" ->
+                    args.addAll(List.of(input, files.get(input)));
                 default -> args.add(files.get(input));
             }
         }
@@ -142,27 +171,36 @@ enum CommandLines {
                 add(args, output, file);
             }
         }
-        if (this == ANIMATE) {
-            args.addAll(List.of("-o", folder.resolve("frames/%04d.png")));
+        if (inputs.contains("--store-password-file") && !inputs.contains("STORE") && !args.contains("--store")) {
+            args.addAll(List.of("--store", folder.resolve("new.store")));
         }
         if (this == RENDER_PART) {
             args.addAll(List.of("--part", "1/2"));
         }
-        if (this == SERVER) {
+        if (this == ANIMATE_SERVER) {
+            args.add("--server");
+        }
+        if (this == ANIMATE_SERVER || this == SERVER) {
             args.addAll(List.of("--port", 0));
         }
         return args;
     }
 
+    /** What is given as the picture for it to be that file. */
+    private Path picture(Path file) {
+        String name = file.getFileName().toString();
+        return isFilm() ? file.resolveSibling(name.replace(FRAME, "%04d")) : file;
+    }
+
     private void add(List<Object> args, String output, Path file) {
         if (output.equals("--aov")) {
             String name = file.getFileName().toString().replace(".depth.png", ".png");
-            args.set(args.indexOf("-o") + 1, file.resolveSibling(name));
+            args.set(args.indexOf("-o") + 1, picture(file.resolveSibling(name)));
             args.addAll(List.of("--aov", "depth"));
         } else if (output.equals("OUT.json")) {
             args.add(file);
         } else {
-            args.addAll(List.of(output, file));
+            args.addAll(List.of(output, output.equals("-o") ? picture(file) : file));
             // Of both only one is of any method: names are looked at first.
             if (output.startsWith("--dump") && !args.contains("--method")) {
                 args.addAll(List.of("--method", output.equals("--dump-clusters") ? "cluster" : "metropolis"));

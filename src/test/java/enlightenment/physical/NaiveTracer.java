@@ -3,10 +3,16 @@ package enlightenment.physical;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.stream.IntStream;
 
 /**
@@ -20,6 +26,7 @@ final class NaiveTracer {
     private static final int CHUNKS = 32;
     private static final int CERTAIN_EVENTS = 50;
     private static final double SURVIVAL = 0.9;
+    private static final long STACK_BYTES = 1L << 28;
 
     /**
      * The same in scenes with media, where paths of hundreds of events matter: a share of survivors below the squared albedo would give
@@ -88,18 +95,35 @@ final class NaiveTracer {
      * @return for each band, one mean per chunk of paths: independent numbers of one distribution
      */
     double[][] means(int left, int top, int right, int bottom, int paths, long seed) {
-        double[][] chunks = IntStream.range(0, CHUNKS)
-                .parallel()
-                .mapToObj(k -> chunk(
+        List<Callable<double[]>> chunks = IntStream.range(0, CHUNKS)
+                .mapToObj(k -> (Callable<double[]>) () -> chunk(
                         left, top, right, bottom, paths / CHUNKS, new Path(new SplittableRandom(seed + 1000L * k))))
-                .toArray(double[][]::new);
+                .toList();
         double[][] bands = new double[3][CHUNKS];
+        List<double[]> means = inDeepThreads(chunks);
         for (int k = 0; k < CHUNKS; k++) {
             for (int band = 0; band < 3; band++) {
-                bands[band][k] = chunks[k][band];
+                bands[band][k] = means.get(k)[band];
             }
         }
         return bands;
+    }
+
+    /** Paths are recursive, and those in media may have thousands of events. */
+    private static <T> List<T> inDeepThreads(List<Callable<T>> tasks) {
+        ExecutorService threads = Executors.newFixedThreadPool(
+                Runtime.getRuntime().availableProcessors(), task -> new Thread(null, task, "naive", STACK_BYTES));
+        try {
+            List<T> results = new ArrayList<>();
+            for (Future<T> result : threads.invokeAll(tasks)) {
+                results.add(result.get());
+            }
+            return results;
+        } catch (InterruptedException | ExecutionException e) {
+            throw new IllegalStateException(e);
+        } finally {
+            threads.shutdownNow();
+        }
     }
 
     private double[] chunk(int left, int top, int right, int bottom, int paths, Path path) {

@@ -140,8 +140,8 @@ final class BadDocuments {
             edit(
                     "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
                     "\"physical\", \"background\": {}",
-                    "/shading/background/linear",
-                    "a linear colour needs it"),
+                    "/shading/background",
+                    "a picture, {\"texture\": \"...\"}, or a sky"),
             edit(
                     "\"classic\", \"ambient\": 0.25, \"shadow\": 0.75, \"background\": \"#102030\"",
                     "\"physical\", \"background\": {\"linear\": [0, 1]}",

@@ -142,19 +142,13 @@ final class Drivers {
 
     private String missing(String scheme) {
         String artifact = ARTIFACTS.get(scheme);
-        String place =
-                folders.isEmpty() ? "onto the class path" : "into " + folders.get(folders.size() - 1) + File.separator;
-        return "there is no JDBC driver for " + scheme + " here: "
-                + (artifact == null ? "put the jar of its driver " : "put the jar of " + artifact + where(artifact))
-                + place;
-    }
-
-    /** Where the jar of an artifact can be had. */
-    private static String where(String artifact) {
-        String[] parts = artifact.split(":");
-        return parts.length < 3
-                ? " "
-                : " (https://repo1.maven.org/maven2/" + parts[0].replace('.', '/') + "/" + parts[1] + "/" + parts[2]
-                        + "/" + parts[1] + "-" + parts[2] + ".jar) ";
+        String folder =
+                folders.isEmpty() ? LIB : folders.get(folders.size() - 1).toString();
+        String place = folders.isEmpty() ? "onto the class path" : "into " + folder + File.separator;
+        return "there is no JDBC driver for " + scheme + " here: put the jar of "
+                + (artifact == null ? "its driver " : artifact + " ") + place
+                + (artifact == null
+                        ? ""
+                        : " (mvn dependency:copy -Dartifact=" + artifact + " -DoutputDirectory=" + folder + ")");
     }
 }

@@ -32,7 +32,10 @@ public final class Rounds {
 
     private static final double LEAST_WORTH = 1.1;
 
-    /** How far the error falls is known after so many times as many samples as in the first round. */
+    /** With fewer samples per pixel the upper end of an interval tells more of the interval than of the error. */
+    private static final double FEWEST_TELLING = 64;
+
+    /** How far the error falls is known after so many times as many samples as in the first round that tells something. */
     private static final double TOLD_BY = 64;
 
     /** A render that needs more samples per pixel than these is not begun unless its user says so. */
@@ -40,7 +43,7 @@ public final class Rounds {
 
     private final Budget budget;
 
-    /** Of the first round. */
+    /** Of the first round that tells something; 0 before that. */
     private double firstSamples;
 
     private double firstError;
@@ -115,11 +118,11 @@ public final class Rounds {
 
     /** Whether the error has fallen so slowly that a render which goes on so would hardly end. */
     private boolean isOutOfReach(double n, double e, double aim) {
-        if (firstSamples == 0) {
+        if (firstSamples == 0 && n >= FEWEST_TELLING) {
             firstSamples = n;
             firstError = e;
         }
-        if (n < TOLD_BY * firstSamples || !(aim > 0)) {
+        if (firstSamples == 0 || n < TOLD_BY * firstSamples || !(aim > 0)) {
             return false;
         }
         double inAll = StrictMath.log(firstError / e) / StrictMath.log(n / firstSamples);

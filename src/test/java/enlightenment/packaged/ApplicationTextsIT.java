@@ -61,14 +61,25 @@ class ApplicationTextsIT {
 
     @Test
     void commandsAreCompleted() throws Exception {
-        assertEquals(new TreeSet<>(List.of("render")), complete("enlightenment", "ren"));
+        assertEquals(new TreeSet<>(List.of("render", "render-store")), complete("enlightenment", "ren"));
         assertTrue(complete("enlightenment", "").containsAll(List.of("validate", "setup", "completion", "help")));
     }
 
     @Test
     void optionsAreCompleted() throws Exception {
         assertEquals(
-                new TreeSet<>(List.of("--samples", "--seed", "--shadow-samples", "--size", "--stats")),
+                new TreeSet<>(List.of(
+                        "--samples",
+                        "--seed",
+                        "--serve",
+                        "--shadow-samples",
+                        "--size",
+                        "--stats",
+                        "--store",
+                        "--store-password-file",
+                        "--store-rays",
+                        "--store-samples",
+                        "--store-user")),
                 complete("enlightenment", "render", "--s"));
     }
 
@@ -101,7 +112,7 @@ class ApplicationTextsIT {
         for (String command : complete("enlightenment", "").stream()
                 .filter(word -> !word.startsWith("-"))
                 .toList()) {
-            assertTrue(page.contains("\n.SS enlightenment " + command), command);
+            assertTrue(page.contains("\n.SS enlightenment " + command.replace("-", "\\-")), command);
         }
     }
 }

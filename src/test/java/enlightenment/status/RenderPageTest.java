@@ -116,7 +116,8 @@ class RenderPageTest {
         server.awaitWatchers(60_000);
         server.close();
         untilShown("0,255,0,255");
-        assertEquals("finished", text("#state"));
+        // What the browser has been sent it may not have shown yet.
+        browser.until("document.querySelector('#state').textContent == 'finished'");
         int polls = browser.requests().size();
         browser.until("last.state == 'finished'");
         while (browser.requests().size() < polls + 2) {

@@ -55,7 +55,7 @@ class ServerSecurityTest {
             farm.join(Farm.worker(1).authorities(certificate).tokenFile(token));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             for (var worker : farm.workers) {
-                assertTrue(worker.get(10, TimeUnit.SECONDS).isDone());
+                assertTrue(worker.get(60, TimeUnit.SECONDS).isDone());
             }
         }
     }

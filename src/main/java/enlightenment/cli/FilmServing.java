@@ -36,11 +36,6 @@ final class FilmServing {
                 .map(OptionSpec::longestName)
                 .filter(ours::contains)
                 .toList();
-        if (given.contains("--checkpoint") || given.contains("--pardon")) {
-            throw CliException.wrongUsage(
-                    (given.contains("--checkpoint") ? "--checkpoint" : "--pardon")
-                            + " must not be given with a film, whose finished frames are what is kept: the same command goes on from them");
-        }
         if (!server && !given.isEmpty()) {
             throw CliException.wrongUsage(given.get(0) + " is for --server, which is not given");
         }
@@ -56,7 +51,7 @@ final class FilmServing {
 
     /** What the options ask for; null without {@code --server}. */
     ServerOptions options(Terminal terminal) throws IOException {
-        return server ? serving.options(terminal) : null;
+        return server ? serving.options(terminal).build() : null;
     }
 
     /** Says which files the server reads and writes. */

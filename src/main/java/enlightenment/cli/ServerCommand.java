@@ -32,6 +32,9 @@ final class ServerCommand extends Subcommand {
     private ServingOptions serving = new ServingOptions();
 
     @Mixin
+    private ServerKeepOptions keep = new ServerKeepOptions();
+
+    @Mixin
     private StoreOptions store = new StoreOptions();
 
     @Mixin
@@ -61,12 +64,13 @@ final class ServerCommand extends Subcommand {
     int execute() throws IOException {
         output.check();
         view.check(output);
+        keep.check();
         store.check();
-        if ((serving.hasCheckpoint() || store.isGiven()) && options.hasTime()) {
-            throw CliException.wrongUsage((serving.hasCheckpoint() ? "--checkpoint" : "--store")
+        if ((keep.isGiven() || store.isGiven()) && options.hasTime()) {
+            throw CliException.wrongUsage((keep.isGiven() ? "--checkpoint" : "--store")
                     + " must not be given with --time, which is planned anew each time: give --samples");
         }
-        ServerOptions serverOptions = serving.options(terminal);
+        ServerOptions serverOptions = keep.addTo(serving.options(terminal)).build();
         input = argument.open(terminal);
         Scene scene = frame.read(input);
         RenderSettings settings =
@@ -75,6 +79,7 @@ final class ServerCommand extends Subcommand {
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene);
         serving.register(files);
+        keep.register(files);
         store.register(files);
         files.writes("-o", output.file());
         report.register(files);

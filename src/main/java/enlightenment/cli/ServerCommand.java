@@ -12,6 +12,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.store.StoredSamples;
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -61,15 +62,15 @@ final class ServerCommand extends Subcommand {
     }
 
     @Override
+    List<OptionRule> rules() {
+        return OptionRules.SERVER;
+    }
+
+    @Override
     int execute() throws IOException {
         output.check();
         view.check(output);
-        keep.check();
         store.check();
-        if ((keep.isGiven() || store.isGiven()) && options.hasTime()) {
-            throw CliException.wrongUsage((keep.isGiven() ? "--checkpoint" : "--store")
-                    + " must not be given with --time, which is planned anew each time: give --samples");
-        }
         ServerOptions serverOptions = keep.addTo(serving.options(terminal)).build();
         input = argument.open(terminal);
         Scene scene = frame.read(input);

@@ -19,17 +19,6 @@ final class ServerKeepOptions {
 
     ServerKeepOptions() {}
 
-    boolean isGiven() {
-        return checkpoint != null;
-    }
-
-    /** Fails if there is somebody to pardon but no file that remembers. */
-    void check() {
-        if (!pardoned.isEmpty() && checkpoint == null) {
-            throw CliException.wrongUsage("--pardon needs --checkpoint, which remembers who was expelled");
-        }
-    }
-
     /** Adds what the options ask for. */
     ServerOptions.Builder addTo(ServerOptions.Builder options) {
         ServerOptions.Builder all = options.pardoned(pardoned);

@@ -117,12 +117,6 @@ final class ServingOptions {
     }
 
     private void checkSecrets(Terminal terminal) throws IOException {
-        if ((certificate == null) != (key == null)) {
-            throw CliException.wrongUsage("--tls-cert and --tls-key go together");
-        }
-        if (tls != null && certificate != null) {
-            throw CliException.wrongUsage("--tls must not be given together with --tls-cert and --tls-key");
-        }
         if (InetAddress.getByName(host).isLoopbackAddress()) {
             return;
         }

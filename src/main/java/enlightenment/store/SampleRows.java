@@ -49,17 +49,16 @@ public final class SampleRows {
     private final int pass;
     private final int kind;
     private final double[] reals = new double[REALS.size()];
-    private int lastTile = -1;
-    private int lastPixel = -1;
-    private int number;
+    private final SampleNumbers numbers;
     private long written;
     private long damaged;
 
-    private SampleRows(Database database, RenderRow render, int pass, int kind) {
+    private SampleRows(Database database, RenderRow render, PlanRow plan, int kind) {
         this.database = database;
         this.render = render;
-        this.pass = pass;
+        pass = plan.pass();
         this.kind = kind;
+        numbers = new SampleNumbers(StorePicture.workUnits(plan));
     }
 
     /**
@@ -75,7 +74,7 @@ public final class SampleRows {
         for (PlanRow plan : plans) {
             for (int kind : new int[] {SampleLog.RAYS, SampleLog.PIXELS}) {
                 if (has(store.database(), render, plan, kind)) {
-                    return new SampleRows(store.database(), render, plan.pass(), kind);
+                    return new SampleRows(store.database(), render, plan, kind);
                 }
             }
         }
@@ -131,11 +130,12 @@ public final class SampleRows {
         StringBuilder line = new StringBuilder();
         Blocks blocks = new Blocks(database, render.id(), pass);
         blocks.read(kind, (tile, block) -> {
+            int[] n = numbers.of(tile, block);
             for (int i = 0; i < block.size(); i++) {
-                if (turnTo(tile, block, i)) {
+                if (turnTo(block, i)) {
                     line.setLength(0);
                     line.append(pass).append(',').append(tile).append(',').append(column(block, i));
-                    line.append(',').append(row(block, i)).append(',').append(number);
+                    line.append(',').append(row(block, i)).append(',').append(n[i]);
                     for (int k = 0; k < (hasRays ? REALS.size() : OF_SAMPLES); k++) {
                         line.append(',');
                         append(line, k);
@@ -177,28 +177,22 @@ public final class SampleRows {
         String insert = "INSERT INTO sample VALUES (?" + ", ?".repeat(COLUMNS - 1) + ")";
         Blocks blocks = new Blocks(database, render.id(), pass);
         blocks.read(kind, (tile, block) -> {
-            int[] before = {lastTile, lastPixel, number};
-            written += database.write(c -> {
-                // It may be tried again.
-                lastTile = before[0];
-                lastPixel = before[1];
-                number = before[2];
-                return insert(c, insert, tile, block);
-            });
+            int[] n = numbers.of(tile, block);
+            written += database.write(c -> insert(c, insert, tile, block, n));
         });
         damaged = blocks.damaged();
         return written;
     }
 
-    private long insert(Connection c, String sql, int tile, SampleBlock block) throws SQLException {
+    private long insert(Connection c, String sql, int tile, SampleBlock block, int[] n) throws SQLException {
         long rows = 0;
         try (PreparedStatement insert = c.prepareStatement(sql)) {
             int waiting = 0;
             for (int i = 0; i < block.size(); i++) {
-                if (!turnTo(tile, block, i)) {
+                if (!turnTo(block, i)) {
                     continue;
                 }
-                set(insert, tile, block, i);
+                set(insert, tile, block, i, n[i]);
                 insert.addBatch();
                 rows++;
                 if (++waiting == BATCH) {
@@ -213,13 +207,13 @@ public final class SampleRows {
         return rows;
     }
 
-    private void set(PreparedStatement insert, int tile, SampleBlock block, int i) throws SQLException {
+    private void set(PreparedStatement insert, int tile, SampleBlock block, int i, int n) throws SQLException {
         insert.setString(1, render.id());
         insert.setInt(2, pass);
         insert.setInt(3, tile);
         insert.setInt(4, column(block, i));
         insert.setInt(5, row(block, i));
-        insert.setInt(6, number);
+        insert.setInt(6, n);
         int k = KEYS + 1;
         for (double real : reals) {
             if (real == real) {
@@ -238,14 +232,11 @@ public final class SampleRows {
     }
 
     /** Turns to a sample; false for one of a pixel that the picture does not have. */
-    private boolean turnTo(int tile, SampleBlock block, int i) {
+    private boolean turnTo(SampleBlock block, int i) {
         int pixel = block.pixel(i);
         if (pixel < 0 || pixel >= (long) render.width() * render.height()) {
             return false;
         }
-        number = tile == lastTile && pixel == lastPixel ? number + 1 : 0;
-        lastTile = tile;
-        lastPixel = pixel;
         for (int k = 0; k < OF_SAMPLES; k++) {
             reals[k] = block.number(i, k);
         }

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.Writer;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
-import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.sql.Types;
@@ -83,16 +82,9 @@ public final class SampleRows {
     }
 
     private static boolean has(Database database, RenderRow render, PlanRow plan, int kind) throws IOException {
-        return database.read(c -> {
-            try (PreparedStatement select =
-                    c.prepareStatement("SELECT 1 FROM sample_block WHERE render_id = ? AND pass = ? AND kind = ?")) {
-                select.setMaxRows(1);
-                select.setString(1, render.id());
-                select.setInt(2, plan.pass());
-                select.setInt(3, kind);
-                return select.executeQuery().next();
-            }
-        });
+        String sql = "SELECT 1 FROM sample_block WHERE render_id = ? AND pass = ? AND kind = ?";
+        return !database.rows(sql, 1, row -> row.getInt(1), render.id(), plan.pass(), kind)
+                .isEmpty();
     }
 
     /** The number of their plan within the render. */
@@ -105,16 +97,8 @@ public final class SampleRows {
         String sql = "SELECT COUNT(*) FROM film_part p WHERE p.render_id = ? AND p.pass = ? AND NOT EXISTS (SELECT 1"
                 + " FROM sample_block b WHERE b.render_id = p.render_id AND b.pass = p.pass AND b.tile = p.tile"
                 + " AND b.kind = ?)";
-        return database.read(c -> {
-            try (PreparedStatement select = c.prepareStatement(sql)) {
-                select.setString(1, render.id());
-                select.setInt(2, pass);
-                select.setInt(3, kind);
-                ResultSet row = select.executeQuery();
-                row.next();
-                return row.getLong(1);
-            }
-        });
+        return database.rows(sql, 1, row -> row.getLong(1), render.id(), pass, kind)
+                .get(0);
     }
 
     /** How many blocks were damaged and are left out. */

@@ -9,6 +9,7 @@ import enlightenment.film.SampleLog;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.ThreadEnd;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -308,17 +309,7 @@ final class Archives {
         @Override
         public void close() {
             over.countDown();
-            boolean wasInterrupted = false;
-            while (thread.isAlive()) {
-                try {
-                    thread.join();
-                } catch (InterruptedException e) {
-                    wasInterrupted = true;
-                }
-            }
-            if (wasInterrupted) {
-                Thread.currentThread().interrupt();
-            }
+            ThreadEnd.await(thread);
         }
     }
 }

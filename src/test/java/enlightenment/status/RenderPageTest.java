@@ -105,6 +105,10 @@ class RenderPageTest {
                 browser.value("document.querySelector('#picture').width % 10").asInt());
         assertTrue(browser.value("document.querySelector('#picture').width").asInt() > 300);
 
+        // The last picture is asked for a little later than usual: the request comes in when the render has ended.
+        browser.value("const source = Object.getOwnPropertyDescriptor(HTMLImageElement.prototype, 'src');"
+                + "Object.defineProperty(document.querySelector('#picture'), 'src', { get() { return source.get.call(this); },"
+                + "set(url) { setTimeout(() => source.set.call(this, url), 300); } }); 0");
         progress.progress(100, 100, () -> plain(10, 10, 0, 1));
         browser.until("document.querySelector('#state').textContent == '100 %'");
         assertEquals(List.of(), browser.problems());

@@ -13,24 +13,20 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** {@code render --checkpoint FILE [--resume]}. */
-class CheckpointCommandTest {
+class CheckpointCommandTest extends SceneFixture {
     /** Longer than what comes before results: a result or more. */
     private static final long ENOUGH = 5000;
 
-    @TempDir
-    Path folder;
-
-    private Path scene;
-    private Path picture;
     private Path checkpoint;
 
+    CheckpointCommandTest() {
+        super(40, 24);
+    }
+
     @BeforeEach
-    void scene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 40, \"height\": 24");
-        picture = folder.resolve("p.png");
+    void files() {
         checkpoint = folder.resolve("p.ck");
     }
 

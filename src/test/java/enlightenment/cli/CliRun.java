@@ -1,5 +1,7 @@
 package enlightenment.cli;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -31,6 +33,13 @@ record CliRun(int code, String out, String err) {
         }
         int code = Main.run(quiet(texts), new Terminal(print(out), print(err), stop));
         return new CliRun(code, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    /** Runs what makes a picture, its fourth word the file, and gives its bytes. */
+    static byte[] picture(Object... args) throws IOException {
+        CliRun run = of(args);
+        assertEquals(0, run.code, run.err);
+        return Files.readAllBytes((Path) args[3]);
     }
 
     /** On a busy machine a render takes long enough to tell of its progress: no test wants that unless it says so. */

@@ -11,23 +11,13 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(60)
-class ServerCommandTest {
-    @TempDir
-    Path folder;
-
-    private Path scene;
-    private Path picture;
-
-    @BeforeEach
-    void scene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 50, \"height\": 34");
-        picture = folder.resolve("picture.png");
+class ServerCommandTest extends SceneFixture {
+    ServerCommandTest() {
+        super(50, 34);
     }
 
     private void assertRefused(String words, Object... more) {

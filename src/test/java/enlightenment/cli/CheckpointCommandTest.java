@@ -30,12 +30,6 @@ class CheckpointCommandTest extends SceneFixture {
         checkpoint = folder.resolve("p.ck");
     }
 
-    private CliRun render(Object... more) {
-        List<Object> args = new ArrayList<>(List.of("render", scene, "-o", picture));
-        args.addAll(Arrays.asList(more));
-        return CliRun.of(args.toArray());
-    }
-
     private byte[] made(Object... more) throws IOException {
         CliRun run = render(more);
         assertEquals(0, run.code(), run.err());

@@ -47,7 +47,7 @@ class KilledFilmTest {
 
     private Processes.Running start(Path scene, boolean isServer) throws IOException {
         List<Object> args = new ArrayList<>(List.of("animate", scene, "-o", frames.resolve("f-%02d.png")));
-        args.addAll(List.of("--antialias", 6, "--video", film, "--progress", "none"));
+        args.addAll(List.of("--antialias", 6, "--video", film));
         if (isServer) {
             args.addAll(List.of("--server", "--port", 0, "--local-threads", 2));
         }

@@ -39,19 +39,7 @@ class KilledRenderTest extends SceneFixture {
     }
 
     private Processes.Running start(Path checkpoint) throws IOException {
-        return processes.start(
-                folder,
-                "render",
-                scene,
-                "-o",
-                picture,
-                "--samples",
-                256,
-                "--checkpoint",
-                checkpoint,
-                "--resume",
-                "--progress",
-                "none");
+        return processes.start(folder, words("render", "--samples", 256, "--checkpoint", checkpoint, "--resume"));
     }
 
     /** How many results the file holds. */

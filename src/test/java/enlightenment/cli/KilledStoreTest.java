@@ -33,19 +33,7 @@ class KilledStoreTest extends SceneFixture {
     }
 
     private Processes.Running start(Path store, String samples) throws IOException {
-        return processes.start(
-                folder,
-                "render",
-                scene,
-                "-o",
-                picture,
-                "--samples",
-                samples,
-                "--store",
-                store,
-                "--store-rays",
-                "--progress",
-                "none");
+        return processes.start(folder, words("render", "--samples", samples, "--store", store, "--store-rays"));
     }
 
     /** How many results are safe; 0 while there is no table for them. */

@@ -69,10 +69,10 @@ final class Processes implements AfterEachCallback {
         }
     }
 
-    /** Starts a command, whose words are kept in the folder. */
+    /** Starts a command, which tells of its progress only where it is told to, and whose words are kept in the folder. */
     Running start(Path folder, Object... args) throws IOException {
         Path log = folder.resolve("log-" + started.size());
-        Process process = JavaProcess.of(Main.class, args)
+        Process process = JavaProcess.of(Main.class, (Object[]) CliRun.quiet(CliRun.texts(args)))
                 .redirectErrorStream(true)
                 .redirectOutput(log.toFile())
                 .start();

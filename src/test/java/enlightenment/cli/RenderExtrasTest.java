@@ -45,11 +45,6 @@ class RenderExtrasTest extends SceneFixture {
         super(40, 24);
     }
 
-    private CliRun render(Object... more) {
-        return CliRun.of(Stream.concat(Stream.of("render", scene, "-o", picture), Stream.of(more))
-                .toArray());
-    }
-
     private Set<String> files() throws IOException {
         try (Stream<Path> all = Files.list(folder)) {
             return all.map(f -> f.getFileName().toString()).collect(Collectors.toCollection(TreeSet::new));
@@ -294,10 +289,8 @@ class RenderExtrasTest extends SceneFixture {
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
     void aSignalAfterAPreviewLeavesAWholePicture() throws Exception {
         // Minutes of work wherever it runs, in tiles of less than a second.
-        Object[] work = {"--size", "400x240", "--threads", 2, "--samples", 5000};
-        Stream<Object> args = Stream.of("render", scene, "-o", picture, "--preview", 0.1, "--progress", "none");
-        Processes.Running render =
-                processes.start(folder, Stream.concat(args, Stream.of(work)).toArray());
+        Object[] work = words("render", "--size", "400x240", "--threads", 2, "--samples", 5000, "--preview", 0.1);
+        Processes.Running render = processes.start(folder, work);
         render.until("there is a preview", () -> Files.exists(picture));
         assertEquals(400, ImageFiles.read(picture).width());
         render.process().destroy();

@@ -21,10 +21,7 @@ class ServerCommandTest extends SceneFixture {
     }
 
     private void assertRefused(String words, Object... more) {
-        Object[] args = new Object[4 + more.length];
-        System.arraycopy(new Object[] {"server", scene, "-o", picture}, 0, args, 0, 4);
-        System.arraycopy(more, 0, args, 4, more.length);
-        CliRun run = CliRun.of(args);
+        CliRun run = CliRun.of(words("server", more));
         assertEquals(2, run.code(), run.err());
         assertTrue(run.err().contains(words), run.err());
     }

@@ -49,10 +49,9 @@ class WatchTest extends SceneFixture {
             err = new BufferedReader(
                     new InputStreamReader(new PipedInputStream(said, 1 << 16), StandardCharsets.UTF_8));
             PrintStream print = new PrintStream(said, true, StandardCharsets.UTF_8);
-            String[] texts = List.of(args).stream().map(Object::toString).toArray(String[]::new);
             code = new FutureTask<>(() -> {
                 try (print) {
-                    return Main.run(CliRun.quiet(texts), new Terminal(print, print, stop));
+                    return Main.run(CliRun.quiet(CliRun.texts(args)), new Terminal(print, print, stop));
                 }
             });
             new Thread(code, "command").start();

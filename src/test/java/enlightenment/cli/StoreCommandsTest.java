@@ -168,6 +168,21 @@ class StoreCommandsTest extends SceneFixture {
     }
 
     @Test
+    void checkpointAndStoreOfAServerGiveEachOtherWhatTheyHave() throws Exception {
+        Path checkpoint = folder.resolve("server.checkpoint");
+        ok("server", scene, "-o", direct, "--port", 0, "--checkpoint", checkpoint);
+        ok("server", scene, "-o", picture, "--port", 0, "--checkpoint", checkpoint, "--store", store);
+        ok("render-store", store, "-o", picture);
+        assertSame(direct, picture);
+        Files.delete(checkpoint);
+        ok("server", scene, "-o", picture, "--port", 0, "--checkpoint", checkpoint, "--store", store);
+        int units = (int) sql(store, "SELECT COUNT(*) FROM film_part");
+        CliRun again = ok("server", scene, "-o", picture, "--port", 0, "--checkpoint", checkpoint);
+        assertTrue(again.err().contains("checkpoint: " + units + " of " + units + " tiles are done"), again.err());
+        assertSame(direct, picture);
+    }
+
+    @Test
     void samplesAreUnpackedAsLinesAndAsRows() throws Exception {
         ok("render", scene, "-o", picture, "--samples", 4, "--store", store, "--store-samples");
         Path csv = folder.resolve("samples.csv");

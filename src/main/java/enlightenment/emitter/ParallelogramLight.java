@@ -14,7 +14,7 @@ public final class ParallelogramLight extends FlatLight {
     static final double LEAST_SOLID_ANGLE = 1e-3;
 
     /** Where the squared distances of a rectangle's points differ by less than this factor, the density by area hardly varies at all. */
-    private static final double EVEN = 1.5;
+    private static final double EVEN = 1.25;
 
     /** Above this a spherical triangle is nearly the whole half space. */
     static final double LARGEST_SOLID_ANGLE = 6;

@@ -72,7 +72,7 @@ class FloatingLiteralsTest {
             new Explained("numeric/Arcs.java", "0.00023105799880840196", ARC),
             new Explained("numeric/Arcs.java", "0.000132157752596636", ARC),
             new Explained("numeric/Arcs.java", "9.195087903114487e-05", ARC),
-            new Explained("emitter/ParallelogramLight.java", "1.5", "a ratio of squared distances"),
+            new Explained("emitter/ParallelogramLight.java", "1.25", "a ratio of squared distances"),
             new Explained("compiled/PhysicalLight.java", "0.2126", "luminance of red (Rec. 709), a ratio"),
             new Explained("compiled/PhysicalLight.java", "0.7152", "luminance of green"),
             new Explained("compiled/PhysicalLight.java", "0.0722", "luminance of blue"),

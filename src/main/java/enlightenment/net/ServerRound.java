@@ -121,6 +121,11 @@ final class ServerRound implements StatusSource {
         return status == null ? -1 : status.port();
     }
 
+    /** What a worker may pin; empty without TLS. */
+    String pin() {
+        return coordination.secrets().pin();
+    }
+
     /** What is to be done now and then while workers render. */
     @FunctionalInterface
     interface Chore {

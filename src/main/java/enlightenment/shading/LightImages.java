@@ -16,7 +16,7 @@ import java.util.List;
  * Finds the images of lights that samples of a pixel may miss: as they are seen straight, in flat mirrors, and, by the balls around them, in
  * mirrors that are spheres; glass reflects as mirrors do. Whether something hides them is not asked. Those in other mirrors, through glass, and of images are not found.
  *
- * <p>Images smaller than a pixel are all found. Of larger ones, which only pixels at their edges miss, those of lights whose half is white on the display: whatever
+ * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights whose half is white on the display: whatever
  * is behind the edge and not white itself is nearer to black, which takes the light's place among the samples of the pixel, than to the light.
  */
 final class LightImages {

@@ -18,7 +18,9 @@ import java.util.Comparator;
  * that none is a thousandth of a pixel beside the circle. A mutable work object, one per thread.
  */
 final class LightOutline {
+    /** So many corners circles have at least and at most, and powers of two between. */
     private static final int LEAST_CORNERS = 16;
+
     private static final int MOST_CORNERS = 512;
 
     /** Twice what a corner may lie beside a circle, in pixels. */
@@ -72,8 +74,12 @@ final class LightOutline {
                     across, Math.max(Math.abs(points[k][0] - points[0][0]), Math.abs(points[k][1] - points[0][1])));
         }
         // A corner of n around a circle of radius r lies r (1/cos(π/n) − 1) ≈ r π²/(2 n²) beside it.
-        int corners = (int) Math.ceil(Math.min(Math.PI * Math.sqrt(across / SAGITTA), MOST_CORNERS));
-        return (corners <= LEAST_CORNERS || trace(l, s, corners)) && wrap();
+        double wanted = Math.PI * Math.sqrt(across / SAGITTA);
+        int corners = LEAST_CORNERS;
+        while (corners < MOST_CORNERS && corners < wanted) {
+            corners *= 2;
+        }
+        return (corners == LEAST_CORNERS || trace(l, s, corners)) && wrap();
     }
 
     /** Whether the eye is on a side of a plane that shines. */
@@ -157,9 +163,9 @@ final class LightOutline {
 
     private void circle(Vec3 center, Vec3 a, Vec3 b, int corners) {
         double outer = 1 / StrictMath.cos(Math.PI / corners);
-        for (int k = 0; k < corners; k++) {
-            double angle = 2 * Math.PI * k / corners;
-            add(center.plus(a.times(outer * StrictMath.cos(angle))).plus(b.times(outer * StrictMath.sin(angle))));
+        int step = MOST_CORNERS / corners;
+        for (int k = 0; k < MOST_CORNERS; k += step) {
+            add(center.plus(a.times(outer * Circle.COSINES[k])).plus(b.times(outer * Circle.SINES[k])));
         }
     }
 
@@ -219,5 +225,19 @@ final class LightOutline {
 
     private static boolean isLeftTurn(double[] a, double[] b, double[] c) {
         return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0;
+    }
+
+    /** The corners of a polygon of the most corners in a circle around the origin: once needed, needed often. */
+    private static final class Circle {
+        static final double[] COSINES = new double[MOST_CORNERS];
+        static final double[] SINES = new double[MOST_CORNERS];
+
+        static {
+            for (int k = 0; k < MOST_CORNERS; k++) {
+                double angle = 2 * Math.PI * k / MOST_CORNERS;
+                COSINES[k] = StrictMath.cos(angle);
+                SINES[k] = StrictMath.sin(angle);
+            }
+        }
     }
 }

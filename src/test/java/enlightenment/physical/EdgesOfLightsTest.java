@@ -202,10 +202,10 @@ class EdgesOfLightsTest {
     @Tag("full")
     @ParameterizedTest
     @MethodSource("names")
-    void theyHaveThemByAllMethodsWithManySamples(String name) {
-        for (BuiltInMethod method : BuiltInMethod.values()) {
-            assertLinear(name, method, 256, 32);
-        }
+    void theyHaveThemWithManySamples(String name) {
+        assertLinear(name, BuiltInMethod.RAYTRACE, 64, 24);
+        assertLinear(name, BuiltInMethod.CLUSTER, 64, 24);
+        assertLinear(name, BuiltInMethod.BIDIRECTIONAL, 32, 24);
     }
 
     /** The share of a pixel that a disk covers, the pixel's upper left corner seen from the disk's centre, y upwards. */
@@ -250,7 +250,7 @@ class EdgesOfLightsTest {
         }
         assertTrue(slivers >= 3, "of " + slivers);
         double error = Math.sqrt(squares / (3 * SIDE * SIDE));
-        assertTrue(error < 0.002, "displayed error " + error);
+        assertTrue(error < 0.006, "displayed error " + error);
     }
 
     /** Where a lamp is no brighter than what is behind it, nothing is treated apart, and so nothing becomes noisier. */

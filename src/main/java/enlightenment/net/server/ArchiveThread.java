@@ -1,5 +1,6 @@
 package enlightenment.net.server;
 
+import enlightenment.work.ThreadEnd;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.TimeUnit;
@@ -49,7 +50,9 @@ final class ArchiveThread implements AutoCloseable {
             bytes += size;
             notifyAll();
         }
-        restore(wasInterrupted);
+        if (wasInterrupted) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private void work() {
@@ -106,20 +109,6 @@ final class ArchiveThread implements AutoCloseable {
     @Override
     public void close() {
         end();
-        boolean wasInterrupted = false;
-        while (thread.isAlive()) {
-            try {
-                thread.join();
-            } catch (InterruptedException e) {
-                wasInterrupted = true;
-            }
-        }
-        restore(wasInterrupted);
-    }
-
-    private static void restore(boolean wasInterrupted) {
-        if (wasInterrupted) {
-            Thread.currentThread().interrupt();
-        }
+        ThreadEnd.await(thread);
     }
 }

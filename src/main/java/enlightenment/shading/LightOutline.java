@@ -26,7 +26,7 @@ final class LightOutline {
     /** Twice what a corner may lie beside a circle, in pixels. */
     private static final double SAGITTA = 0x1p-9;
 
-    /** Beyond so many pixels numbers tell no place within a pixel. */
+    /** Beyond so many pixels a number's last bits are no small share of a pixel any more. */
     private static final double FAR = 0x1p30;
 
     private final CompiledCamera camera;

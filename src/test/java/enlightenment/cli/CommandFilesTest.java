@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import enlightenment.process.JavaProcess;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -326,12 +327,7 @@ class CommandFilesTest {
         Path out = Files.createDirectory(folder.resolve("out"));
         files.put("-o", out.resolve("p.png"));
         Object[] args = CommandLines.RENDER.args(files, folder).toArray();
-        Process killed = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        HeldRender.class.getName(),
-                        out.resolve("p.png").toString())
+        Process killed = JavaProcess.of(HeldRender.class, out.resolve("p.png"))
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         try {

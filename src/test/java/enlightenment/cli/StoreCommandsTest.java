@@ -17,26 +17,22 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Renders into a store, and what comes out of it. */
-class StoreCommandsTest {
-    @TempDir
-    private Path folder;
-
-    private Path scene;
+class StoreCommandsTest extends SceneFixture {
     private Path store;
-    private Path picture;
     private Path direct;
 
+    StoreCommandsTest() {
+        super(50, 34);
+    }
+
     @BeforeEach
-    void scene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 50, \"height\": 34");
+    void files() {
         store = folder.resolve("s.db");
-        picture = folder.resolve("picture.png");
         direct = folder.resolve("direct.png");
     }
 

@@ -3,6 +3,7 @@ package enlightenment.shading;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.EyeProjection;
 import enlightenment.compiled.PhysicalLight;
+import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -10,14 +11,16 @@ import enlightenment.primitive.SpherePrimitive;
 import enlightenment.primitive.SupportSurface;
 import enlightenment.primitive.TorusPrimitive;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
  * Finds the images of lights that samples of a pixel may miss: as they are seen straight, in flat mirrors, and, by the balls around them, in
  * mirrors that are spheres; glass reflects as mirrors do. Whether something hides them is not asked. Those in other mirrors, through glass, and of images are not found.
  *
- * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights whose half is white on the display: whatever
- * is behind the edge and not white itself is nearer to black, which takes the light's place among the samples of the pixel, than to the light.
+ * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are bright beside what is likely to be behind them: not
+ * dimmer than a sixteenth of the brightest light, nor than twice the background. Black takes the light's place among the samples of the pixel, and must be nearer to what is
+ * behind than the light is. The choice is the same however bright all lights together are.
  */
 final class LightImages {
     /** Mirrors and lights are many in few scenes: so many pairs of them are looked at, the first ones. */
@@ -25,6 +28,9 @@ final class LightImages {
 
     /** So many images that are not smaller than a pixel are taken, the first ones: most edges in a mesh that glows are no edges of the light. */
     private static final int MOST_LARGE = 64;
+
+    /** A light of so much of the brightest one's radiance is seldom dimmer than twice what that makes of surfaces: it would have to fill this share of half their sky. */
+    private static final double BRIGHT = 1.0 / 16;
 
     /** The polygon around a mirrored ball's image. */
     private static final int MIRRORED_CORNERS = 4;
@@ -37,6 +43,10 @@ final class LightImages {
     private final double[][] corners = new double[MIRRORED_CORNERS][3];
     private final ClippedPolygon polygon = new ClippedPolygon();
     private final List<LightImage> found = new ArrayList<>();
+
+    /** The least brightness of larger images. */
+    private final double least;
+
     private int pairs;
     private int large;
 
@@ -45,6 +55,14 @@ final class LightImages {
         outline = new LightOutline(scene.camera);
         isParallel = new EyeProjection(scene.camera).isParallel();
         scene.camera.ray(0.5, 0.5, middle);
+        PhysicalScene p = scene.physical;
+        double brightest = Arrays.stream(p.lights)
+                .filter(l -> !l.isPoint)
+                .mapToDouble(LightImage::brightness)
+                .max()
+                .orElse(0);
+        double background = Math.max(p.backgroundR, Math.max(p.backgroundG, p.backgroundB));
+        least = p.surroundings == null ? Math.max(BRIGHT * brightest, 2 * background) : Double.POSITIVE_INFINITY;
     }
 
     /** The images in the picture of a scene of physical shading. */
@@ -158,7 +176,7 @@ final class LightImages {
         if (image.area() >= 1) {
             polygon.set(image.x, image.y, 0, 0, columns, rows);
             boolean hasEdges = polygon.area() > 0 && polygon.area() < columns * rows;
-            boolean isBright = scene.display.of(share * image.brightness / 2) == 1;
+            boolean isBright = share * image.brightness >= least;
             if (!hasEdges || !isBright || large == MOST_LARGE) {
                 return;
             }

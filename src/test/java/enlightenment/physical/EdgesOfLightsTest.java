@@ -45,10 +45,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 class EdgesOfLightsTest {
     private static final int SIDE = 16;
 
-    /** Nothing near it is treated otherwise than matte things are. */
-    private static final double DIM = 0.5;
+    private static final double RADIANCE = 400;
 
-    private static final double BRIGHT = 400;
+    /** Of a lamp in a black box: beside a brighter one, others are left to camera rays. */
+    private static final double NONE = 1;
+
+    private static final double BRIGHTER = 64 * RADIANCE;
 
     private static final Camera EYE = new Camera.Perspective(at(0.1, 0.2, 0), at(0, 0, 10), Vec3.Y, 50);
     private static final Camera FAR = new Camera.Orthographic(at(0.1, 0.2, 0), at(0, 0, 10), Vec3.Y, 9);
@@ -71,8 +73,13 @@ class EdgesOfLightsTest {
         return all;
     }
 
-    private static SceneBuilder view(Camera camera) {
-        return Scene.builder().size(8, 8).camera(camera).shading(atMost(1, 0));
+    private static SceneBuilder view(Camera camera, double hidden) {
+        return Scene.builder()
+                .size(8, 8)
+                .camera(camera)
+                .shading(atMost(1, 0))
+                .object(new Box(at(-1, -1, -201), at(1, 1, -199)), matte(0, 0, 0))
+                .light(sphereLight(0, 0, -200, 0.01, hidden));
     }
 
     private static Material lamp(double radiance) {
@@ -80,13 +87,13 @@ class EdgesOfLightsTest {
     }
 
     /** Half of the ball is hidden, and two of them overlap. */
-    private static SceneBuilder flat(Camera camera, double radiance) {
-        return view(camera)
-                .object(ball(-1.7, 1.3, 7, 1), lamp(radiance))
+    private static SceneBuilder flat(Camera camera, double hidden) {
+        return view(camera, hidden)
+                .object(ball(-1.7, 1.3, 7, 1), lamp(RADIANCE))
                 .object(TestScenes.rectangle(-4, 1.2, 4, -4, 4, 4, -0.9, 4, 4, -0.9, 1.2, 4), matte(0.7, 0.7, 0.7))
-                .object(TestScenes.rectangle(0.2, -2, 7, 0.4, 1, 8, 2.4, 0.6, 9, 2.2, -2.4, 8), lamp(radiance))
-                .object(new Disk(at(-1.5, -1.6, 8), new Vec3(0.5, 0.4, -1), 1.1), lamp(radiance / 2))
-                .object(new Triangle(at(-1, -0.4, 7.5), at(0.1, 3, 9), at(1.9, 2, 7)), lamp(radiance))
+                .object(TestScenes.rectangle(0.2, -2, 7, 0.4, 1, 8, 2.4, 0.6, 9, 2.2, -2.4, 8), lamp(RADIANCE))
+                .object(new Disk(at(-1.5, -1.6, 8), new Vec3(0.5, 0.4, -1), 1.1), lamp(RADIANCE / 2))
+                .object(new Triangle(at(-1, -0.4, 7.5), at(0.1, 3, 9), at(1.9, 2, 7)), lamp(RADIANCE))
                 .light(new Light.Rectangle(
                         at(-4, -3, 8),
                         at(-4, 0, 8),
@@ -94,48 +101,48 @@ class EdgesOfLightsTest {
                         at(-2.5, -3, 8),
                         Rgb.WHITE,
                         false,
-                        Emission.radiance(Rgb.gray(radiance))))
+                        Emission.radiance(Rgb.gray(RADIANCE))))
                 .object(TestScenes.rectangle(-9, -9, 12, -9, 9, 12, 9, 9, 12, 9, -9, 12), matte(0.7, 0.7, 0.7));
     }
 
-    private static SceneBuilder solids(Camera camera, double radiance) {
-        return view(camera)
-                .object(new Box(at(-3, 0.5, 7), at(-1.4, 2.2, 8.5)), lamp(radiance))
-                .object(new Cylinder(at(-0.6, 0.4, 7), at(0.4, 2.3, 8), 0.6, true), lamp(radiance))
-                .object(new Cylinder(at(1.4, 0.3, 9), at(2.6, 2.3, 6), 0.5, false), lamp(radiance / 2))
-                .object(new Cube(at(-2.1, -1.8, 8), 1.4, new Vec3(0.3, 0.5, 0.7)), lamp(radiance))
-                .object(new Cone(at(-0.2, -2.6, 8), at(0.6, -0.4, 7), 0.8, 0, true), lamp(radiance))
-                .object(new Torus(at(2.4, -1.4, 8), new Vec3(0.3, 1, -0.8), 0.8, 0.3), lamp(radiance))
+    private static SceneBuilder solids(Camera camera, double hidden) {
+        return view(camera, hidden)
+                .object(new Box(at(-3, 0.5, 7), at(-1.4, 2.2, 8.5)), lamp(RADIANCE))
+                .object(new Cylinder(at(-0.6, 0.4, 7), at(0.4, 2.3, 8), 0.6, true), lamp(RADIANCE))
+                .object(new Cylinder(at(1.4, 0.3, 9), at(2.6, 2.3, 6), 0.5, false), lamp(RADIANCE / 2))
+                .object(new Cube(at(-2.1, -1.8, 8), 1.4, new Vec3(0.3, 0.5, 0.7)), lamp(RADIANCE))
+                .object(new Cone(at(-0.2, -2.6, 8), at(0.6, -0.4, 7), 0.8, 0, true), lamp(RADIANCE))
+                .object(new Torus(at(2.4, -1.4, 8), new Vec3(0.3, 1, -0.8), 0.8, 0.3), lamp(RADIANCE))
                 .object(TestScenes.rectangle(-9, -9, 12, -9, 9, 12, 9, 9, 12, 9, -9, 12), matte(0.7, 0.7, 0.7));
     }
 
-    private static SceneBuilder inMirror(Camera camera, double radiance) {
-        return view(camera)
+    private static SceneBuilder inMirror(Camera camera, double hidden) {
+        return view(camera, hidden)
                 .object(TestScenes.rectangle(-5, -5, 9, -5, 5, 10, 5, 5, 9.5, 5, -5, 8.5), TestScenes.mirror(0.8))
-                .object(ball(-1.2, 1.5, 4, 0.6), lamp(radiance))
-                .object(ball(1.2, 2.9, -3, 1), lamp(radiance))
-                .object(TestScenes.rectangle(0.2, -2, -2, 0.4, 0.8, -1, 2.4, 0.6, 0, 2.2, -2.2, -1), lamp(radiance))
-                .object(new Disk(at(-2.5, -1.6, -1), new Vec3(0.5, 0.4, 1), 1.1), lamp(radiance / 2));
+                .object(ball(-1.2, 1.5, 4, 0.6), lamp(RADIANCE))
+                .object(ball(1.2, 2.9, -3, 1), lamp(RADIANCE))
+                .object(TestScenes.rectangle(0.2, -2, -2, 0.4, 0.8, -1, 2.4, 0.6, 0, 2.2, -2.2, -1), lamp(RADIANCE))
+                .object(new Disk(at(-2.5, -1.6, -1), new Vec3(0.5, 0.4, 1), 1.1), lamp(RADIANCE / 2));
     }
 
     /** Large images in a mirror and in glass. */
-    private static SceneBuilder inBalls(double radiance) {
-        return view(EYE)
+    private static SceneBuilder inBalls(double hidden) {
+        return view(EYE, hidden)
                 .object(ball(-1.5, 0.3, 7, 1.8), TestScenes.mirror(0.8))
                 .object(ball(2.4, -1, 7, 1.6), Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5))
-                .object(ball(-6, 5, 2, 3), lamp(radiance))
-                .object(TestScenes.rectangle(4, -4, -2, 4, 4, -2, 9, 4, -1, 9, -4, -1), lamp(radiance));
+                .object(ball(-6, 5, 2, 3), lamp(RADIANCE))
+                .object(TestScenes.rectangle(4, -4, -2, 4, 4, -2, 9, 4, -1, 9, -4, -1), lamp(RADIANCE));
     }
 
     /** One reaches from before to behind the eye, one is around it, one covers all of the picture, and one is behind that. */
-    private static SceneBuilder aroundTheEye(double radiance) {
-        return view(EYE)
-                .object(TestScenes.rectangle(-1, 1.5, -6, -1, 1.5, 6, 1.4, 1.5, 6, 1.4, 1.5, -6), lamp(radiance))
+    private static SceneBuilder aroundTheEye(double hidden) {
+        return view(EYE, hidden)
+                .object(TestScenes.rectangle(-1, 1.5, -6, -1, 1.5, 6, 1.4, 1.5, 6, 1.4, 1.5, -6), lamp(RADIANCE))
                 .object(
                         TestScenes.rectangle(-1, -1.5, 3, -1, -1.2, 6, 1.4, -1.2, 6, 1.4, -1.5, 3),
                         matte(0.5, 0.5, 0.5))
-                .object(ball(0, 0, 30, 9), lamp(radiance))
-                .light(sphereLight(0, 0, 80, 60, radiance));
+                .object(ball(0, 0, 30, 9), lamp(RADIANCE))
+                .light(sphereLight(0, 0, 80, 60, RADIANCE));
     }
 
     private static Image render(Scene scene, BuiltInMethod method, double samples, long seed) {
@@ -155,32 +162,32 @@ class EdgesOfLightsTest {
         return pictures;
     }
 
-    /** Light is linear: what bright lights show at their edges is what dim ones do, which are left to camera rays. */
-    private static void assertLinear(String name, BuiltInMethod method, double samples, int count) {
+    /** What lights show at their edges is what they do where those are left to camera rays. */
+    private static void assertSame(String name, BuiltInMethod method, double samples, int count) {
         DoubleFunction<Scene> scene = SCENES.get(name);
-        Image[] bright = pictures(scene.apply(BRIGHT), method, samples, count, 1);
-        Image[] dim = pictures(scene.apply(DIM), BuiltInMethod.RAYTRACE, 4 * samples, count, 1000);
-        int width = bright[0].width();
-        double sumBright = 0;
-        double sumDim = 0;
+        Image[] apart = pictures(scene.apply(NONE), method, samples, count, 1);
+        Image[] plain = pictures(scene.apply(BRIGHTER), BuiltInMethod.RAYTRACE, 4 * samples, count, 1000);
+        int width = apart[0].width();
+        double sumApart = 0;
+        double sumPlain = 0;
         double variance = 0;
-        for (int k = 0; k < width * bright[0].height(); k++) {
+        for (int k = 0; k < width * apart[0].height(); k++) {
             int pixel = k;
-            Statistics b = Statistics.of(Stream.of(bright)
+            Statistics b = Statistics.of(Stream.of(apart)
                     .mapToDouble(i -> i.component(pixel % width, pixel / width, 1))
                     .toArray());
-            Statistics d = Statistics.of(Stream.of(dim)
-                    .mapToDouble(i -> i.component(pixel % width, pixel / width, 1) * (BRIGHT / DIM))
+            Statistics d = Statistics.of(Stream.of(plain)
+                    .mapToDouble(i -> i.component(pixel % width, pixel / width, 1))
                     .toArray());
             // What is seldom found may never have been.
-            double found = BRIGHT / (4 * samples * count);
+            double found = RADIANCE / (4 * samples * count);
             double error = Math.hypot(found, Math.hypot(b.error(), d.error()));
             assertEquals(d.mean(), b.mean(), 6 * error + 1e-3 * d.mean(), name + ", pixel " + k + ": ± " + error);
-            sumBright += b.mean();
-            sumDim += d.mean();
+            sumApart += b.mean();
+            sumPlain += d.mean();
             variance += error * error;
         }
-        assertEquals(sumDim, sumBright, 4 * Math.sqrt(variance), name);
+        assertEquals(sumPlain, sumApart, 4 * Math.sqrt(variance), name);
     }
 
     static Stream<String> names() {
@@ -189,23 +196,23 @@ class EdgesOfLightsTest {
 
     @ParameterizedTest
     @MethodSource("names")
-    void brightLightsHaveTheEdgesOfDimOnes(String name) {
-        assertLinear(name, BuiltInMethod.RAYTRACE, 16, 8);
+    void edgesAreWhatCameraRaysAloneShow(String name) {
+        assertSame(name, BuiltInMethod.RAYTRACE, 16, 8);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"CLUSTER", "BIDIRECTIONAL", "METROPOLIS", "LIGHT"})
     void theyHaveThemByAllMethods(BuiltInMethod method) {
-        assertLinear("flat and round", method, 16, 8);
+        assertSame("flat and round", method, 16, 8);
     }
 
     @Tag("full")
     @ParameterizedTest
     @MethodSource("names")
     void theyHaveThemWithManySamples(String name) {
-        assertLinear(name, BuiltInMethod.RAYTRACE, 64, 24);
-        assertLinear(name, BuiltInMethod.CLUSTER, 64, 24);
-        assertLinear(name, BuiltInMethod.BIDIRECTIONAL, 32, 24);
+        assertSame(name, BuiltInMethod.RAYTRACE, 64, 24);
+        assertSame(name, BuiltInMethod.CLUSTER, 64, 24);
+        assertSame(name, BuiltInMethod.BIDIRECTIONAL, 32, 24);
     }
 
     /** The share of a pixel that a disk covers, the pixel's upper left corner seen from the disk's centre, y upwards. */

@@ -86,6 +86,8 @@ class FloatingLiteralsTest {
             new Explained("compiled/CausticPass.java", "0.05", "the least cosine that powers are estimated with"),
             new Explained("shading/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),
             new Explained("shading/MirrorImage.java", "0x1p-6", "an image is so much wider than it need be: a ratio"),
+            new Explained("shading/LightOutline.java", "0x1p-9", "pixels: how fine a polygon in the picture is"),
+            new Explained("shading/LightOutline.java", "0x1p30", "pixels: where a double tells no thousandth of one"),
             new Explained("shading/PathSampler.java", "0x1p-32", "32 bits to 0..1"),
             new Explained("shading/PathValue.java", "0.05", "roulette: a share of a path's throughput, a ratio"),
             new Explained("shading/PathValue.java", "0.99", "roulette: the largest probability to survive"),

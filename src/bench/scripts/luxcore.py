@@ -1,11 +1,10 @@
 """Renders simple scenes by LuxCore and compares it with a reference and with ours: CPU-seconds of whole processes in turns, and errors.
 
-    python src/bench/scripts/luxcore.py race FOLDER [--jar JAR] [--runs K] [--pictures K] [--samples N] [--size WxH] [--engines ...] [--methods ...]
-    python src/bench/scripts/luxcore.py agree FOLDER [--pictures K] [--samples N] [--engines ...]
+    python src/bench/scripts/luxcore.py FOLDER [--jar JAR] [--runs K] [--pictures K] [--samples N] [--size WxH] [--engines ...] [--methods ...]
 
 FOLDER is one of physical_light.py's, with a scene of what meshes.py knows, matte or mirror. Round things become 256 x 128 quads (lamps 64 x 32) with the
-normals of the thing. One thread, box filter, nothing clamped, roulette from the fifth event, paths of at most --depth events. `agree` compares the mean of
-K pictures of each engine with the reference, by blocks, as physical_light.py does. Needs numpy and pyluxcore (pip install numpy pyluxcore==2.11.2).
+normals of the thing. One thread, box filter, nothing clamped, roulette from the fifth event, paths of at most --depth events. Below the table the
+mean of the K pictures of each is compared with the reference, by blocks, as physical_light.py's `agree` does. Needs numpy and pyluxcore (pip install numpy pyluxcore==2.11.2).
 """
 import argparse
 import importlib.util
@@ -48,7 +47,8 @@ def build(pyluxcore, meshes, description):
     put("scene.camera.up", *map(float, camera.up))
     put("scene.camera.fieldofview", 90.0)
     (x, y), (w, h) = camera.center, camera.half
-    # A picture that is seen from the other side: its right is our left.
+    # A picture that is seen from the other side: its right is our left. Its films hold everything one row lower than the camera sees it.
+    y -= 2 * h / description["image"]["height"]
     put("scene.camera.screenwindow", *map(float, (-x - w, -x + w, y - h, y + h)))
     put("scene.camera.autofocus.enable", False)
     put("scene.camera.cliphither", 0.01)
@@ -121,7 +121,7 @@ def child(folder, engine, chosen):
 
 def program(physical_light, folder, chosen, engine):
     def render(seed, out, size):
-        command = [sys.executable, __file__, chosen.what, folder, "--child", engine, "--out", out, "--seed", str(seed)]
+        command = [sys.executable, __file__, folder, "--child", engine, "--out", out, "--seed", str(seed)]
         command += ["--samples", str(chosen.samples), "--depth", str(chosen.depth)] + (["--size", size] if size else [])
         return physical_light.run(command)
 
@@ -130,7 +130,6 @@ def program(physical_light, folder, chosen, engine):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["race", "agree"])
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--jar", default="target/enlightenment.jar")
     parser.add_argument("--samples", type=int, default=16)
@@ -149,20 +148,13 @@ def main():
         return
     physical_light = sibling("physical_light")
     engines = chosen.engines.split(",")
+    timed = {f"LuxCore, {e}": (program(physical_light, chosen.folder, chosen, e), f"LuxCore, {e}", True) for e in engines}
+    for method in chosen.methods.split(",") if chosen.methods else []:
+        timed[method] = physical_light.own_program(chosen.folder, chosen, f"--method {method} --threads 1"), method, False
     with tempfile.TemporaryDirectory() as name:
-        scratch = pathlib.Path(name)
-        if chosen.what == "agree":
-            for engine in engines:
-                pictures = []
-                for seed in range(1, chosen.pictures + 1):
-                    program(physical_light, chosen.folder, chosen, engine)(seed, scratch / "lux.pfm", None)
-                    pictures.append(physical_light.read_pfm(scratch / "lux.pfm")[:, ::-1])
-                physical_light.same(f"{chosen.folder.name}, {engine}", chosen.folder, pictures)
-            return
-        timed = {f"LuxCore, {e}": (program(physical_light, chosen.folder, chosen, e), e, True) for e in engines}
-        for method in chosen.methods.split(","):
-            timed[method] = physical_light.own_program(chosen.folder, chosen, f"--method {method} --threads 1"), method, False
-        physical_light.compare(chosen.folder, timed, f"LuxCore, {engines[0]}", chosen, scratch)
+        pictures = physical_light.compare(chosen.folder, timed, f"LuxCore, {engines[0]}", chosen, pathlib.Path(name))
+    for name, drawn in pictures.items():
+        physical_light.same(f"{chosen.folder.name}, {name}", chosen.folder, drawn)
 
 
 if __name__ == "__main__":

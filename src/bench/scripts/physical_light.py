@@ -9,7 +9,8 @@ FOLDER has scene.json, reference.pfm, variance.pfm (linear, rows from the bottom
 `agree` renders K seeds and compares the means of blocks of 8 x 8 pixels with the reference: docs/physical-light.md says by which rule.
 `kept` renders K seeds with `--error E` and counts in how many the displayed error against the reference is no larger.
 `reference` makes a folder: the mean of K seeds by ours.
-`race` gives CPU-seconds of whole processes, in turns, and errors against the reference, its own variance subtracted, as a table; no times with --runs 0.
+`race` gives CPU-seconds of whole processes, in turns, and errors against the reference, its own variance subtracted, as a table; with --runs 0 the
+times are those of the small pictures.
 Where scene.xml names the metal of hcconductor.py, Mitsuba's time is that of the faster of this plug-in and its own `roughconductor`.
 JAR is the jar, for `java -jar`, or the launcher of the application.
 Needs numpy; `race` also mitsuba (pip install numpy mitsuba; Debian's libllvm19 for its variant llvm_ad_rgb).
@@ -211,36 +212,42 @@ def usual_size(folder):
 
 
 def compare(folder, timed, partner, chosen, scratch, without=()):
-    """Prints a table of errors and of times in turns; `without` names programs whose errors alone are wanted."""
+    """Prints a table of errors and of times in turns, with --runs 0 those of the pictures whose errors are taken; `without`: programs too slow to be timed."""
     reference, own = read_pfm(folder / "reference.pfm"), read_pfm(folder / "variance.pfm")
-    size = chosen.size or usual_size(folder)
-    figures = {}
-    for program, figure, mirrored in timed.values():
-        if figure is None or figure in figures:
-            continue
-        pictures = []
-        for seed in range(1, chosen.pictures + 1):
+    small, size = chosen.runs == 0, chosen.size or usual_size(folder)
+    seconds, pictures = {name: [] for name in timed}, {}
+    for seed in range(1, chosen.pictures + 1):
+        drawn = set()
+        for name, (program, figure, mirrored) in timed.items():
+            # What differs in threads alone is drawn once where it is not timed.
+            if (figure is None or figure in drawn) and not small:
+                continue
             out = scratch / "error.pfm"
-            program(seed, out, None)
-            pictures.append(read_pfm(out)[:, ::-1] if mirrored else read_pfm(out))
-        mean = numpy.mean(pictures) / reference.mean()
-        figures[figure] = *errors(pictures, reference, own), mean
-    seconds = {name: [] for name in timed}
+            spent = program(seed, out, None)
+            if small and name not in without:
+                seconds[name].append(spent)
+            if figure and figure not in drawn:
+                drawn.add(figure)
+                pictures.setdefault(figure, []).append(read_pfm(out)[:, ::-1] if mirrored else read_pfm(out))
+    figures = {f: (*errors(p, reference, own), numpy.mean(p) / reference.mean()) for f, p in pictures.items()}
     for k in range(chosen.runs):
         for name, (program, _, _) in timed.items():
             if name not in without:
                 seconds[name].append(program(k + 1, scratch / "timed.pfm", size))
     # The partner's time of each turn is that of its faster way, where it has two.
     partners = [min(times) for times in zip(*(seconds[n] for n in timed if n == partner or n.startswith(partner + ", its own")))]
+    height, width, _ = reference.shape
+    turns, size = (chosen.pictures, f"{width}x{height}") if small else (chosen.runs, size)
     print(
-        f"{folder.name}: {chosen.samples} samples per pixel; CPU-seconds at {size}, medians of {chosen.runs} in turns; ratio: to those of {partner} in "
-        f"the same turn, median; errors at the reference's size, {chosen.pictures} seeds; gain: times less squared error x CPU than {partner}\n"
+        f"{folder.name}: {chosen.samples} samples per pixel; CPU-seconds at {size}, medians of {turns} in turns; ratio: to those of {partner} in "
+        f"the same turn, median; errors at {width}x{height}, {chosen.pictures} seeds; gain: times less squared error x CPU than {partner}\n"
         "| program | CPU-s | ratio | relative variance (bulk) | gain (bulk) | displayed RMSE | gain | mean / reference's |\n|---|---|---|---|---|---|---|---|"
     )
     for name, (_, figure, _) in timed.items():
         ratio = statistics.median(s / p for s, p in zip(seconds[name], partners)) if seconds[name] else None
         cpu = f"{statistics.median(seconds[name]):.2f} | {ratio:.2f}" if ratio else "| "
         print(f"| {name} | {cpu} | " + (row(figures[figure], figures[timed[partner][1]], ratio) if figure else "| | | | |"), flush=True)
+    return pictures
 
 
 def race(folder, chosen, scratch):

@@ -3,8 +3,9 @@
     python src/bench/scripts/luxcore.py FOLDER [--jar JAR] [--runs K] [--pictures K] [--samples N] [--size WxH] [--engines ...] [--methods ...]
 
 FOLDER is one of physical_light.py's, with a scene of what meshes.py knows, matte or mirror. Round things become 256 x 128 quads (lamps 64 x 32) with the
-normals of the thing. One thread, box filter, nothing clamped, roulette from the fifth event, paths of at most --depth events. Below the table the
-mean of the K pictures of each is compared with the reference, by blocks, as physical_light.py's `agree` does. Needs numpy and pyluxcore (pip install numpy pyluxcore==2.11.2).
+normals of the thing. One thread, box filter, nothing clamped, roulette from the fifth event, paths of at most --depth events. With 8
+pictures or more the mean of each program is compared with the reference, by blocks, as physical_light.py's `agree` does. With --runs 0 the times are those
+of the small pictures. Needs numpy and pyluxcore (pip install numpy pyluxcore==2.11.2).
 """
 import argparse
 import importlib.util
@@ -153,7 +154,8 @@ def main():
         timed[method] = physical_light.own_program(chosen.folder, chosen, f"--method {method} --threads 1"), method, False
     with tempfile.TemporaryDirectory() as name:
         pictures = physical_light.compare(chosen.folder, timed, f"LuxCore, {engines[0]}", chosen, pathlib.Path(name))
-    for name, drawn in pictures.items():
+    # Of fewer pictures the noise of a block is not known well enough.
+    for name, drawn in pictures.items() if chosen.pictures >= 8 else []:
         physical_light.same(f"{chosen.folder.name}, {name}", chosen.folder, drawn)
 
 

@@ -2,16 +2,21 @@
 
     python3 src/bench/scripts/physical_light.py agree FOLDER... [--jar JAR] [--seeds K] [--samples N] [--options "..."]
     python3 src/bench/scripts/physical_light.py kept FOLDER... [--jar JAR] [--seeds K] [--error E] [--options "..."]
-    python3 src/bench/scripts/physical_light.py race FOLDER... [--jar JAR] [--runs K] [--samples N] [--size WxH]
+    python3 src/bench/scripts/physical_light.py reference FOLDER --scene SCENE [--jar JAR] [--seeds K] [--samples N] [--options "..."]
+    python3 src/bench/scripts/physical_light.py race FOLDER... [--jar JAR] [--runs K] [--pictures K] [--samples N] [--size WxH] [--methods ...]
 
 FOLDER has scene.json, reference.pfm, variance.pfm (linear, rows from the bottom) and, for `race`, scene.xml of Mitsuba 3.
 `agree` renders K seeds and compares the means of blocks of 8 x 8 pixels with the reference: docs/physical-light.md says by which rule.
 `kept` renders K seeds with `--error E` and counts in how many the displayed error against the reference is no larger.
-`race` gives CPU-seconds of whole processes, in turns, and errors against the reference, its own variance subtracted.
+`reference` makes a folder: the mean of K seeds by ours.
+`race` gives CPU-seconds of whole processes, in turns, and errors against the reference, its own variance subtracted, as a table; with --runs 0 the
+times are those of the small pictures.
+Where scene.xml names the metal of hcconductor.py, Mitsuba's time is that of the faster of this plug-in and its own `roughconductor`.
 JAR is the jar, for `java -jar`, or the launcher of the application.
 Needs numpy; `race` also mitsuba (pip install numpy mitsuba; Debian's libllvm19 for its variant llvm_ad_rgb).
 """
 import argparse
+import json
 import math
 import pathlib
 import re
@@ -26,6 +31,7 @@ import numpy
 
 HERE = pathlib.Path(__file__).resolve().parent
 BLOCK = 8
+METAL = "hcconductor"
 
 
 def read_pfm(path):
@@ -57,9 +63,12 @@ def ours(jar, folder, seed, out, samples, options, size=None):
     )
 
 
-def mitsuba(variant, folder, seed, out, samples, size, scratch):
-    """Mitsuba's path tracer with roulette from the fifth bounce, as is its default."""
+def mitsuba(variant, folder, seed, out, samples, size, scratch, built_in=False):
+    """Mitsuba's path tracer with roulette from the fifth bounce, as is its default; on request with its own rough metal instead of our plug-in."""
     text = (folder / "scene.xml").read_text()
+    if built_in:
+        text = text.replace(f'<bsdf type="{METAL}">', '<bsdf type="roughconductor"><string name="distribution" value="ggx"/>')
+        text = re.sub(r'<vector (name="(?:eta|k)")', r"<rgb \1", text)
     text = re.sub(r'(name="rr_depth" value=)"\d+"', r'\1"5"', text)
     text = re.sub(r'(name="spp" value=)"\d+"', rf'\1"{samples}"', text)
     text = re.sub(r'(name="seed" value=)"\d+"', rf'\1"{seed}"', text, count=1)
@@ -73,12 +82,35 @@ def mitsuba(variant, folder, seed, out, samples, size, scratch):
 
 
 def agree(folder, jar, seeds, samples, options, scratch):
-    reference, own = read_pfm(folder / "reference.pfm"), read_pfm(folder / "variance.pfm")
     pictures = []
     for seed in range(1, seeds + 1):
         out = scratch / "a.pfm"
         ours(jar, folder, seed, out, samples, options)
         pictures.append(read_pfm(out))
+    return same(folder.name, folder, pictures)
+
+
+def reference(folder, scene, chosen, scratch):
+    """Makes a folder with the mean of pictures by ours, and the variance of that mean."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "scene.json").write_text(scene.read_text())
+    count, total, squares = chosen.seeds, 0, 0
+    for seed in range(1001, 1001 + count):
+        out = scratch / "r.pfm"
+        ours(chosen.jar, folder, seed, out, chosen.samples or 64, chosen.options)
+        picture = read_pfm(out)
+        total, squares = total + picture, squares + picture**2
+    mean = total / count
+    for name, values in ("reference", mean), ("variance", numpy.maximum(squares / count - mean**2, 0) / (count - 1)):
+        height, width, _ = values.shape
+        with open(folder / f"{name}.pfm", "wb") as file:
+            file.write(f"PF\n{width} {height}\n-1.0\n".encode() + values.astype("<f4").tobytes())
+
+
+def same(label, folder, pictures):
+    """Whether the mean of pictures is the reference, by the rule of docs/physical-light.md."""
+    reference, own = read_pfm(folder / "reference.pfm"), read_pfm(folder / "variance.pfm")
+    seeds = len(pictures)
     mean = numpy.mean(pictures, axis=0)
     variance = numpy.var(pictures, axis=0, ddof=1) / seeds
     difference = mean - reference
@@ -103,7 +135,7 @@ def agree(folder, jar, seeds, samples, options, scratch):
     relative = float(numpy.abs(total).max() / reference.mean())
     passed = share >= 0.9975 and (relative <= 1e-3 or bool((numpy.abs(total) <= 4 * sigma).all()))
     print(
-        f"{folder.name}: {share:.4%} of {tests} block means within {limit:.2f} sigma (99.75 % needed), largest {z.max():.1f}; "
+        f"{label}: {share:.4%} of {tests} block means within {limit:.2f} sigma (99.75 % needed), largest {z.max():.1f}; "
         f"picture mean off by {relative:.4%} ({numpy.abs(total / sigma).max():.1f} sigma): {'agrees' if passed else 'DIFFERS'}"
     )
     worst = numpy.argwhere(z > limit)
@@ -154,48 +186,96 @@ def derivative(v):
     return numpy.where((v > 0) & (v < 1), inner, 0)
 
 
-def race(folder, jar, runs, samples, size, scratch):
+def own_program(folder, chosen, options):
+    return lambda seed, out, size: ours(chosen.jar, folder, seed, out, chosen.samples, options, size)
+
+
+def racers(folder, chosen, scratch):
+    """What is timed: programs, the name under which their errors stand, and whether their pictures are seen from the other side."""
+
+    def peer(variant, built_in=False):
+        return lambda seed, out, size: mitsuba(variant, folder, seed, out, chosen.samples, size, scratch, built_in)
+
+    timed = {m: (own_program(folder, chosen, f"--method {m} {chosen.options}"), m, False) for m in chosen.methods.split(",")}
+    timed["mitsuba scalar"] = peer("scalar_rgb"), "mitsuba scalar", True
+    timed["mitsuba llvm"] = peer("llvm_ad_rgb"), "mitsuba llvm", True
+    if METAL in (folder / "scene.xml").read_text():
+        # Mitsuba's own metal masks otherwise: its errors mean nothing here, its time does. Python's calls for each bounce make the plug-in hopeless
+        # in the scalar variant, whose errors are therefore taken with it and whose time without.
+        timed["mitsuba scalar, its own metal"] = peer("scalar_rgb", True), "mitsuba scalar", True
+        timed["mitsuba llvm, its own metal"] = peer("llvm_ad_rgb", True), None, True
+    return timed
+
+
+def usual_size(folder):
+    return "800x400" if json.loads((folder / "scene.json").read_text())["camera"]["type"] == "window" else "512x512"
+
+
+def compare(folder, timed, partner, chosen, scratch, without=()):
+    """Prints a table of errors and of times in turns, with --runs 0 those of the pictures whose errors are taken; `without`: programs too slow to be timed."""
     reference, own = read_pfm(folder / "reference.pfm"), read_pfm(folder / "variance.pfm")
-    programs = {
-        "raytrace": lambda seed, out, size: ours(jar, folder, seed, out, samples, "--method raytrace", size),
-        "cluster": lambda seed, out, size: ours(jar, folder, seed, out, samples, "--method cluster", size),
-        "mitsuba scalar": lambda seed, out, size: mitsuba("scalar_rgb", folder, seed, out, samples, size, scratch),
-        "mitsuba llvm": lambda seed, out, size: mitsuba("llvm_ad_rgb", folder, seed, out, samples, size, scratch),
-    }
-    seconds = {name: [] for name in programs}
-    for k in range(runs):
-        for name, program in programs.items():
-            seconds[name].append(program(k + 1, scratch / "timed.pfm", size))
-    print(f"{folder.name}: {samples} samples per pixel; CPU-seconds at {size}, median of {runs} in turns; errors at the reference's size")
-    figures = {}
-    for name, program in programs.items():
-        pictures = []
-        for seed in range(1, 2 * runs + 1):
+    small, size = chosen.runs == 0, chosen.size or usual_size(folder)
+    seconds, pictures = {name: [] for name in timed}, {}
+    for seed in range(1, chosen.pictures + 1):
+        drawn = set()
+        for name, (program, figure, mirrored) in timed.items():
+            # What differs in threads alone is drawn once where it is not timed.
+            if (figure is None or figure in drawn) and not small:
+                continue
             out = scratch / "error.pfm"
-            program(seed, out, None)
-            picture = read_pfm(out)
-            pictures.append(picture[:, ::-1] if name.startswith("mitsuba") else picture)
-        figures[name] = errors(pictures, reference, own)
-    partner = figures["mitsuba llvm"], statistics.median(seconds["mitsuba llvm"])
-    for name, (whole, bulk, shown) in figures.items():
-        cpu = statistics.median(seconds[name])
-        gain = [p * partner[1] / max(f * cpu, 1e-30) for p, f in zip(partner[0], (whole, bulk, shown))]
-        print(
-            f"   {name:15} {cpu:6.2f} s  relative variance {whole:.5f} (bulk {bulk:.5f}), displayed RMSE {math.sqrt(max(shown, 0)):.5f};"
-            f"  times less error x CPU than llvm: {gain[0]:.2f} (bulk {gain[1]:.2f}), displayed {gain[2]:.2f}"
-        )
+            spent = program(seed, out, None)
+            if small and name not in without:
+                seconds[name].append(spent)
+            if figure and figure not in drawn:
+                drawn.add(figure)
+                pictures.setdefault(figure, []).append(read_pfm(out)[:, ::-1] if mirrored else read_pfm(out))
+    figures = {f: (*errors(p, reference, own), numpy.mean(p) / reference.mean()) for f, p in pictures.items()}
+    for k in range(chosen.runs):
+        for name, (program, _, _) in timed.items():
+            if name not in without:
+                seconds[name].append(program(k + 1, scratch / "timed.pfm", size))
+    # The partner's time of each turn is that of its faster way, where it has two.
+    partners = [min(times) for times in zip(*(seconds[n] for n in timed if n == partner or n.startswith(partner + ", its own")))]
+    height, width, _ = reference.shape
+    turns, size = (chosen.pictures, f"{width}x{height}") if small else (chosen.runs, size)
+    print(
+        f"{folder.name}: {chosen.samples} samples per pixel; CPU-seconds at {size}, medians of {turns} in turns; ratio: to those of {partner} in "
+        f"the same turn, median; errors at {width}x{height}, {chosen.pictures} seeds; gain: times less squared error x CPU than {partner}\n"
+        "| program | CPU-s | ratio | relative variance (bulk) | gain (bulk) | displayed RMSE | gain | mean / reference's |\n|---|---|---|---|---|---|---|---|"
+    )
+    for name, (_, figure, _) in timed.items():
+        ratio = statistics.median(s / p for s, p in zip(seconds[name], partners)) if seconds[name] else None
+        cpu = f"{statistics.median(seconds[name]):.2f} | {ratio:.2f}" if ratio else "| "
+        print(f"| {name} | {cpu} | " + (row(figures[figure], figures[timed[partner][1]], ratio) if figure else "| | | | |"), flush=True)
+    return pictures
+
+
+def race(folder, chosen, scratch):
+    # A Python plug-in for each bounce of each path: minutes.
+    slow = {"mitsuba scalar"} if METAL in (folder / "scene.xml").read_text() else set()
+    compare(folder, racers(folder, chosen, scratch), "mitsuba llvm", chosen, scratch, slow)
+
+
+def row(figures, partner, ratio):
+    """Cells with a program's errors and, where its share of the partner's time is known, how many times less squared error x CPU it has."""
+    whole, bulk, shown, mean = figures
+    gains = ["", "", ""] if ratio is None else [f"{p / max(f * ratio, 1e-30):.3g}" for p, f in zip(partner, figures)]
+    return f"{whole:.3g} ({bulk:.3g}) | {gains[0]} ({gains[1]}) | {math.sqrt(max(shown, 0)):.4f} | {gains[2]} | {mean:.4f} |"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["agree", "kept", "race"])
+    parser.add_argument("what", choices=["agree", "kept", "reference", "race"])
     parser.add_argument("folders", nargs="+", type=pathlib.Path)
     parser.add_argument("--jar", default="target/enlightenment.jar")
     parser.add_argument("--seeds", type=int, default=16)
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--samples", type=int)
     parser.add_argument("--error", type=float, default=0.02)
-    parser.add_argument("--size", default="512x512")
+    parser.add_argument("--scene", type=pathlib.Path)
+    parser.add_argument("--pictures", type=int, default=6)
+    parser.add_argument("--methods", default="raytrace,cluster")
+    parser.add_argument("--size", help="of the timed pictures: 512x512, for a window camera 800x400")
     parser.add_argument("--options", default="")
     chosen = parser.parse_args()
     ok = True
@@ -205,8 +285,11 @@ def main():
                 ok &= agree(folder, chosen.jar, chosen.seeds, chosen.samples or 64, chosen.options, pathlib.Path(name))
             elif chosen.what == "kept":
                 ok &= kept(folder, chosen.jar, chosen.seeds, chosen.error, chosen.options, pathlib.Path(name))
+            elif chosen.what == "reference":
+                reference(folder, chosen.scene, chosen, pathlib.Path(name))
             else:
-                race(folder, chosen.jar, chosen.runs, chosen.samples or 16, chosen.size, pathlib.Path(name))
+                chosen.samples = chosen.samples or 16
+                race(folder, chosen, pathlib.Path(name))
     sys.exit(0 if ok else 1)
 
 

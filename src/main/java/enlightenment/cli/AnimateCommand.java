@@ -17,9 +17,7 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code enlightenment animate}: makes pictures of an animation's frames, and a film of them. */
 @Command(
@@ -61,10 +59,6 @@ final class AnimateCommand extends Subcommand {
     @Mixin
     private FilmServing serving = new FilmServing();
 
-    /** Tells which options were given. */
-    @Spec
-    private CommandSpec command;
-
     private SceneInput input;
 
     AnimateCommand(Terminal terminal) {
@@ -74,6 +68,11 @@ final class AnimateCommand extends Subcommand {
     @Override
     Optional<MethodOptions> methodOptions() {
         return Optional.of(options.methods());
+    }
+
+    @Override
+    List<OptionRule> rules() {
+        return OptionRules.ANIMATE;
     }
 
     @Override
@@ -87,7 +86,6 @@ final class AnimateCommand extends Subcommand {
                 frames == null ? new FrameRange(0, animation.frames() - 1) : frames.within(animation.frames());
         view.check(scene);
         output.beside(range.first()).check(scene);
-        serving.check(command, options, output);
         options.warnOfStretch(scene, options.settings(scene, input.name()), terminal);
         List<Path> files = range.frames().mapToObj(output.pattern()::file).toList();
         check(scene, range, files);

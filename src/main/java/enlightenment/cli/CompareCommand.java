@@ -76,11 +76,13 @@ final class CompareCommand extends Subcommand {
     }
 
     @Override
+    List<OptionRule> rules() {
+        return OptionRules.COMPARE;
+    }
+
+    @Override
     int execute() throws IOException {
         checkHeatMap();
-        if (!linear && (exposure != null || tone != null)) {
-            throw CliException.wrongUsage("--exposure and --tone must only be given with --linear");
-        }
         Image a = read(test);
         Image b = read(reference);
         if (a.width() != b.width() || a.height() != b.height()) {

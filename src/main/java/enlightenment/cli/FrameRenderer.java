@@ -49,10 +49,8 @@ final class FrameRenderer implements FrameMaker {
                     .withProgress(new BudgetNotes(progress, chosen.budget(), terminal, FrameWriter.named(frame)))
                     .withAuxiliary(output.aov().kinds())
                     .withCancelled(terminal.stop()));
-        } catch (InvalidValueException e) {
-            throw settings.blame(frame, e);
-        } catch (SceneException e) {
-            throw settings.named(frame, e);
+        } catch (InvalidValueException | SceneException e) {
+            throw settings.told(frame, e);
         }
     }
 }

@@ -22,14 +22,13 @@ final class FrameSettings {
         return PictureOutput.withRounding(options.settings(scene, input.name()), output.depth());
     }
 
-    /** What to tell of a value of a frame that the renderer refused. An option's fault is one of all frames. */
-    RuntimeException blame(int frame, InvalidValueException e) {
-        RuntimeException blamed = options.blame(e, input.name());
-        return blamed instanceof SceneException s ? named(frame, s) : blamed;
-    }
-
-    /** The problems of a frame, with its file and number. */
-    SceneException named(int frame, SceneException e) {
-        return FrameCheck.named(input, frame, e);
+    /**
+     * What to tell of what the renderer refused of a frame: its problems get its file and number; an option's fault is one of all frames.
+     *
+     * @param e an {@link InvalidValueException} or a {@link SceneException}
+     */
+    RuntimeException told(int frame, RuntimeException e) {
+        RuntimeException blamed = e instanceof InvalidValueException value ? options.blame(value, input.name()) : e;
+        return blamed instanceof SceneException scene ? FrameCheck.named(input, frame, scene) : blamed;
     }
 }

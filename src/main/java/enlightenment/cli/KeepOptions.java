@@ -27,17 +27,6 @@ final class KeepOptions {
 
     KeepOptions() {}
 
-    boolean isGiven() {
-        return checkpoint != null;
-    }
-
-    /** Fails if there is something to resume but no file. */
-    void check() {
-        if (resume && checkpoint == null) {
-            throw CliException.wrongUsage("--resume needs --checkpoint FILE, from which the render is to go on");
-        }
-    }
-
     /** What to tell where a render was stopped, in words that end a sentence; empty if nothing is kept. */
     String hint() {
         return checkpoint == null ? "" : "; what is done is kept: --resume goes on with it";

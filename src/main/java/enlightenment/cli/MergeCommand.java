@@ -1,10 +1,6 @@
 package enlightenment.cli;
 
-import enlightenment.image.Image;
-import enlightenment.image.PngOptions;
 import enlightenment.net.RenderParts;
-import enlightenment.picture.Rounding;
-import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,13 +18,7 @@ final class MergeCommand extends Subcommand {
     private List<Path> parts;
 
     @Mixin
-    private PictureOutput output = new PictureOutput();
-
-    @Mixin
-    private ViewOption view = new ViewOption();
-
-    @Mixin
-    private ReportOutput report = new ReportOutput();
+    private ResultPicture output = new ResultPicture();
 
     @Option(names = "--partial", description = "write the picture even if parts are missing; they are black")
     private boolean partial;
@@ -39,30 +29,16 @@ final class MergeCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        output.check();
-        view.check(output);
         CommandFiles files = new CommandFiles();
         parts.forEach(part -> files.reads("a part", part));
-        files.writes("-o", output.file());
-        report.register(files);
-        files.check();
+        output.check(files);
         RenderParts.Merged merged = RenderParts.merge(parts);
-        boolean isWhole = merged.missing().isEmpty();
-        if (!isWhole && !partial) {
-            terminal.say(inWords(merged.missing()));
+        String missing = merged.missing().isEmpty() ? "" : inWords(merged.missing());
+        if (!missing.isEmpty() && !partial) {
+            terminal.say(missing);
             throw CliException.failed(output.name() + " was not written; --partial writes what there is");
         }
-        RenderResult result = merged.result();
-        result = result.withRounding(Rounding.of(result.image(), output.writtenDepth()));
-        Image shown = view.view(result.image(), terminal);
-        output.write(shown, new PngOptions(output.depth(), merged.text()), terminal);
-        report.write(result, output, terminal);
-        if (!isWhole) {
-            throw CliException.failed(inWords(merged.missing()));
-        }
-        LightNotes.tell(result, shown, terminal::say);
-        LightNotes.require(result);
-        RequestedError.require(result);
+        output.write(merged.result(), merged.text(), missing, terminal);
         return ExitCode.DONE;
     }
 

@@ -51,11 +51,11 @@ final class PictureOutput {
         return StandardStreams.isNamed(file);
     }
 
-    boolean hasFormat() {
+    private boolean hasFormat() {
         return format != null;
     }
 
-    boolean hasDepth() {
+    private boolean hasDepth() {
         return depth != null;
     }
 

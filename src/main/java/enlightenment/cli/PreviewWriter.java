@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
+import enlightenment.work.ThreadEnd;
 import java.io.IOException;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -86,16 +87,8 @@ final class PreviewWriter implements RenderProgress {
 
     /** Returns when nothing is being written any more. */
     void finish() {
-        boolean interrupted = false;
-        while (writing != null && writing.isAlive()) {
-            try {
-                writing.join();
-            } catch (InterruptedException e) {
-                interrupted = true;
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
+        if (writing != null) {
+            ThreadEnd.await(writing);
         }
     }
 }

@@ -113,6 +113,11 @@ final class RenderCommand extends Subcommand {
     }
 
     @Override
+    List<OptionRule> rules() {
+        return OptionRules.RENDER;
+    }
+
+    @Override
     int execute() throws IOException {
         checkOptions();
         aovFiles = new AovFiles(aov, output.file());
@@ -147,20 +152,16 @@ final class RenderCommand extends Subcommand {
         return ExitCode.DONE;
     }
 
+    /** What rules about names cannot say: it depends on values. */
     private void checkOptions() {
         if (part == null) {
             output.check();
             view.check(output);
-        } else {
-            checkPart();
+        } else if (!FileNames.extension(output.file()).equals(".film")) {
+            throw CliException.wrongUsage(
+                    "with --part, -o must name a file that ends in .film, not \"" + output.file() + "\"");
         }
-        keep.check();
         store.check();
-        samples.check(store.isGiven());
-        if ((keep.isGiven() || store.isGiven()) && (clusters != null || chains != null)) {
-            throw CliException.wrongUsage(keptBy() + " must not be given with --dump-clusters and --dump-chains:"
-                    + " what is kept does not tell of them");
-        }
         boolean hasFurther = !aov.kinds().isEmpty();
         if (output.isStandardOutput() && (hasFurther || preview != null)) {
             throw CliException.wrongUsage((hasFurther ? "--aov writes files beside" : "--preview replaces")
@@ -169,38 +170,6 @@ final class RenderCommand extends Subcommand {
         Path file = output.file();
         if (preview != null && Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file)) {
             throw CliException.wrongUsage("--preview needs a file that can be replaced, unlike \"" + file + "\"");
-        }
-    }
-
-    private String keptBy() {
-        return keep.isGiven() ? "--checkpoint" : "--store";
-    }
-
-    private void checkPart() {
-        if (keep.isGiven() || store.isGiven()) {
-            throw CliException.wrongUsage(
-                    keptBy() + " must not be given with --part: take more parts, of which each is short");
-        }
-        if (!FileNames.extension(output.file()).equals(".film")) {
-            throw CliException.wrongUsage(
-                    "with --part, -o must name a file that ends in .film, not \"" + output.file() + "\"");
-        }
-        // The depth is that of the picture that is to meet an error.
-        boolean isDeep = output.hasDepth() && !options.hasError();
-        boolean hasFurther = !aov.kinds().isEmpty()
-                || preview != null
-                || clusters != null
-                || chains != null
-                || view.isGiven()
-                || watching.isAsked();
-        if (isDeep || output.hasFormat() || report.isAsked() || hasFurther) {
-            throw CliException.wrongUsage(
-                    "with --part there is no picture yet: --depth (but for --error), --format,"
-                            + " --exposure, --report, --stats, --aov, --preview, --serve, --window, --dump-clusters and --dump-chains must not be given");
-        }
-        if (options.hasTime()) {
-            throw CliException.wrongUsage(
-                    "--time must not be given with --part, whose parts would differ: give --samples");
         }
     }
 

@@ -56,11 +56,6 @@ final class RenderOptions {
         return time != null;
     }
 
-    /** Whether an error was given that the picture is to meet. */
-    boolean hasError() {
-        return error != null;
-    }
-
     /** Says that {@code --size} stretches the picture, if it does. */
     void warnOfStretch(Scene scene, RenderSettings rendered, Terminal terminal) {
         settings.warnOfStretch(scene, rendered, terminal);

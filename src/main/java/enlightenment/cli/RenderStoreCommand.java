@@ -1,9 +1,5 @@
 package enlightenment.cli;
 
-import enlightenment.image.Image;
-import enlightenment.image.PngOptions;
-import enlightenment.picture.Rounding;
-import enlightenment.render.RenderResult;
 import enlightenment.store.RenderRow;
 import enlightenment.store.SampleStore;
 import enlightenment.store.StorePicture;
@@ -21,13 +17,7 @@ final class RenderStoreCommand extends Subcommand {
     private StoreArgument argument = new StoreArgument();
 
     @Mixin
-    private PictureOutput output = new PictureOutput();
-
-    @Mixin
-    private ViewOption view = new ViewOption();
-
-    @Mixin
-    private ReportOutput report = new ReportOutput();
+    private ResultPicture output = new ResultPicture();
 
     RenderStoreCommand(Terminal terminal) {
         super(terminal);
@@ -35,35 +25,24 @@ final class RenderStoreCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
-        output.check();
-        view.check(output);
         CommandFiles files = new CommandFiles();
         argument.register(files);
-        files.writes("-o", output.file());
-        report.register(files);
-        files.check();
+        output.check(files);
         StorePicture picture;
         try (SampleStore store = argument.open()) {
             RenderRow render = argument.choose(store);
             picture = StorePicture.of(store, render);
         }
         picture.notes().forEach(terminal::say);
-        RenderResult result = picture.result();
-        if (result.shownPixels() == 0) {
+        if (picture.result().shownPixels() == 0) {
             throw CliException.failed(
                     "nothing of the picture is in the store yet; " + output.name() + " was not written");
         }
-        result = result.withRounding(Rounding.of(result.image(), output.writtenDepth()));
-        Image shown = view.view(result.image(), terminal);
-        output.write(shown, new PngOptions(output.depth(), picture.texts()), terminal);
-        report.write(result, output, terminal);
-        if (!result.complete()) {
-            throw CliException.failed("missing: " + picture.missing() + " of " + picture.units()
-                    + " units; they are black in " + output.name());
-        }
-        LightNotes.tell(result, shown, terminal::say);
-        LightNotes.require(result);
-        RequestedError.require(result);
+        String missing = picture.result().complete()
+                ? ""
+                : "missing: " + picture.missing() + " of " + picture.units() + " units; they are black in "
+                        + output.name();
+        output.write(picture.result(), picture.texts(), missing, terminal);
         return ExitCode.DONE;
     }
 }

@@ -17,10 +17,6 @@ final class ReportOutput {
 
     ReportOutput() {}
 
-    boolean isAsked() {
-        return report != null || stats;
-    }
-
     /** Says which file will be written, if any. */
     void register(CommandFiles files) {
         files.writes("--report", report);

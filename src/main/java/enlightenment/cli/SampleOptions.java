@@ -21,13 +21,6 @@ final class SampleOptions {
 
     SampleOptions() {}
 
-    /** Fails where there is no store for them. */
-    void check(boolean hasStore) {
-        if ((samples || rays) && !hasStore) {
-            throw CliException.wrongUsage((rays ? "--store-rays" : "--store-samples") + " needs --store");
-        }
-    }
-
     /** Fails if the method cannot tell of its samples. */
     void check(RenderSettings settings) {
         if ((samples || rays) && !Renderer.recordsSamples(settings.method())) {

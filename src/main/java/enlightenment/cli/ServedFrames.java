@@ -56,10 +56,8 @@ final class ServedFrames implements FrameMaker {
                     terminal.stop());
         } catch (CancellationException e) {
             return false;
-        } catch (InvalidValueException e) {
-            throw settings.blame(current, e);
-        } catch (SceneException e) {
-            throw settings.named(current, e);
+        } catch (InvalidValueException | SceneException e) {
+            throw settings.told(current, e);
         } catch (IllegalArgumentException e) {
             throw CliException.wrongUsage(e.getMessage());
         } catch (UncheckedIOException e) {

@@ -12,6 +12,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.store.StoredSamples;
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -30,6 +31,9 @@ final class ServerCommand extends Subcommand {
 
     @Mixin
     private ServingOptions serving = new ServingOptions();
+
+    @Mixin
+    private ServerKeepOptions keep = new ServerKeepOptions();
 
     @Mixin
     private StoreOptions store = new StoreOptions();
@@ -58,15 +62,16 @@ final class ServerCommand extends Subcommand {
     }
 
     @Override
+    List<OptionRule> rules() {
+        return OptionRules.SERVER;
+    }
+
+    @Override
     int execute() throws IOException {
         output.check();
         view.check(output);
         store.check();
-        if ((serving.hasCheckpoint() || store.isGiven()) && options.hasTime()) {
-            throw CliException.wrongUsage((serving.hasCheckpoint() ? "--checkpoint" : "--store")
-                    + " must not be given with --time, which is planned anew each time: give --samples");
-        }
-        ServerOptions serverOptions = serving.options(terminal);
+        ServerOptions serverOptions = keep.addTo(serving.options(terminal)).build();
         input = argument.open(terminal);
         Scene scene = frame.read(input);
         RenderSettings settings =
@@ -75,6 +80,7 @@ final class ServerCommand extends Subcommand {
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene);
         serving.register(files);
+        keep.register(files);
         store.register(files);
         files.writes("-o", output.file());
         report.register(files);

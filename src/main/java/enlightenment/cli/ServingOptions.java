@@ -4,10 +4,9 @@ import enlightenment.net.ServerOptions;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Path;
-import java.util.List;
 import picocli.CommandLine.Option;
 
-/** The options that say how a server serves: where, to whom, and what it keeps. */
+/** The options that say how a server serves: where, to whom and with whose help. */
 final class ServingOptions {
     @Option(
             names = "--host",
@@ -71,9 +70,6 @@ final class ServingOptions {
             description = "show the state of the render as a web page on this machine; 0 for any free port")
     private Integer statusPort;
 
-    @Option(names = "--checkpoint", paramLabel = "FILE", description = "keep finished tiles here, and go on from them")
-    private Path checkpoint;
-
     @Option(
             names = "--local-threads",
             paramLabel = "N",
@@ -89,30 +85,15 @@ final class ServingOptions {
                     "share of the tiles that two machines render, to find one that computes wrongly (default: 0.002)")
     private Double audit;
 
-    @Option(
-            names = "--pardon",
-            split = ",",
-            paramLabel = "MACHINE",
-            description = "readmit an expelled machine, named as in the log and the checkpoint")
-    private List<String> pardoned = List.of();
-
     ServingOptions() {}
 
-    boolean hasCheckpoint() {
-        return checkpoint != null;
-    }
-
-    /** What the options ask for; warns of what is not secret. */
-    ServerOptions options(Terminal terminal) throws IOException {
-        if (!pardoned.isEmpty() && checkpoint == null) {
-            throw CliException.wrongUsage("--pardon needs --checkpoint, which remembers who was expelled");
-        }
+    /** What the options ask for, to which more may be added; warns of what is not secret. */
+    ServerOptions.Builder options(Terminal terminal) throws IOException {
         checkSecrets(terminal);
         ServerOptions.Builder o = ServerOptions.builder()
                 .address(host, port)
                 .awaitWorkers(minWorkers, wait)
                 .shares(shares.byHost())
-                .pardoned(pardoned)
                 .log(terminal::say);
         if (token != null) {
             o.tokenFile(token);
@@ -132,19 +113,10 @@ final class ServingOptions {
         if (audit != null) {
             o.auditRate(audit);
         }
-        if (checkpoint != null) {
-            o.checkpoint(checkpoint);
-        }
-        return o.build();
+        return o;
     }
 
     private void checkSecrets(Terminal terminal) throws IOException {
-        if ((certificate == null) != (key == null)) {
-            throw CliException.wrongUsage("--tls-cert and --tls-key go together");
-        }
-        if (tls != null && certificate != null) {
-            throw CliException.wrongUsage("--tls must not be given together with --tls-cert and --tls-key");
-        }
         if (InetAddress.getByName(host).isLoopbackAddress()) {
             return;
         }
@@ -163,8 +135,7 @@ final class ServingOptions {
         files.reads("the file of --tls-cert", certificate)
                 .reads("the file of --tls-key", key)
                 .makes("--token-file", token)
-                .makes("--tls", tls)
-                .writes("--checkpoint", checkpoint);
+                .makes("--tls", tls);
     }
 
     /**

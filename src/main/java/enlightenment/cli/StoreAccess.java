@@ -28,10 +28,6 @@ final class StoreAccess {
 
     StoreAccess() {}
 
-    boolean isGiven() {
-        return user != null || passwordFile != null;
-    }
-
     /** The store of this name. */
     static StoreAddress address(String text) {
         try {

@@ -31,15 +31,8 @@ final class StoreOptions {
 
     StoreOptions() {}
 
-    boolean isGiven() {
-        return store != null;
-    }
-
-    /** Fails where options have no meaning without a store. */
+    /** Fails if the store's name is none. */
     void check() {
-        if (store == null && access.isGiven()) {
-            throw CliException.wrongUsage("--store-user and --store-password-file need --store");
-        }
         if (store != null) {
             StoreAccess.address(store);
         }

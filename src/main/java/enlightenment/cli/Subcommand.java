@@ -1,9 +1,15 @@
 package enlightenment.cli;
 
 import java.io.IOException;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
 
 /** What all commands have in common. */
 abstract class Subcommand implements Callable<Integer> {
@@ -16,6 +22,10 @@ abstract class Subcommand implements Callable<Integer> {
             description = "show this help")
     private boolean help;
 
+    /** Tells which options were given. */
+    @Spec
+    private CommandSpec command;
+
     Subcommand(Terminal terminal) {
         this.terminal = terminal;
     }
@@ -25,9 +35,31 @@ abstract class Subcommand implements Callable<Integer> {
         return Optional.empty();
     }
 
+    /** Which of its options exclude or need others. */
+    List<OptionRule> rules() {
+        return List.of();
+    }
+
     @Override
     public final Integer call() throws IOException {
+        Set<String> given = given();
+        for (OptionRule rule : rules()) {
+            rule.broken(given).ifPresent(told -> {
+                throw CliException.wrongUsage(told);
+            });
+        }
         return execute();
+    }
+
+    /** The longest names of the options that were given; a flag that was switched off ({@code --stats=false}) is not. */
+    private Set<String> given() {
+        Set<String> given = new HashSet<>();
+        for (OptionSpec option : command.commandLine().getParseResult().matchedOptions()) {
+            if (!Boolean.FALSE.equals(option.getValue())) {
+                given.add(option.longestName());
+            }
+        }
+        return given;
     }
 
     /**

@@ -117,6 +117,11 @@ final class TradeCommand extends Subcommand {
     }
 
     @Override
+    List<OptionRule> rules() {
+        return OptionRules.TRADE;
+    }
+
+    @Override
     int execute() throws IOException {
         checkOptions();
         Scene scene = frame.read(new SceneInput(sceneFile, terminal));
@@ -140,9 +145,6 @@ final class TradeCommand extends Subcommand {
     private void checkOptions() {
         if (StandardStreams.isNamed(sceneFile)) {
             throw CliException.wrongUsage("a trade needs a scene file, not standard input: it can be resumed");
-        }
-        if (evaluate && resume) {
-            throw CliException.wrongUsage("--evaluate measures nothing: it does not go with --resume");
         }
         for (int i = 0; i < sweeps.size(); i++) {
             String name = sweeps.get(i).name();

@@ -49,9 +49,6 @@ final class VideoOption {
     /** Fails if the film could not be written: before there are frames to make it of. */
     void check(double framesPerSecond, FramePattern pattern, FrameRange frames, Terminal terminal) {
         if (video == null) {
-            if (program != null) {
-                throw CliException.wrongUsage("--ffmpeg is for --video, which is not given");
-            }
             return;
         }
         format = VideoFormat.of(video.toString())

@@ -26,7 +26,7 @@ final class ViewOption {
     /** What was chosen: a number of stops, or none for automatic. */
     record Choice(OptionalDouble stops) {}
 
-    boolean isGiven() {
+    private boolean isGiven() {
         return exposure != null;
     }
 

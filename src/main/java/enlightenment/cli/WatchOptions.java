@@ -26,11 +26,6 @@ final class WatchOptions {
 
     WatchOptions() {}
 
-    /** Whether anybody is to see anything. */
-    boolean isAsked() {
-        return port != null || window;
-    }
-
     /**
      * Does what can be watched.
      *
@@ -42,7 +37,7 @@ final class WatchOptions {
      */
     int watch(String title, RenderSettings settings, ViewOption view, boolean keeps, Terminal terminal, Watch.Work work)
             throws IOException {
-        if (!isAsked()) {
+        if (port == null && !window) {
             work.run(Watch.NONE);
             return ExitCode.DONE;
         }

@@ -9,6 +9,7 @@ import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -56,6 +57,11 @@ final class WorkerCommand extends Subcommand {
     }
 
     @Override
+    List<OptionRule> rules() {
+        return OptionRules.WORKER;
+    }
+
+    @Override
     int execute() throws IOException {
         WorkerOptions options = options();
         if (pin == null && authorities == null && !isLoopback(server.host())) {
@@ -79,9 +85,6 @@ final class WorkerCommand extends Subcommand {
     }
 
     private WorkerOptions options() throws IOException {
-        if (pin != null && authorities != null) {
-            throw CliException.wrongUsage("--pin and --tls-ca must not be given together");
-        }
         WorkerOptions.Builder o = WorkerOptions.builder().log(terminal::say);
         if (threads != null) {
             o.threads(threads);

@@ -27,6 +27,9 @@ import java.util.Set;
 final class Coordination implements ServerConnection.Host {
     private static final double NANOS = 1e9;
 
+    /** What workers are told where another round follows. */
+    private static final String MORE = "the picture is rendered again with more samples";
+
     private final ServerOptions options;
     private final ServerLog log;
     private final Secrets secrets;
@@ -45,7 +48,10 @@ final class Coordination implements ServerConnection.Host {
 
     private boolean hasBegun;
     private volatile boolean isFinished;
-    private boolean isClosed;
+
+    /** What workers are told when it has ended; null until then. */
+    private Message lastWord;
+
     private Throwable failure;
 
     Coordination(ServerOptions options, ServerLog log, Secrets secrets, ServerJob job, Connections connections) {
@@ -94,13 +100,13 @@ final class Coordination implements ServerConnection.Host {
     }
 
     @Override
-    public synchronized boolean isClosed() {
-        return isClosed;
+    public synchronized Message lastWord() {
+        return lastWord;
     }
 
     @Override
     public synchronized boolean admit(ServerConnection connection) {
-        return !isClosed && connections.admit(connection);
+        return lastWord == null && connections.admit(connection);
     }
 
     @Override
@@ -144,7 +150,7 @@ final class Coordination implements ServerConnection.Host {
 
     @Override
     public synchronized void handle(Event event) {
-        if (isClosed) {
+        if (lastWord != null) {
             return;
         }
         for (Action action : coordinator.handle(System.nanoTime(), event)) {
@@ -256,7 +262,7 @@ final class Coordination implements ServerConnection.Host {
 
     /** Whether the picture is done, or will not be done here. */
     synchronized boolean isOver() {
-        return isFinished || isClosed || failure != null;
+        return isFinished || lastWord != null || failure != null;
     }
 
     /** What went wrong in this process; null for nothing. */
@@ -279,12 +285,18 @@ final class Coordination implements ServerConnection.Host {
         return coordinator.expelled();
     }
 
-    /** Decides nothing from now on; false if that was so already. */
-    synchronized boolean stop() {
-        if (isClosed) {
+    /**
+     * Decides nothing from now on; false if that was so already.
+     *
+     * @param goesOn whether another render follows where this one is finished
+     */
+    synchronized boolean stop(boolean goesOn) {
+        if (lastWord != null) {
             return false;
         }
-        isClosed = true;
+        lastWord = !isFinished
+                ? new Message.Refuse("the server was stopped", true)
+                : goesOn ? new Message.Refuse(MORE, true) : new Message.Bye("the picture is done");
         notifyAll();
         return true;
     }

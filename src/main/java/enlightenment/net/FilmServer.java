@@ -28,7 +28,6 @@ public final class FilmServer implements Closeable {
     private final FilmQueue queue;
     private final RoundChain chain;
     private final ServerRound first;
-    private final String pin;
     private FilmQueue.Round round;
 
     /**
@@ -57,11 +56,10 @@ public final class FilmServer implements Closeable {
         void frame(int number, RenderResult result) throws IOException;
     }
 
-    private FilmServer(FilmQueue queue, FilmQueue.Round round, ServerRound first, String pin) {
+    private FilmServer(FilmQueue queue, FilmQueue.Round round, ServerRound first) {
         this.queue = queue;
         this.round = round;
         this.first = first;
-        this.pin = pin;
         chain = new RoundChain(first);
     }
 
@@ -92,8 +90,7 @@ public final class FilmServer implements Closeable {
         Canary.hash();
         FilmQueue queue = new FilmQueue(frames, options.version, log::say, cancelled);
         FilmQueue.Round round = queue.first(List.copyOf(numbers));
-        String pin = secrets.tls() == null ? "" : secrets.certificateHash().toString();
-        return new FilmServer(queue, round, ServerRound.start(options, log, secrets, round.job()), pin);
+        return new FilmServer(queue, round, ServerRound.start(options, log, secrets, round.job()));
     }
 
     /** The port that it listens at. */
@@ -108,7 +105,7 @@ public final class FilmServer implements Closeable {
 
     /** What a worker may pin: the SHA-256 of the server's certificate, 64 hexadecimal digits; empty without TLS. */
     public String pin() {
-        return pin;
+        return first.pin();
     }
 
     /**

@@ -23,11 +23,9 @@ import java.util.function.BooleanSupplier;
 public final class RenderServer implements Closeable {
     private final ServerRound first;
     private final ServerRounds rounds;
-    private final String pin;
 
-    private RenderServer(ServerRound first, ServedPicture picture, String pin) {
+    private RenderServer(ServerRound first, ServedPicture picture) {
         this.first = first;
-        this.pin = pin;
         rounds = new ServerRounds(first, picture);
     }
 
@@ -57,8 +55,7 @@ public final class RenderServer implements Closeable {
         DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(log::say);
         ServedPicture picture = ServedPicture.of(render, JobContent.of(scene, render.outline(), options.version));
-        String pin = secrets.tls() == null ? "" : secrets.certificateHash().toString();
-        return new RenderServer(ServerRound.start(options, log, secrets, picture.job(log)), picture, pin);
+        return new RenderServer(ServerRound.start(options, log, secrets, picture.job(log)), picture);
     }
 
     /** The port that it listens at. */
@@ -73,7 +70,7 @@ public final class RenderServer implements Closeable {
 
     /** What a worker may pin: the SHA-256 of the server's certificate, 64 hexadecimal digits; empty without TLS. */
     public String pin() {
-        return pin;
+        return first.pin();
     }
 
     /**

@@ -3,7 +3,6 @@ package enlightenment.net;
 import enlightenment.image.Image;
 import enlightenment.listen.Acceptor;
 import enlightenment.listen.ServerLog;
-import enlightenment.net.protocol.Message;
 import enlightenment.net.schedule.Snapshot;
 import enlightenment.net.secure.Secrets;
 import enlightenment.net.server.Connections;
@@ -30,9 +29,6 @@ import java.util.function.BooleanSupplier;
 final class ServerRound implements StatusSource {
     private static final long TICK_MILLIS = 200;
     private static final long ACCEPT_END_TIMEOUT_MILLIS = 2_000;
-
-    /** What workers are told where another round follows. */
-    private static final String MORE = "the picture is rendered again with more samples";
 
     private final ServerOptions options;
     private final ServerLog log;
@@ -119,6 +115,11 @@ final class ServerRound implements StatusSource {
     /** The port of the status page, or -1. */
     int statusPort() {
         return status == null ? -1 : status.port();
+    }
+
+    /** What a worker may pin; empty without TLS. */
+    String pin() {
+        return coordination.secrets().pin();
     }
 
     /** What is to be done now and then while workers render. */
@@ -211,17 +212,16 @@ final class ServerRound implements StatusSource {
 
     /** Ends this round, which another one may follow that the workers are to come to. Harmless if it has ended already. */
     void end(boolean goesOn) {
-        if (!coordination.stop()) {
+        if (!coordination.stop(goesOn)) {
             return;
         }
-        Message last = !coordination.isFinished()
-                ? new Message.Refuse("the server was stopped", true)
-                : goesOn ? new Message.Refuse(MORE, true) : new Message.Bye("the picture is done");
-        connections.list().forEach(c -> c.sayLast(last));
+        // Whoever is still shaking hands hears it when that is done: before, a worker believes nobody.
+        connections.list().stream().filter(ServerConnection::isKnown).forEach(c -> c.sayLast(coordination.lastWord()));
         coordination.stopLocal();
         connections.waitForFarewells();
         closeQuietly(acceptor);
         waitUntilNobodyListens();
+        connections.closeAll();
         if (status != null) {
             closeQuietly(status::close);
         }

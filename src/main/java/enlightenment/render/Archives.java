@@ -9,6 +9,7 @@ import enlightenment.film.SampleLog;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
 import enlightenment.scene.RenderSettings;
+import enlightenment.work.ThreadEnd;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -91,13 +92,19 @@ final class Archives {
 
     private void eachWithoutInterrupt(Use use) {
         for (Kept kept : List.copyOf(all)) {
-            try {
-                use.of(kept);
-            } catch (IOException | RuntimeException e) {
-                all.remove(kept);
-                String why = e instanceof IOException && e.getMessage() != null ? e.getMessage() : e.toString();
-                note(kept.archive.name() + ": " + why + "; it is not used any more, the render goes on without");
+            if (all.contains(kept)) {
+                ask(kept, use);
             }
+        }
+    }
+
+    private void ask(Kept kept, Use use) {
+        try {
+            use.of(kept);
+        } catch (IOException | RuntimeException e) {
+            all.remove(kept);
+            String why = e instanceof IOException && e.getMessage() != null ? e.getMessage() : e.toString();
+            note(kept.archive.name() + ": " + why + "; it is not used any more, the render goes on without");
         }
     }
 
@@ -124,7 +131,7 @@ final class Archives {
             replay(kept, render.outline(), film);
             findEarlier(kept, render.outline());
         });
-        each(kept -> complete(kept, film));
+        each(this::giveOthers);
         if (film.done() > 0) {
             note(film.done() + " of " + film.units() + " units are kept from before");
         }
@@ -207,18 +214,19 @@ final class Archives {
         }
     }
 
-    /** Gives an archive what others have. */
-    private void complete(Kept kept, FilmAssembly film) throws IOException {
-        for (int unit = 0; unit < film.units() && all.size() > 1; unit++) {
-            if (!film.has(unit) || kept.units.get(unit)) {
-                continue;
-            }
-            for (Kept other : all) {
-                Optional<byte[]> result =
-                        other.units.get(unit) ? other.archive.find(other.plan, unit) : Optional.empty();
-                if (result.isPresent() && !kept.units.get(unit)) {
-                    kept.archive.keep(kept.plan, unit, WORKER, result.get());
-                    kept.units.set(unit);
+    /** Gives others what an archive has and they have not. */
+    private void giveOthers(Kept kept) throws IOException {
+        for (int unit = kept.units.nextSetBit(0); unit >= 0; unit = kept.units.nextSetBit(unit + 1)) {
+            int number = unit;
+            List<Kept> without =
+                    all.stream().filter(other -> !other.units.get(number)).toList();
+            Optional<byte[]> result = without.isEmpty() ? Optional.empty() : kept.archive.find(kept.plan, unit);
+            if (result.isPresent()) {
+                for (Kept other : without) {
+                    ask(other, o -> {
+                        o.archive.keep(o.plan, number, WORKER, result.get());
+                        o.units.set(number);
+                    });
                 }
             }
         }
@@ -301,17 +309,7 @@ final class Archives {
         @Override
         public void close() {
             over.countDown();
-            boolean wasInterrupted = false;
-            while (thread.isAlive()) {
-                try {
-                    thread.join();
-                } catch (InterruptedException e) {
-                    wasInterrupted = true;
-                }
-            }
-            if (wasInterrupted) {
-                Thread.currentThread().interrupt();
-            }
+            ThreadEnd.await(thread);
         }
     }
 }

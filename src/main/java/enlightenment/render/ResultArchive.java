@@ -47,6 +47,13 @@ public interface ResultArchive extends Closeable {
     /** Forgets what is kept of a unit: who made it is not to be trusted. */
     void remove(int plan, int unit) throws IOException;
 
+    /**
+     * Forgets what one worker made of a plan's units: it is not to be trusted. An archive that does not know who made what forgets nothing.
+     *
+     * @param worker as it was told when results were kept
+     */
+    default void removeAll(int plan, String worker) throws IOException {}
+
     /** Time has passed: called a few times a second while the render runs, by some thread. */
     default void tick() throws IOException {}
 

@@ -99,9 +99,10 @@ public final class StatusServer {
      * Waits, once the render is over, until the pages that look at it have heard so and have its last picture.
      *
      * @param millis no longer than this
+     * @return whether all of them have
      */
-    public void awaitWatchers(long millis) {
-        watchers.await(clock.getAsLong(), millis);
+    public boolean awaitWatchers(long millis) {
+        return watchers.await(clock.getAsLong(), millis);
     }
 
     private SmallHttp.Answer answer(SmallHttp.Request request) throws IOException {
@@ -129,23 +130,33 @@ public final class StatusServer {
     }
 
     private SmallHttp.Answer status(SmallHttp.Request request) {
-        Status status = source.status();
         Optional<String> watcher = request.value("page");
-        if (watcher.isPresent() && !status.state().isOver()) {
+        // Before it is told anything: who hears that it goes on is waited for if it ends while the answer is on its
+        // way.
+        if (watcher.isPresent() && !source.state().isOver()) {
             watchers.told(watcher.get(), clock.getAsLong());
         }
-        return new SmallHttp.Answer(
-                200, "application/json", StatusJson.of(status).getBytes(StandardCharsets.UTF_8));
+        Status status = source.status();
+        byte[] json = StatusJson.of(status).getBytes(StandardCharsets.UTF_8);
+        return new SmallHttp.Answer(200, "application/json", json, () -> {
+            // No picture will be asked for where there is none.
+            if (status.state().isOver() && status.picture() == 0) {
+                watcher.ifPresent(watchers::served);
+            }
+        });
     }
 
     private SmallHttp.Answer picture(SmallHttp.Request request) throws IOException {
-        boolean isLast = source.state().isOver();
+        State state = source.state();
+        boolean isLast = state.isOver();
         byte[] png = picture(isLast);
         if (png == null) {
             return SmallHttp.Answer.text(404, "there is no picture yet\n");
         }
+        // What was asked for while it was rendered may come in after its end: such a page has not heard of the end.
+        boolean knowsEnd = isLast && request.value("state").equals(Optional.of(state.word()));
         return new SmallHttp.Answer(200, "image/png", png, () -> {
-            if (isLast) {
+            if (knowsEnd) {
                 request.value("page").ifPresent(watchers::served);
             }
         });

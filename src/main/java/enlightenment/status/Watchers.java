@@ -15,7 +15,7 @@ final class Watchers {
     /** When each was heard of last, the longest ago first. */
     private final Map<String, Long> seen = new LinkedHashMap<>();
 
-    /** A page was told how far it is, not that it is over. */
+    /** A page will be told how far it is, as far as is known not that it is over. */
     synchronized void told(String page, long now) {
         seen.remove(page);
         if (seen.size() == MOST) {
@@ -34,8 +34,9 @@ final class Watchers {
      * Waits until all pages that still looked at this time have all that they will be shown.
      *
      * @param millis no longer than this
+     * @return whether all of them have
      */
-    synchronized void await(long now, long millis) {
+    synchronized boolean await(long now, long millis) {
         seen.values().removeIf(last -> now - last > SILENCE_NANOS);
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(millis);
         long left = millis;
@@ -47,5 +48,6 @@ final class Watchers {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        return seen.isEmpty();
     }
 }

@@ -5,7 +5,6 @@ import enlightenment.film.SampleLog;
 import java.io.IOException;
 import java.sql.PreparedStatement;
 import java.sql.ResultSet;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -70,24 +69,16 @@ final class Blocks {
                 + " AND (b.tile > ? OR b.piece > ?) AND EXISTS (SELECT 1 FROM film_part p"
                 + " WHERE p.render_id = b.render_id AND p.pass = b.pass AND p.tile = b.tile)"
                 + " ORDER BY b.tile, b.piece";
-        return database.read(c -> {
-            List<Row> rows = new ArrayList<>();
-            try (PreparedStatement select = c.prepareStatement(sql)) {
-                select.setMaxRows(PAGE);
-                select.setString(1, render);
-                select.setInt(2, pass);
-                select.setInt(3, kind);
-                select.setInt(4, tile);
-                select.setInt(5, tile);
-                select.setInt(6, piece);
-                try (ResultSet found = select.executeQuery()) {
-                    while (rows.size() < PAGE && found.next()) {
-                        rows.add(new Row(found.getInt(1), found.getInt(2), found.getInt(3), found.getLong(4)));
-                    }
-                }
-            }
-            return rows;
-        });
+        return database.rows(
+                sql,
+                PAGE,
+                row -> new Row(row.getInt(1), row.getInt(2), row.getInt(3), row.getLong(4)),
+                render,
+                pass,
+                kind,
+                tile,
+                tile,
+                piece);
     }
 
     private Optional<SampleBlock> block(int kind, Row row) throws IOException {

@@ -8,9 +8,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.Connection;
+import java.sql.PreparedStatement;
+import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /** A connection to a store, which is made anew if it breaks. For one thread at a time. */
 final class Database implements Closeable {
@@ -42,6 +46,12 @@ final class Database implements Closeable {
     @FunctionalInterface
     interface Work<T> {
         T run(Connection connection) throws SQLException, IOException;
+    }
+
+    /** Makes something of a row. */
+    @FunctionalInterface
+    interface RowReader<T> {
+        T read(ResultSet row) throws SQLException;
     }
 
     /** Opens a store to read it: it must be there. */
@@ -156,6 +166,30 @@ final class Database implements Closeable {
                 drop();
             }
         }
+    }
+
+    /**
+     * What a query finds.
+     *
+     * @param most no more rows than these
+     * @param values of the query's parameters: texts and whole numbers
+     */
+    <T> List<T> rows(String sql, int most, RowReader<T> reader, Object... values) throws IOException {
+        return read(c -> {
+            List<T> rows = new ArrayList<>();
+            try (PreparedStatement select = c.prepareStatement(sql)) {
+                select.setMaxRows(most);
+                for (int k = 0; k < values.length; k++) {
+                    select.setObject(k + 1, values[k]);
+                }
+                try (ResultSet found = select.executeQuery()) {
+                    while (rows.size() < most && found.next()) {
+                        rows.add(reader.read(found));
+                    }
+                }
+            }
+            return rows;
+        });
     }
 
     /** Does all of it or nothing; again if somebody else was in the way. */

@@ -85,6 +85,30 @@ record Part(Place place, long samples, String worker, byte[] data) {
         delete(c, "sample_block", place);
     }
 
+    /**
+     * Takes out what one worker made, with its samples.
+     *
+     * @param any of the units
+     */
+    static void deleteOf(Connection c, Place any, String worker) throws SQLException {
+        String theirs = " WHERE render_id = ? AND pass = ? AND ";
+        try (PreparedStatement blocks = c.prepareStatement("DELETE FROM sample_block" + theirs
+                        + "tile IN (SELECT tile FROM film_part" + theirs + "worker = ?)");
+                PreparedStatement parts = c.prepareStatement("DELETE FROM film_part" + theirs + "worker = ?")) {
+            String name = worker.substring(0, Math.min(worker.length(), LONGEST_WORKER));
+            blocks.setString(1, any.render());
+            blocks.setInt(2, any.pass());
+            blocks.setString(3, any.render());
+            blocks.setInt(4, any.pass());
+            blocks.setString(5, name);
+            blocks.executeUpdate();
+            parts.setString(1, any.render());
+            parts.setInt(2, any.pass());
+            parts.setString(3, name);
+            parts.executeUpdate();
+        }
+    }
+
     /** Takes a result out, but not its samples. */
     static void deleteResult(Connection c, Place place) throws SQLException {
         delete(c, "film_part", place);

@@ -83,21 +83,8 @@ final class Parts {
     private List<Row> page(long after) throws IOException {
         String sql = "SELECT p.tile, " + database.dialect().length("p.data") + " " + condition()
                 + " AND p.tile > ? ORDER BY p.tile";
-        return database.read(c -> {
-            List<Row> rows = new ArrayList<>();
-            try (PreparedStatement select = c.prepareStatement(sql)) {
-                select.setMaxRows(PAGE);
-                select.setString(1, render);
-                select.setInt(2, pass);
-                select.setLong(3, after);
-                try (ResultSet found = select.executeQuery()) {
-                    while (rows.size() < PAGE && found.next()) {
-                        rows.add(new Row(found.getInt(1), Math.max(found.getLong(2), 0)));
-                    }
-                }
-            }
-            return rows;
-        });
+        return database.rows(
+                sql, PAGE, row -> new Row(row.getInt(1), Math.max(row.getLong(2), 0)), render, pass, after);
     }
 
     /** A piece of a page, whose rows are known to be short enough together. */

@@ -8,7 +8,6 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -66,19 +65,7 @@ public record RenderRow(
                 + LONGEST_SETTINGS + "), SUBSTR(program, 1, " + LONGEST_PROGRAM
                 + "), width, height, SUBSTR(created, 1, "
                 + LONGEST_CREATED + ")";
-        return database.read(c -> {
-            List<RenderRow> rows = new ArrayList<>();
-            try (PreparedStatement select =
-                    c.prepareStatement("SELECT " + short0 + " FROM render ORDER BY created, id")) {
-                select.setMaxRows(MOST);
-                try (ResultSet found = select.executeQuery()) {
-                    while (found.next()) {
-                        rows.add(row(found));
-                    }
-                }
-            }
-            return rows;
-        });
+        return database.rows("SELECT " + short0 + " FROM render ORDER BY created, id", MOST, RenderRow::row);
     }
 
     /** Texts of a row may come from anybody. */

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.io.Writer;
 import java.sql.Connection;
 import java.sql.PreparedStatement;
-import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.sql.Types;
@@ -49,17 +48,16 @@ public final class SampleRows {
     private final int pass;
     private final int kind;
     private final double[] reals = new double[REALS.size()];
-    private int lastTile = -1;
-    private int lastPixel = -1;
-    private int number;
+    private final SampleNumbers numbers;
     private long written;
     private long damaged;
 
-    private SampleRows(Database database, RenderRow render, int pass, int kind) {
+    private SampleRows(Database database, RenderRow render, PlanRow plan, int kind) {
         this.database = database;
         this.render = render;
-        this.pass = pass;
+        pass = plan.pass();
         this.kind = kind;
+        numbers = new SampleNumbers(StorePicture.workUnits(plan));
     }
 
     /**
@@ -75,7 +73,7 @@ public final class SampleRows {
         for (PlanRow plan : plans) {
             for (int kind : new int[] {SampleLog.RAYS, SampleLog.PIXELS}) {
                 if (has(store.database(), render, plan, kind)) {
-                    return new SampleRows(store.database(), render, plan.pass(), kind);
+                    return new SampleRows(store.database(), render, plan, kind);
                 }
             }
         }
@@ -84,16 +82,9 @@ public final class SampleRows {
     }
 
     private static boolean has(Database database, RenderRow render, PlanRow plan, int kind) throws IOException {
-        return database.read(c -> {
-            try (PreparedStatement select =
-                    c.prepareStatement("SELECT 1 FROM sample_block WHERE render_id = ? AND pass = ? AND kind = ?")) {
-                select.setMaxRows(1);
-                select.setString(1, render.id());
-                select.setInt(2, plan.pass());
-                select.setInt(3, kind);
-                return select.executeQuery().next();
-            }
-        });
+        String sql = "SELECT 1 FROM sample_block WHERE render_id = ? AND pass = ? AND kind = ?";
+        return !database.rows(sql, 1, row -> row.getInt(1), render.id(), plan.pass(), kind)
+                .isEmpty();
     }
 
     /** The number of their plan within the render. */
@@ -106,16 +97,8 @@ public final class SampleRows {
         String sql = "SELECT COUNT(*) FROM film_part p WHERE p.render_id = ? AND p.pass = ? AND NOT EXISTS (SELECT 1"
                 + " FROM sample_block b WHERE b.render_id = p.render_id AND b.pass = p.pass AND b.tile = p.tile"
                 + " AND b.kind = ?)";
-        return database.read(c -> {
-            try (PreparedStatement select = c.prepareStatement(sql)) {
-                select.setString(1, render.id());
-                select.setInt(2, pass);
-                select.setInt(3, kind);
-                ResultSet row = select.executeQuery();
-                row.next();
-                return row.getLong(1);
-            }
-        });
+        return database.rows(sql, 1, row -> row.getLong(1), render.id(), pass, kind)
+                .get(0);
     }
 
     /** How many blocks were damaged and are left out. */
@@ -131,11 +114,12 @@ public final class SampleRows {
         StringBuilder line = new StringBuilder();
         Blocks blocks = new Blocks(database, render.id(), pass);
         blocks.read(kind, (tile, block) -> {
+            int[] n = numbers.of(tile, block);
             for (int i = 0; i < block.size(); i++) {
-                if (turnTo(tile, block, i)) {
+                if (turnTo(block, i)) {
                     line.setLength(0);
                     line.append(pass).append(',').append(tile).append(',').append(column(block, i));
-                    line.append(',').append(row(block, i)).append(',').append(number);
+                    line.append(',').append(row(block, i)).append(',').append(n[i]);
                     for (int k = 0; k < (hasRays ? REALS.size() : OF_SAMPLES); k++) {
                         line.append(',');
                         append(line, k);
@@ -177,28 +161,22 @@ public final class SampleRows {
         String insert = "INSERT INTO sample VALUES (?" + ", ?".repeat(COLUMNS - 1) + ")";
         Blocks blocks = new Blocks(database, render.id(), pass);
         blocks.read(kind, (tile, block) -> {
-            int[] before = {lastTile, lastPixel, number};
-            written += database.write(c -> {
-                // It may be tried again.
-                lastTile = before[0];
-                lastPixel = before[1];
-                number = before[2];
-                return insert(c, insert, tile, block);
-            });
+            int[] n = numbers.of(tile, block);
+            written += database.write(c -> insert(c, insert, tile, block, n));
         });
         damaged = blocks.damaged();
         return written;
     }
 
-    private long insert(Connection c, String sql, int tile, SampleBlock block) throws SQLException {
+    private long insert(Connection c, String sql, int tile, SampleBlock block, int[] n) throws SQLException {
         long rows = 0;
         try (PreparedStatement insert = c.prepareStatement(sql)) {
             int waiting = 0;
             for (int i = 0; i < block.size(); i++) {
-                if (!turnTo(tile, block, i)) {
+                if (!turnTo(block, i)) {
                     continue;
                 }
-                set(insert, tile, block, i);
+                set(insert, tile, block, i, n[i]);
                 insert.addBatch();
                 rows++;
                 if (++waiting == BATCH) {
@@ -213,13 +191,13 @@ public final class SampleRows {
         return rows;
     }
 
-    private void set(PreparedStatement insert, int tile, SampleBlock block, int i) throws SQLException {
+    private void set(PreparedStatement insert, int tile, SampleBlock block, int i, int n) throws SQLException {
         insert.setString(1, render.id());
         insert.setInt(2, pass);
         insert.setInt(3, tile);
         insert.setInt(4, column(block, i));
         insert.setInt(5, row(block, i));
-        insert.setInt(6, number);
+        insert.setInt(6, n);
         int k = KEYS + 1;
         for (double real : reals) {
             if (real == real) {
@@ -238,14 +216,11 @@ public final class SampleRows {
     }
 
     /** Turns to a sample; false for one of a pixel that the picture does not have. */
-    private boolean turnTo(int tile, SampleBlock block, int i) {
+    private boolean turnTo(SampleBlock block, int i) {
         int pixel = block.pixel(i);
         if (pixel < 0 || pixel >= (long) render.width() * render.height()) {
             return false;
         }
-        number = tile == lastTile && pixel == lastPixel ? number + 1 : 0;
-        lastTile = tile;
-        lastPixel = pixel;
         for (int k = 0; k < OF_SAMPLES; k++) {
             reals[k] = block.number(i, k);
         }

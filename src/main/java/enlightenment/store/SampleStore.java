@@ -3,11 +3,8 @@ package enlightenment.store;
 import enlightenment.text.Plain;
 import java.io.Closeable;
 import java.io.IOException;
-import java.sql.Connection;
-import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -130,22 +127,19 @@ public final class SampleStore implements Closeable {
                 + database.dialect().length("data") + " * 1.0) FROM film_part WHERE render_id = ? AND pass = ?";
         String blocks = "SELECT COUNT(*), SUM(n * 1.0), SUM("
                 + database.dialect().length("data") + " * 1.0) FROM sample_block WHERE render_id = ? AND pass = ?";
-        return database.read(c -> {
-            long[] p = sums(c, parts, render, plan);
-            long[] b = sums(c, blocks, render, plan);
-            return new Facts(p[0], p[1], p[2], b[0], b[1], b[2]);
-        });
+        long[] p = sums(parts, render, plan);
+        long[] b = sums(blocks, render, plan);
+        return new Facts(p[0], p[1], p[2], b[0], b[1], b[2]);
     }
 
-    private static long[] sums(Connection c, String sql, RenderRow render, PlanRow plan) throws SQLException {
-        try (PreparedStatement select = c.prepareStatement(sql)) {
-            select.setString(1, render.id());
-            select.setInt(2, plan.pass());
-            try (ResultSet row = select.executeQuery()) {
-                row.next();
-                return new long[] {row.getLong(1), (long) row.getDouble(2), (long) row.getDouble(3)};
-            }
-        }
+    private long[] sums(String sql, RenderRow render, PlanRow plan) throws IOException {
+        return database.rows(
+                        sql,
+                        1,
+                        row -> new long[] {row.getLong(1), (long) row.getDouble(2), (long) row.getDouble(3)},
+                        render.id(),
+                        plan.pass())
+                .get(0);
     }
 
     /**
@@ -162,21 +156,12 @@ public final class SampleStore implements Closeable {
         String sql =
                 "SELECT SUBSTR(worker, 1, " + Part.LONGEST_WORKER + "), COUNT(*), SUM(samples * 1.0) FROM film_part"
                         + " WHERE render_id = ? AND pass = ? GROUP BY worker ORDER BY 2 DESC, 1";
-        return database.read(c -> {
-            List<Worker> workers = new ArrayList<>();
-            try (PreparedStatement select = c.prepareStatement(sql)) {
-                select.setMaxRows(MOST_WORKERS);
-                select.setString(1, render.id());
-                select.setInt(2, plan.pass());
-                try (ResultSet row = select.executeQuery()) {
-                    while (row.next()) {
-                        String name = Plain.line(String.valueOf(row.getString(1)), Part.LONGEST_WORKER);
-                        workers.add(new Worker(name, row.getLong(2), (long) row.getDouble(3)));
-                    }
-                }
-            }
-            return workers;
-        });
+        return database.rows(sql, MOST_WORKERS, SampleStore::worker, render.id(), plan.pass());
+    }
+
+    private static Worker worker(ResultSet row) throws SQLException {
+        String name = Plain.line(String.valueOf(row.getString(1)), Part.LONGEST_WORKER);
+        return new Worker(name, row.getLong(2), (long) row.getDouble(3));
     }
 
     @Override

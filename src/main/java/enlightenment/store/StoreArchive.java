@@ -175,6 +175,15 @@ public final class StoreArchive implements SampleArchive {
     }
 
     @Override
+    public void removeAll(int plan, String worker) throws IOException {
+        write();
+        database.write(c -> {
+            Part.deleteOf(c, new Place(render, plan, 0), worker);
+            return null;
+        });
+    }
+
+    @Override
     public void tick() throws IOException {
         if (System.nanoTime() - lastWrite >= WRITE_EVERY_NANOS) {
             write();

@@ -4,6 +4,7 @@ import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.KeptPlan;
 import enlightenment.engine.RenderOutline;
 import enlightenment.engine.Rendered;
+import enlightenment.engine.WorkUnits;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.RenderResult;
 import java.io.IOException;
@@ -87,10 +88,15 @@ public record StorePicture(RenderResult result, Map<String, String> texts, int u
 
     /** How many units a plan has; empty for a plan of another version of the program. */
     public static OptionalInt units(PlanRow plan) {
+        return workUnits(plan).map(u -> OptionalInt.of(u.count())).orElse(OptionalInt.empty());
+    }
+
+    /** The units of a plan; empty for a plan of another version of the program. */
+    static Optional<WorkUnits> workUnits(PlanRow plan) {
         try {
-            return outline(plan).map(o -> OptionalInt.of(o.units())).orElse(OptionalInt.empty());
+            return outline(plan).map(o -> WorkUnits.forMachines(o.settings(), o.plan()));
         } catch (InvalidValueException | ArithmeticException e) {
-            return OptionalInt.empty();
+            return Optional.empty();
         }
     }
 

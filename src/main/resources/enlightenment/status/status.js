@@ -71,6 +71,8 @@ at("picture").addEventListener("load", () => {
 });
 
 let shown = "";
+// What did not come, the last picture above all, is asked for again.
+at("picture").addEventListener("error", () => shown = "");
 let last = null;
 async function update() {
   try {

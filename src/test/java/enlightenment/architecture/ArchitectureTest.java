@@ -150,7 +150,7 @@ class ArchitectureTest {
             .whereLayer("report")
             .mayOnlyBeAccessedByLayers("plan", "engine", "render", "status", "net", "measure", "cli")
             .whereLayer("work")
-            .mayOnlyBeAccessedByLayers("plan", "render", "engine")
+            .mayOnlyBeAccessedByLayers("plan", "render", "engine", "net", "cli")
             .whereLayer("nff")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("json")

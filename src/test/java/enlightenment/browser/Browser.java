@@ -1,7 +1,8 @@
 package enlightenment.browser;
 
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
 import java.io.ByteArrayOutputStream;
-import java.io.Closeable;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
@@ -19,20 +20,23 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.extension.AfterAllCallback;
+import org.junit.jupiter.api.extension.BeforeAllCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
 /**
  * A real browser without a window, and one page in it: Chromium, spoken to by its DevTools protocol over a pipe (JSON texts that
- * end with a zero byte).
+ * end with a zero byte). It is there for all tests of a class, which are left out where there is none.
  */
-public final class Browser implements Closeable {
+public final class Browser implements BeforeAllCallback, AfterAllCallback {
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final long PATIENCE_SECONDS = 30;
 
-    private final Path profile = Files.createTempDirectory("browser");
-    private final Process process;
-    private final OutputStream out;
+    private Path profile;
+    private Process process;
+    private OutputStream out;
     private final AtomicInteger calls = new AtomicInteger();
     private final Map<Integer, CompletableFuture<JsonNode>> answers = new ConcurrentHashMap<>();
     private final List<String> problems = Collections.synchronizedList(new ArrayList<>());
@@ -40,7 +44,7 @@ public final class Browser implements Closeable {
     private String session;
 
     /** The first Chromium or Chrome on the path. */
-    public static Optional<Path> executable() {
+    private static Optional<Path> executable() {
         String path = System.getenv().getOrDefault("PATH", "");
         return Stream.of("chromium", "chromium-browser", "google-chrome")
                 .flatMap(name -> Stream.of(path.split(File.pathSeparator)).map(folder -> Path.of(folder, name)))
@@ -48,14 +52,18 @@ public final class Browser implements Closeable {
                 .findFirst();
     }
 
-    public Browser(Path executable) throws Exception {
+    @Override
+    public void beforeAll(ExtensionContext context) throws Exception {
+        Optional<Path> executable = executable();
+        assumeTrue(executable.isPresent(), "no Chromium on the path");
+        profile = Files.createTempDirectory("browser");
         // The shell makes our pipes those that the browser listens and speaks to: 3 and 4.
         process = new ProcessBuilder(
                         "sh",
                         "-c",
                         "exec \"$@\" 3<&0 4>&1 </dev/null >/dev/null 2>&1",
                         "sh",
-                        executable.toString(),
+                        executable.get().toString(),
                         "--headless",
                         "--no-sandbox",
                         "--disable-gpu",
@@ -156,6 +164,11 @@ public final class Browser implements Closeable {
         return result.path("result").path("value");
     }
 
+    /** The text of the first element that a selector finds. */
+    public String text(String selector) throws Exception {
+        return value("document.querySelector('" + selector + "').textContent").asString();
+    }
+
     /** Waits until an expression is true in the page. */
     public void until(String expression) throws Exception {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
@@ -183,7 +196,10 @@ public final class Browser implements Closeable {
     }
 
     @Override
-    public void close() throws IOException {
+    public void afterAll(ExtensionContext context) throws IOException {
+        if (process == null) {
+            return;
+        }
         try {
             session = null;
             call("Browser.close", "{}");

@@ -8,36 +8,23 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** {@code render --checkpoint FILE [--resume]}. */
-class CheckpointCommandTest {
+class CheckpointCommandTest extends SceneFixture {
     /** Longer than what comes before results: a result or more. */
     private static final long ENOUGH = 5000;
 
-    @TempDir
-    Path folder;
-
-    private Path scene;
-    private Path picture;
     private Path checkpoint;
 
-    @BeforeEach
-    void scene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 40, \"height\": 24");
-        picture = folder.resolve("p.png");
-        checkpoint = folder.resolve("p.ck");
+    CheckpointCommandTest() {
+        super(40, 24);
     }
 
-    private CliRun render(Object... more) {
-        List<Object> args = new ArrayList<>(List.of("render", scene, "-o", picture));
-        args.addAll(Arrays.asList(more));
-        return CliRun.of(args.toArray());
+    @BeforeEach
+    void files() {
+        checkpoint = folder.resolve("p.ck");
     }
 
     private byte[] made(Object... more) throws IOException {

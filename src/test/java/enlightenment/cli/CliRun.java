@@ -1,5 +1,7 @@
 package enlightenment.cli;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -9,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * One run of the command line within this process.
@@ -25,12 +28,19 @@ record CliRun(int code, String out, String err) {
     static CliRun of(ShutdownSignal stop, Object... args) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        String[] texts = new String[args.length];
-        for (int i = 0; i < args.length; i++) {
-            texts[i] = args[i].toString();
-        }
-        int code = Main.run(quiet(texts), new Terminal(print(out), print(err), stop));
+        int code = Main.run(quiet(texts(args)), new Terminal(print(out), print(err), stop));
         return new CliRun(code, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
+    /** Runs what makes a picture, its fourth word the file, and gives its bytes. */
+    static byte[] picture(Object... args) throws IOException {
+        CliRun run = of(args);
+        assertEquals(0, run.code, run.err);
+        return Files.readAllBytes((Path) args[3]);
+    }
+
+    static String[] texts(Object... words) {
+        return Stream.of(words).map(Object::toString).toArray(String[]::new);
     }
 
     /** On a busy machine a render takes long enough to tell of its progress: no test wants that unless it says so. */

@@ -174,6 +174,9 @@ enum CommandLines {
         if (inputs.contains("--store-password-file") && !inputs.contains("STORE") && !args.contains("--store")) {
             args.addAll(List.of("--store", folder.resolve("new.store")));
         }
+        if (inputs.contains("--ffmpeg") && !args.contains("--video")) {
+            args.addAll(List.of("--video", folder.resolve("new.gif")));
+        }
         if (this == RENDER_PART) {
             args.addAll(List.of("--part", "1/2"));
         }

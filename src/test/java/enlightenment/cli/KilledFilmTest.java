@@ -12,12 +12,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A film as a process of its own, alone and as a server in turns, which is killed as {@code kill -9} does, again and again. */
@@ -34,16 +33,11 @@ class KilledFilmTest {
     @TempDir
     Path folder;
 
-    private Process process;
+    @RegisterExtension
+    final Processes processes = new Processes();
+
     private Path frames;
     private Path film;
-
-    @AfterEach
-    void end() throws InterruptedException {
-        if (process != null) {
-            process.destroyForcibly().waitFor();
-        }
-    }
 
     private Path scene() throws IOException {
         Path file = CliRun.scene(folder, "\"width\": 48, \"height\": 36");
@@ -51,32 +45,13 @@ class KilledFilmTest {
         return Files.writeString(file, text.substring(0, text.lastIndexOf('}')) + ANIMATION);
     }
 
-    private Process start(Path scene, boolean isServer) throws IOException {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx256m",
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                "enlightenment.cli.Main",
-                "animate",
-                scene.toString(),
-                "-o",
-                frames.resolve("f-%02d.png").toString(),
-                "--antialias",
-                "6",
-                "--video",
-                film.toString(),
-                "--progress",
-                "none"));
+    private Processes.Running start(Path scene, boolean isServer) throws IOException {
+        List<Object> args = new ArrayList<>(List.of("animate", scene, "-o", frames.resolve("f-%02d.png")));
+        args.addAll(List.of("--antialias", 6, "--video", film));
         if (isServer) {
-            command.addAll(List.of("--server", "--port", "0", "--local-threads", "2"));
+            args.addAll(List.of("--server", "--port", 0, "--local-threads", 2));
         }
-        return new ProcessBuilder(command)
-                .redirectErrorStream(true)
-                .redirectOutput(folder.resolve("log").toFile())
-                .start();
+        return processes.start(folder, args.toArray());
     }
 
     /** Names and contents of what lies there. */
@@ -97,18 +72,7 @@ class KilledFilmTest {
         return names == null ? 0 : names.length;
     }
 
-    /** Kills it once so many frames are there, and a moment more; whether there was somebody to kill. */
-    private boolean killedAt(int count, long nanos) throws IOException, InterruptedException {
-        while (process.isAlive() && frameCount() < count) {
-            process.waitFor(1, TimeUnit.MILLISECONDS);
-        }
-        process.waitFor(nanos, TimeUnit.NANOSECONDS);
-        boolean isAlive = process.isAlive();
-        process.destroyForcibly().waitFor();
-        return isAlive;
-    }
-
-    private void check(int kills, long seed) throws IOException, InterruptedException {
+    private void check(int kills, long seed) throws Exception {
         Path scene = scene();
         frames = folder.resolve("plain");
         Path plainFilm = folder.resolve("plain.apng");
@@ -123,11 +87,11 @@ class KilledFilmTest {
         List<Integer> kept = new ArrayList<>();
         for (int k = 0; k < kills; k++) {
             int there = frameCount();
-            process = start(scene, k % 2 == 1);
             // Somewhere in the next frames, all of which have their turn, and the first time before there is one.
             int most = FRAMES * (k + 1) / (kills + 2);
             int count = k == 0 ? 0 : Math.min(there + random.nextInt(Math.max(most - there, 1)), FRAMES);
-            if (!killedAt(count, random.nextInt(k == 0 ? 1_500_000_000 : 30_000_000))) {
+            int nanosMore = random.nextInt(k == 0 ? 1_500_000_000 : 30_000_000);
+            if (!start(scene, k % 2 == 1).killOnce(() -> frameCount() >= count, nanosMore)) {
                 break;
             }
             kept.add(frameCount());
@@ -138,9 +102,7 @@ class KilledFilmTest {
             }
         }
         assertTrue(kept.size() >= kills - 1, "killed after " + kept + " frames");
-        process = start(scene, kills % 2 == 1);
-        assertTrue(process.waitFor(300, TimeUnit.SECONDS));
-        assertEquals(0, process.exitValue(), Files.readString(folder.resolve("log")));
+        start(scene, kills % 2 == 1).ended(0);
         Map<String, byte[]> result = contents(frames);
         assertEquals(plain.keySet(), result.keySet(), "files after kills at " + kept + " frames");
         for (String name : plain.keySet()) {
@@ -150,13 +112,13 @@ class KilledFilmTest {
     }
 
     @Test
-    void killedTwiceItMakesTheSameFiles() throws IOException, InterruptedException {
+    void killedTwiceItMakesTheSameFiles() throws Exception {
         check(2, 1);
     }
 
     @Test
     @Tag("full")
-    void killedAtTwentyRandomMomentsInARowItMakesTheSameFiles() throws IOException, InterruptedException {
+    void killedAtTwentyRandomMomentsInARowItMakesTheSameFiles() throws Exception {
         check(20, 2);
     }
 }

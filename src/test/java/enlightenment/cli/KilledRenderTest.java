@@ -1,7 +1,6 @@
 package enlightenment.cli;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.checkpoint.Checkpoint;
@@ -17,16 +16,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** A render with a checkpoint as a process of its own, which is killed as {@code kill -9} does, again and again. */
 @Timeout(600)
-class KilledRenderTest {
+class KilledRenderTest extends SceneFixture {
     private static final int UNITS = 108;
 
     /** What is written before the first result, about, and what a result takes, with which it can grow. */
@@ -34,56 +31,19 @@ class KilledRenderTest {
 
     private static final int RESULT = 64 * (36 + 96);
 
-    @TempDir
-    Path folder;
+    @RegisterExtension
+    final Processes processes = new Processes();
 
-    private Process process;
-
-    @AfterEach
-    void end() throws InterruptedException {
-        if (process != null) {
-            process.destroyForcibly().waitFor();
-        }
+    KilledRenderTest() {
+        super(96, 72);
     }
 
-    private Process start(Path scene, Path picture, Path checkpoint) throws IOException {
-        List<String> command = List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx256m",
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                "enlightenment.cli.Main",
-                "render",
-                scene.toString(),
-                "-o",
-                picture.toString(),
-                "--samples",
-                "256",
-                "--checkpoint",
-                checkpoint.toString(),
-                "--resume",
-                "--progress",
-                "none");
-        return new ProcessBuilder(command)
-                .redirectErrorStream(true)
-                .redirectOutput(folder.resolve("log").toFile())
-                .start();
-    }
-
-    /** Kills it once the file has so many bytes; whether there was somebody to kill. */
-    private boolean killedAt(Path checkpoint, long bytes) throws InterruptedException {
-        while (process.isAlive() && checkpoint.toFile().length() < bytes) {
-            process.waitFor(1, TimeUnit.MILLISECONDS);
-        }
-        boolean isAlive = process.isAlive();
-        process.destroyForcibly().waitFor();
-        return isAlive;
+    private Processes.Running start(Path checkpoint) throws IOException {
+        return processes.start(folder, words("render", "--samples", 256, "--checkpoint", checkpoint, "--resume"));
     }
 
     /** How many results the file holds. */
-    private static int results(Path checkpoint, Path scene) throws IOException {
+    private int results(Path checkpoint) throws IOException {
         Scene read = SceneReader.read(scene);
         RenderIdentity render =
                 RenderIdentity.of(SceneDocument.of(read).hash(), RenderSettings.of(read), Build.number());
@@ -92,46 +52,39 @@ class KilledRenderTest {
         }
     }
 
-    private void check(int kills, long seed) throws IOException, InterruptedException {
-        Path scene = CliRun.scene(folder, "\"width\": 96, \"height\": 72");
-        Path plain = folder.resolve("plain.png");
-        CliRun run = CliRun.of("render", scene, "-o", plain, "--samples", 256);
-        assertEquals(0, run.code(), run.err());
-        Path picture = folder.resolve("p.png");
+    private void check(int kills, long seed) throws Exception {
+        byte[] plain = CliRun.picture("render", scene, "-o", folder.resolve("plain.png"), "--samples", 256);
         Path checkpoint = folder.resolve("p.ck");
         Random random = new Random(seed);
         List<Integer> kept = new ArrayList<>();
         int done = 0;
         for (int k = 0; k < kills; k++) {
-            process = start(scene, picture, checkpoint);
             // At any byte of any record, and the first time in what comes before them.
             long most = HEAD + (long) RESULT * (k + 1) * UNITS / (kills + 2);
             long least = k == 0 ? 1 : Math.min(checkpoint.toFile().length() + 1, most);
-            if (!killedAt(checkpoint, least + (long) (random.nextDouble() * (most - least)))) {
+            long bytes = least + (long) (random.nextDouble() * (most - least));
+            if (!start(checkpoint).killOnce(() -> checkpoint.toFile().length() >= bytes, 0)) {
                 break;
             }
-            int now = results(checkpoint, scene);
+            int now = results(checkpoint);
             assertTrue(now >= done, "results: " + kept + ", then " + now);
             done = now;
             kept.add(now);
         }
         assertTrue(kept.size() > kills / 2, "killed after " + kept + " results");
-        process = start(scene, picture, checkpoint);
-        assertTrue(process.waitFor(300, TimeUnit.SECONDS));
-        assertEquals(0, process.exitValue(), Files.readString(folder.resolve("log")));
-        assertArrayEquals(Files.readAllBytes(plain), Files.readAllBytes(picture), "killed after " + kept + " results");
-        String log = Files.readString(folder.resolve("log"));
-        assertTrue(done == 0 || log.contains(done + " of " + UNITS + " units are kept"), log + kept);
+        String said = start(checkpoint).ended(0);
+        assertArrayEquals(plain, Files.readAllBytes(picture), "killed after " + kept + " results");
+        assertTrue(done == 0 || said.contains(done + " of " + UNITS + " units are kept"), said + kept);
     }
 
     @Test
-    void killedThreeTimesItMakesTheSameFile() throws IOException, InterruptedException {
+    void killedThreeTimesItMakesTheSameFile() throws Exception {
         check(3, 1);
     }
 
     @Test
     @Tag("full")
-    void killedAtTwentyRandomMomentsInARowItMakesTheSameFile() throws IOException, InterruptedException {
+    void killedAtTwentyRandomMomentsInARowItMakesTheSameFile() throws Exception {
         check(20, 2);
     }
 }

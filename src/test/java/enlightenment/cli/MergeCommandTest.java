@@ -13,22 +13,18 @@ import java.security.MessageDigest;
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class MergeCommandTest {
-    @TempDir
-    Path folder;
-
-    private Path scene;
-    private Path picture;
+class MergeCommandTest extends SceneFixture {
     private Path merged;
 
+    MergeCommandTest() {
+        super(50, 34);
+    }
+
     @BeforeEach
-    void scene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 50, \"height\": 34");
-        picture = folder.resolve("picture.png");
+    void files() {
         merged = folder.resolve("merged.png");
     }
 

@@ -15,23 +15,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
-class RenderCommandTest {
-    @TempDir
-    Path folder;
-
-    private Path scene;
-    private Path picture;
-
-    @BeforeEach
-    void writeScene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 20, \"height\": 12");
-        picture = folder.resolve("picture.png");
+class RenderCommandTest extends SceneFixture {
+    RenderCommandTest() {
+        super(20, 12);
     }
 
     @Test
@@ -215,7 +205,7 @@ class RenderCommandTest {
         assertEquals(before, Files.readString(scene));
         assertEquals(
                 2,
-                CliRun.of("render", scene, "-o", picture, "--report", folder.resolve("./picture.png"))
+                CliRun.of("render", scene, "-o", picture, "--report", folder.resolve("./p.png"))
                         .code());
         assertFalse(Files.exists(picture));
     }

@@ -21,12 +21,11 @@ import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
@@ -34,26 +33,16 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
 /** The options for what there is beside the finished picture. */
-class RenderExtrasTest {
+class RenderExtrasTest extends SceneFixture {
     private static final String ALL = "error,samples,depth,normal,object";
     private static final String WRITER = "preview";
     private static final int SIGTERM_EXIT = 128 + 15;
 
-    @TempDir
-    Path folder;
+    @RegisterExtension
+    final Processes processes = new Processes();
 
-    private Path scene;
-    private Path picture;
-
-    @BeforeEach
-    void writeScene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 40, \"height\": 24");
-        picture = folder.resolve("p.png");
-    }
-
-    private CliRun render(Object... more) {
-        return CliRun.of(Stream.concat(Stream.of("render", scene, "-o", picture), Stream.of(more))
-                .toArray());
+    RenderExtrasTest() {
+        super(40, 24);
     }
 
     private Set<String> files() throws IOException {
@@ -298,42 +287,14 @@ class RenderExtrasTest {
     @Test
     @Timeout(300)
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
-    void aSignalAfterAPreviewLeavesAWholePicture() throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        "enlightenment.cli.Main",
-                        "render",
-                        scene.toString(),
-                        "-o",
-                        picture.toString(),
-                        "--size",
-                        "400x240",
-                        // Minutes of work wherever it runs, in tiles of less than a second.
-                        "--threads",
-                        "2",
-                        "--samples",
-                        "5000",
-                        "--preview",
-                        "0.1",
-                        "--progress",
-                        "none")
-                .redirectError(folder.resolve("err.txt").toFile())
-                .start();
-        try {
-            while (!Files.exists(picture)) {
-                assertTrue(process.isAlive(), "the render goes on until it is stopped");
-                Thread.sleep(20);
-            }
-            assertEquals(400, ImageFiles.read(picture).width());
-            process.destroy();
-            process.waitFor();
-        } finally {
-            process.destroyForcibly();
-        }
-        assertEquals(SIGTERM_EXIT, process.exitValue());
-        String said = Files.readString(folder.resolve("err.txt"));
+    void aSignalAfterAPreviewLeavesAWholePicture() throws Exception {
+        // Minutes of work wherever it runs, in tiles of less than a second.
+        Object[] work = words("render", "--size", "400x240", "--threads", 2, "--samples", 5000, "--preview", 0.1);
+        Processes.Running render = processes.start(folder, work);
+        render.until("there is a preview", () -> Files.exists(picture));
+        assertEquals(400, ImageFiles.read(picture).width());
+        render.process().destroy();
+        String said = render.ended(SIGTERM_EXIT);
         assertTrue(
                 said.matches("enlightenment: stopped: \\Q" + picture
                         + "\\E holds \\d+ % of the picture, and a preview of the rest\n"),

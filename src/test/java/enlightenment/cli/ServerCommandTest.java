@@ -11,30 +11,17 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(60)
-class ServerCommandTest {
-    @TempDir
-    Path folder;
-
-    private Path scene;
-    private Path picture;
-
-    @BeforeEach
-    void scene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 50, \"height\": 34");
-        picture = folder.resolve("picture.png");
+class ServerCommandTest extends SceneFixture {
+    ServerCommandTest() {
+        super(50, 34);
     }
 
     private void assertRefused(String words, Object... more) {
-        Object[] args = new Object[4 + more.length];
-        System.arraycopy(new Object[] {"server", scene, "-o", picture}, 0, args, 0, 4);
-        System.arraycopy(more, 0, args, 4, more.length);
-        CliRun run = CliRun.of(args);
+        CliRun run = CliRun.of(words("server", more));
         assertEquals(2, run.code(), run.err());
         assertTrue(run.err().contains(words), run.err());
     }

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -27,48 +28,33 @@ class ShutdownSignalTest {
     @TempDir
     Path folder;
 
+    @RegisterExtension
+    final Processes processes = new Processes();
+
     @Test
     @Timeout(300)
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
-    void aSignalLeavesThePartOfThePictureThatIsDone() throws IOException, InterruptedException {
+    void aSignalLeavesThePartOfThePictureThatIsDone() throws Exception {
         // Days of work, if nobody stopped it.
         Path scene = CliRun.scene(folder, "\"width\": 800, \"height\": 600");
         Path picture = folder.resolve("part.png");
-        Path err = folder.resolve("err.txt");
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-XX:+UseSerialGC",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        "enlightenment.cli.Main",
-                        "render",
-                        scene.toString(),
-                        "-o",
-                        picture.toString(),
-                        "--antialias",
-                        "16",
-                        "--shadow-samples",
-                        "1000",
-                        "--threads",
-                        "1",
-                        "--progress",
-                        "plain")
-                .redirectError(err.toFile())
-                .start();
-        try {
-            // The first line of progress tells that something is rendered.
-            while (Files.size(err) == 0) {
-                assertTrue(process.isAlive(), "the render goes on until it is stopped");
-                Thread.sleep(20);
-            }
-            process.destroy();
-            process.waitFor();
-        } finally {
-            process.destroyForcibly();
-        }
-        String said = Files.readString(err);
-        assertEquals(SIGTERM_EXIT, process.exitValue(), said);
+        Processes.Running render = processes.start(
+                folder,
+                "render",
+                scene,
+                "-o",
+                picture,
+                "--antialias",
+                16,
+                "--shadow-samples",
+                1000,
+                "--threads",
+                1,
+                "--progress",
+                "plain");
+        render.until("something is rendered", () -> !render.said().isEmpty());
+        render.process().destroy();
+        String said = render.ended(SIGTERM_EXIT);
         String last = "enlightenment: stopped: \\Q" + picture + "\\E holds \\d+ % of the picture\n";
         assertTrue(said.matches("(?s)\\d+ % done.*\n" + last), said);
         BufferedImage image = ImageIO.read(picture.toFile());

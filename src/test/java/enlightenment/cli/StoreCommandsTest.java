@@ -17,26 +17,22 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Renders into a store, and what comes out of it. */
-class StoreCommandsTest {
-    @TempDir
-    private Path folder;
-
-    private Path scene;
+class StoreCommandsTest extends SceneFixture {
     private Path store;
-    private Path picture;
     private Path direct;
 
+    StoreCommandsTest() {
+        super(50, 34);
+    }
+
     @BeforeEach
-    void scene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 50, \"height\": 34");
+    void files() {
         store = folder.resolve("s.db");
-        picture = folder.resolve("picture.png");
         direct = folder.resolve("direct.png");
     }
 
@@ -172,6 +168,21 @@ class StoreCommandsTest {
     }
 
     @Test
+    void checkpointAndStoreOfAServerGiveEachOtherWhatTheyHave() throws Exception {
+        Path checkpoint = folder.resolve("server.checkpoint");
+        ok("server", scene, "-o", direct, "--port", 0, "--checkpoint", checkpoint);
+        ok("server", scene, "-o", picture, "--port", 0, "--checkpoint", checkpoint, "--store", store);
+        ok("render-store", store, "-o", picture);
+        assertSame(direct, picture);
+        Files.delete(checkpoint);
+        ok("server", scene, "-o", picture, "--port", 0, "--checkpoint", checkpoint, "--store", store);
+        int units = (int) sql(store, "SELECT COUNT(*) FROM film_part");
+        CliRun again = ok("server", scene, "-o", picture, "--port", 0, "--checkpoint", checkpoint);
+        assertTrue(again.err().contains("checkpoint: " + units + " of " + units + " tiles are done"), again.err());
+        assertSame(direct, picture);
+    }
+
+    @Test
     void samplesAreUnpackedAsLinesAndAsRows() throws Exception {
         ok("render", scene, "-o", picture, "--samples", 4, "--store", store, "--store-samples");
         Path csv = folder.resolve("samples.csv");
@@ -185,6 +196,30 @@ class StoreCommandsTest {
         assertEquals(50 * 34, (int) sql(store, "SELECT COUNT(*) FROM sample WHERE n = 3"));
         assertEquals(0, (int)
                 sql(store, "SELECT COUNT(*) FROM sample WHERE x < px OR x >= px + 1 OR y < py OR y >= py + 1"));
+    }
+
+    /** With so many samples a tile is made in several units. */
+    @Test
+    void theSamplesOfAPixelAreNumberedThroughAllPassesOverItsTile() throws Exception {
+        int samples = 1 << 17;
+        ok("render", scene, "-o", picture, "--size", "2x1", "--samples", samples, "--store", store, "--store-samples");
+        assertTrue((int) sql(store, "SELECT COUNT(*) FROM film_part") > 1, "passes");
+        Path csv = folder.resolve("samples.csv");
+        ok("store-export", store, "--csv", csv);
+        int[] next = new int[2];
+        List<String> lines = Files.readAllLines(csv);
+        for (String line : lines.subList(1, lines.size())) {
+            String[] values = line.split(",");
+            int pixel = Integer.parseInt(values[2]);
+            assertEquals(next[pixel]++, Integer.parseInt(values[4]), line);
+        }
+        assertEquals(2 * samples, next[0] + next[1]);
+        ok("store-export", store, "--rows");
+        for (int pixel = 0; pixel < 2; pixel++) {
+            String all = "FROM sample WHERE px = " + pixel;
+            assertEquals(next[pixel], (int) sql(store, "SELECT COUNT(DISTINCT n) " + all));
+            assertEquals(next[pixel] - 1, (int) sql(store, "SELECT MAX(n) " + all));
+        }
     }
 
     @Test

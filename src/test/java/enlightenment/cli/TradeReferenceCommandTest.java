@@ -11,19 +11,17 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** What a trade compares with, and what may be compared. */
-class TradeReferenceCommandTest {
-    @TempDir
-    Path folder;
-
-    private Path scene;
+class TradeReferenceCommandTest extends SceneFixture {
     private Path out;
 
+    TradeReferenceCommandTest() {
+        super(24, 16);
+    }
+
     @BeforeEach
-    void writeScene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 24, \"height\": 16");
+    void files() {
         out = folder.resolve("out");
     }
 

@@ -24,28 +24,18 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.FutureTask;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
 /** Renders that are watched: on a page, or in a window where there is no display. */
 @Timeout(120)
-class WatchTest {
+class WatchTest extends SceneFixture {
     private static final String TOLD = "enlightenment: the picture so far: ";
 
-    @TempDir
-    Path folder;
-
-    private Path scene;
-    private Path picture;
-
-    @BeforeEach
-    void writeScene() throws IOException {
-        scene = CliRun.scene(folder, "\"width\": 40, \"height\": 24");
-        picture = folder.resolve("p.png");
+    WatchTest() {
+        super(40, 24);
     }
 
     /** A command under way, and what it says. */
@@ -59,10 +49,9 @@ class WatchTest {
             err = new BufferedReader(
                     new InputStreamReader(new PipedInputStream(said, 1 << 16), StandardCharsets.UTF_8));
             PrintStream print = new PrintStream(said, true, StandardCharsets.UTF_8);
-            String[] texts = List.of(args).stream().map(Object::toString).toArray(String[]::new);
             code = new FutureTask<>(() -> {
                 try (print) {
-                    return Main.run(CliRun.quiet(texts), new Terminal(print, print, stop));
+                    return Main.run(CliRun.quiet(CliRun.texts(args)), new Terminal(print, print, stop));
                 }
             });
             new Thread(code, "command").start();

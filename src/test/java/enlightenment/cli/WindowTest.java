@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import enlightenment.process.JavaProcess;
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
@@ -12,7 +13,6 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
@@ -55,18 +55,9 @@ class WindowTest {
     private record Seen(int code, List<String> lines) {}
 
     private Seen probe(String what, Path picture, Object... command) throws Exception {
-        List<String> all = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx256m",
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                WindowProbe.class.getName(),
-                what,
-                picture.toString()));
-        Stream.of(command).map(Object::toString).forEach(all::add);
-        ProcessBuilder builder = new ProcessBuilder(all).redirectErrorStream(true);
+        Object[] args =
+                Stream.concat(Stream.of(what, picture), Stream.of(command)).toArray();
+        ProcessBuilder builder = JavaProcess.of(WindowProbe.class, args).redirectErrorStream(true);
         builder.environment().put("DISPLAY", ":" + display);
         Process process = builder.start();
         try (BufferedReader out =

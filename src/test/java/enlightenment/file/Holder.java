@@ -1,5 +1,6 @@
 package enlightenment.file;
 
+import enlightenment.process.JavaProcess;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
@@ -36,15 +37,7 @@ final class Holder {
 
     /** Starts one and returns when it is in the middle. */
     static Process start(String what, Path file) throws IOException {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Xshare:auto",
-                        "-Xmx32m",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Holder.class.getName(),
-                        what,
-                        file.toString())
+        Process process = JavaProcess.of(Holder.class, what, file)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         byte[] word = process.getInputStream().readNBytes("ready".length());

@@ -37,6 +37,9 @@ public final class Farm implements AutoCloseable {
     /** Deadlines short enough for tests. */
     public static final Timing QUICK = new Timing(600, 600, 600, 600, 50, 400);
 
+    /** No deadline comes near, however busy the machine is. */
+    static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
+
     static final long TIMEOUT_SECONDS = 60;
 
     final RenderServer server;

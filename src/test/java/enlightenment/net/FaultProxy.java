@@ -67,6 +67,13 @@ final class FaultProxy implements Closeable {
         isSlow = on;
     }
 
+    /** How many have come that it did not cut off. */
+    int connections() {
+        synchronized (sockets) {
+            return sockets.size() / 2;
+        }
+    }
+
     private void accept() {
         while (!listening.isClosed()) {
             try {

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
-import enlightenment.net.protocol.Timing;
 import enlightenment.physical.MatterScenes;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderProgress;
@@ -34,8 +33,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Media, dyes, dispersion, pictures and skies: threads, tiles, crops, parts and workers make the same bytes, in every method. */
 @Timeout(120)
 class MatterUnitsTest {
-    private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
-
     @TempDir
     static Path images;
 
@@ -120,7 +117,7 @@ class MatterUnitsTest {
         Scene scene = scenes.get(name);
         RenderSettings settings = settings(scene, BuiltInMethod.RAYTRACE);
         try (Farm farm =
-                new Farm(scene, settings, Farm.options().timing(PATIENT).awaitWorkers(2, 60)).begin()) {
+                new Farm(scene, settings, Farm.options().timing(Farm.PATIENT).awaitWorkers(2, 60)).begin()) {
             farm.join(Farm.worker(1));
             farm.join(Farm.worker(1));
             assertArrayEquals(picture(scene, settings), farm.result().image().toArray());

@@ -12,7 +12,6 @@ import enlightenment.image.ImageFiles;
 import enlightenment.job.Build;
 import enlightenment.job.RenderIdentity;
 import enlightenment.job.SceneDocument;
-import enlightenment.net.protocol.Timing;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
@@ -41,9 +40,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Timeout(120)
 class RenderServerTest {
     private static final byte[] ALONE = Farm.alone();
-
-    /** No deadline comes near, however busy the machine is. */
-    private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
 
     @TempDir
     Path folder;
@@ -211,7 +207,7 @@ class RenderServerTest {
 
     @Test
     void aWorkerThatComesLateGetsItsShare() throws Exception {
-        try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
+        try (Farm farm = new Farm(Farm.options().timing(Farm.PATIENT)).begin()) {
             UnitAssembly film = farm.server.round().job().film();
             // After a few tiles the first worker makes no other until the second has made a dozen.
             farm.join(Farm.worker(1).tamper((tile, bytes) -> {

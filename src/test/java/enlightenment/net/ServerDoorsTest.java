@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.listen.ServerLog;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
-import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.Peers;
 import enlightenment.net.secure.Token;
 import enlightenment.net.worker.MachineIdentity;
@@ -32,9 +31,6 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(180)
 class ServerDoorsTest {
     private static final byte[] ALONE = Farm.alone();
-
-    /** No deadline comes near, however busy the machine is. */
-    private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
 
     /** More connections than there are places. */
     private static final int REFUSED = Limits.STRANGERS + 16;
@@ -66,7 +62,7 @@ class ServerDoorsTest {
     @Test
     void whoCallsItselfAsTheServerDoesIsAuditedLikeAnybodyElse() throws Exception {
         ServerOptions.Builder options =
-                Farm.options().timing(PATIENT).auditRate(1).localThreads(1);
+                Farm.options().timing(Farm.PATIENT).auditRate(1).localThreads(1);
         try (Farm farm = new Farm(options.awaitWorkers(2, 60)).begin()) {
             farm.join(Farm.worker(1).machine("local").tamper(liar()));
             end(farm, farm.join(Farm.worker(1).machine("honest")));
@@ -77,7 +73,7 @@ class ServerDoorsTest {
 
     @Test
     void whoRepeatsWhatAnotherSaidOfItselfDoesNotTakeItsPlace() throws Exception {
-        try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
+        try (Farm farm = new Farm(Farm.options().timing(Farm.PATIENT)).begin()) {
             CountDownLatch everybodyCame = new CountDownLatch(1);
             CompletableFuture<RenderWorker.Outcome> honest =
                     farm.join(Farm.worker(1).tamper((tile, bytes) -> {
@@ -100,7 +96,7 @@ class ServerDoorsTest {
 
     @Test
     void whoTakesManyNamesDoesNotOutvoteTheHonestOne() throws Exception {
-        try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
+        try (Farm farm = new Farm(Farm.options().timing(Farm.PATIENT)).begin()) {
             AtomicReference<byte[]> first = new AtomicReference<>();
             CountDownLatch everybodyLied = new CountDownLatch(1);
             CompletableFuture<RenderWorker.Outcome> honest =
@@ -135,7 +131,7 @@ class ServerDoorsTest {
 
     @Test
     void strangersWhoSitAndSayNothingDoNotKeepAWorkerOut() throws Exception {
-        try (Farm farm = new Farm(Farm.options().timing(PATIENT)).begin()) {
+        try (Farm farm = new Farm(Farm.options().timing(Farm.PATIENT)).begin()) {
             List<RawPeer> strangers = new ArrayList<>();
             for (int i = 0; i < Limits.STRANGERS + 16; i++) {
                 strangers.add(new RawPeer(farm.server.port()));
@@ -154,7 +150,7 @@ class ServerDoorsTest {
     void whereNoThreadCanBeStartedNoPlaceIsLostAndNothingIsPrinted() throws Exception {
         AtomicInteger refused = new AtomicInteger();
         AtomicReference<Throwable> uncaught = new AtomicReference<>();
-        ServerOptions.Builder options = Farm.options().timing(PATIENT).threads(work -> new Thread(work) {
+        ServerOptions.Builder options = Farm.options().timing(Farm.PATIENT).threads(work -> new Thread(work) {
             @Override
             public void start() {
                 if (getName().equals("server connection") && refused.getAndIncrement() < REFUSED) {
@@ -182,7 +178,7 @@ class ServerDoorsTest {
     void aMachineThatWasExpelledIsLetInAgainOnlyIfItIsPardoned() throws Exception {
         Path checkpoint = folder.resolve("checkpoint");
         ServerOptions options =
-                Farm.options().timing(PATIENT).checkpoint(checkpoint).build();
+                Farm.options().timing(Farm.PATIENT).checkpoint(checkpoint).build();
         String digits;
         try (Farm farm = new Farm(options.toBuilder()).begin()) {
             digits = Peers.machine("odd", farm.server.round().job().hash()).toString();

@@ -11,12 +11,15 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(120)
 class ServerSecurityTest {
@@ -50,14 +53,40 @@ class ServerSecurityTest {
 
     @Test
     void overTlsWithAPinnedCertificateThePictureIsTheSame() throws Exception {
-        try (Farm farm = new Farm(secured()).begin()) {
+        try (Farm farm = new Farm(secured().awaitWorkers(2, 60)).begin()) {
             farm.join(Farm.worker(1).pin(farm.server.pin()).tokenFile(token));
             farm.join(Farm.worker(1).authorities(certificate).tokenFile(token));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             for (var worker : farm.workers) {
-                assertTrue(worker.get(60, TimeUnit.SECONDS).isDone());
+                assertTrue(worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).isDone());
             }
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void whoIsStillShakingHandsWhenThePictureIsDoneIsToldSo(boolean isOverTls) throws Exception {
+        ServerOptions.Builder options = isOverTls ? secured() : Farm.options().tokenFile(token);
+        try (Farm farm = new Farm(options.timing(Farm.PATIENT)).begin();
+                FaultProxy proxy = new FaultProxy(farm.server.port())) {
+            proxy.freeze(Integer.MAX_VALUE);
+            CompletableFuture<RenderWorker.Outcome> late =
+                    farm.join(patient(farm, isOverTls).reconnectSeconds(0), proxy.port(), () -> false);
+            Farm.until(() -> proxy.connections() == 1, "it knocks");
+            // So it comes second.
+            CompletableFuture<RenderWorker.Outcome> other = farm.join(patient(farm, isOverTls));
+            assertTrue(other.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).isDone());
+            proxy.freeze(0);
+            assertEquals(
+                    "the picture is done",
+                    late.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).reason());
+            assertTrue(late.get().isDone());
+        }
+    }
+
+    private WorkerOptions.Builder patient(Farm farm, boolean isOverTls) {
+        WorkerOptions.Builder worker = Farm.worker(1).tokenFile(token).timing(Farm.PATIENT);
+        return isOverTls ? worker.pin(farm.server.pin()) : worker;
     }
 
     @Test
@@ -152,13 +181,13 @@ class ServerSecurityTest {
     void aServerThatMadeItsSecretsIsJoinedWithTokenAndPin() throws Exception {
         Path made = folder.resolve("made-token");
         ServerOptions.Builder options =
-                Farm.options().tls(folder.resolve("made.pem")).tokenFile(made);
+                Farm.options().tls(folder.resolve("made.pem")).tokenFile(made).awaitWorkers(2, 60);
         try (Farm farm = new Farm(options).begin()) {
             farm.join(Farm.worker(1).pin(farm.server.pin()).tokenFile(made));
             farm.join(Farm.worker(1).pin(farm.server.pin()).token(Files.readString(made)));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
             for (var worker : farm.workers) {
-                assertTrue(worker.get(10, TimeUnit.SECONDS).isDone());
+                assertTrue(worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).isDone());
             }
         }
     }

@@ -3,41 +3,24 @@ package enlightenment.net;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import enlightenment.browser.Browser;
 import enlightenment.net.secure.Token;
-import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** The status page as a browser shows it, after its scripts ran. */
 @Timeout(120)
 class StatusPageTest {
-    private static Browser browser;
+    @RegisterExtension
+    static final Browser browser = new Browser();
 
     private Farm farm;
     private String origin;
-
-    @BeforeAll
-    static void openBrowser() throws Exception {
-        Optional<Path> executable = Browser.executable();
-        assumeTrue(executable.isPresent(), "no Chromium on the path");
-        browser = new Browser(executable.get());
-    }
-
-    @AfterAll
-    static void closeBrowser() throws Exception {
-        if (browser != null) {
-            browser.close();
-        }
-    }
 
     @BeforeEach
     void server() throws Exception {
@@ -48,11 +31,6 @@ class StatusPageTest {
     @AfterEach
     void end() {
         farm.close();
-    }
-
-    private static String text(String selector) throws Exception {
-        return browser.value("document.querySelector('" + selector + "').textContent")
-                .asString();
     }
 
     private void assertNoFaultAndNothingFromElsewhere() {
@@ -70,11 +48,13 @@ class StatusPageTest {
         browser.open(origin);
         browser.until("document.readyState == 'complete' && document.querySelectorAll('#workers tr').length == 1");
         browser.until("document.querySelector('#picture').naturalWidth > 0");
-        int shown = Integer.parseInt(text("#numbers").split(" ")[0]);
+        int shown = Integer.parseInt(browser.text("#numbers").split(" ")[0]);
         assertTrue(before <= shown && shown <= farm.server.round().snapshot().done(), shown + " tiles shown");
         int tiles = farm.server.round().job().tiles();
-        assertTrue(text("#numbers").startsWith(shown + " of " + tiles + " tiles done, "), text("#numbers"));
-        assertEquals(100 * shown / tiles + " %", text("#state"));
+        assertTrue(
+                browser.text("#numbers").startsWith(shown + " of " + tiles + " tiles done, "),
+                browser.text("#numbers"));
+        assertEquals(100 * shown / tiles + " %", browser.text("#state"));
         assertEquals(
                 Farm.SETTINGS.region().width(),
                 browser.value("document.querySelector('#picture').naturalWidth").asInt());
@@ -82,11 +62,11 @@ class StatusPageTest {
                 Farm.SETTINGS.region().height(),
                 browser.value("document.querySelector('#picture').naturalHeight")
                         .asInt());
-        assertEquals(farm.server.round().snapshot().workers().get(0).name(), text("#workers tr td"));
+        assertEquals(farm.server.round().snapshot().workers().get(0).name(), browser.text("#workers tr td"));
         assertEquals(
                 browser.value("document.querySelectorAll('th').length").asInt(),
                 browser.value("document.querySelectorAll('#workers td').length").asInt());
-        assertTrue(text("#log").contains("joined with 1 threads"), text("#log"));
+        assertTrue(browser.text("#log").contains("joined with 1 threads"), browser.text("#log"));
         browser.until("parseInt(document.querySelector('#numbers').textContent) > " + shown);
         browser.until(
                 "last.done > " + shown + " && document.querySelector('#picture').src.includes('n=' + last.picture)");
@@ -100,8 +80,8 @@ class StatusPageTest {
             peer.join(name, Token.NONE);
             browser.open(origin);
             browser.until("document.querySelectorAll('#workers tr').length == 1");
-            assertTrue(text("#workers tr td").startsWith(name), text("#workers"));
-            assertTrue(text("#log").contains(name), text("#log"));
+            assertTrue(browser.text("#workers tr td").startsWith(name), browser.text("#workers"));
+            assertTrue(browser.text("#log").contains(name), browser.text("#log"));
             assertEquals(1, browser.value("document.images.length").asInt());
             assertFalse(browser.requests().contains(origin + "stolen"));
             assertNoFaultAndNothingFromElsewhere();
@@ -143,7 +123,7 @@ class StatusPageTest {
     void aServerThatHasEndedIsToldOf() throws Exception {
         browser.open(origin);
         browser.until("document.querySelector('#numbers') && document.querySelector('#numbers').textContent != ''");
-        assertEquals("", text("#problem"));
+        assertEquals("", browser.text("#problem"));
         farm.close();
         browser.until("document.querySelector('#problem').textContent.startsWith('There is no answer')");
     }

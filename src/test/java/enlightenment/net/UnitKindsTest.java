@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.net.protocol.Timing;
 import enlightenment.net.worker.RenderPool;
 import enlightenment.physical.InvarianceScenes;
 import enlightenment.render.RenderProgress;
@@ -39,7 +38,6 @@ class UnitKindsTest {
     private static final Scene ROOM = TestScenes.whiteFireAndIce().build();
     private static final Scene PHYSICAL_ROOM = InvarianceScenes.byRadiance();
     private static final Scene BLACK_LIGHT = InvarianceScenes.inBlackLight();
-    private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 200, 60_000);
 
     @TempDir
     Path folder;
@@ -182,7 +180,7 @@ class UnitKindsTest {
     @ParameterizedTest
     @EnumSource
     void aServerAndItsWorkersMakeIt(Kind kind) throws Exception {
-        ServerOptions.Builder options = Farm.options().timing(PATIENT).localThreads(1);
+        ServerOptions.Builder options = Farm.options().timing(Farm.PATIENT).localThreads(1);
         try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, 60)).begin()) {
             farm.join(Farm.worker(1));
             farm.join(Farm.worker(2));
@@ -234,7 +232,7 @@ class UnitKindsTest {
     @EnumSource
     void whatAMachineSaidThatIsFoundOutLeavesNothing(Kind kind) throws Exception {
         ServerOptions.Builder options =
-                Farm.options().timing(PATIENT).auditRate(1).localThreads(1);
+                Farm.options().timing(Farm.PATIENT).auditRate(1).localThreads(1);
         try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, 60)).begin()) {
             farm.join(Farm.worker(1).machine("liar").tamper((unit, bytes) -> liesLike(kind, bytes)));
             farm.join(Farm.worker(1).machine("honest"));

@@ -234,6 +234,23 @@ class KeptRenderTest {
     }
 
     @Test
+    void anArchiveThatCannotBeReadCostsItselfAndNotTheOneThatIsToHaveWhatItHas() {
+        Kind kind = fire(Method.RAYTRACE);
+        render(kind.scene, kind.settings(4), () -> archive.given >= 5);
+        int before = archive.given;
+        archive.isUnreadable = true;
+        for (boolean isFirst : new boolean[] {true, false}) {
+            MemoryArchive second = new MemoryArchive();
+            List<ResultArchive> both = isFirst ? List.of(archive, second) : List.of(second, archive);
+            RenderResult result =
+                    Renderer.render(RenderRequest.of(FIRE, kind.settings(4)).withArchives(both));
+            assertSame(alone(kind, 4), result);
+            assertEquals(before, archive.given);
+            assertTrue(second.given > 0);
+        }
+    }
+
+    @Test
     void roundsOfAnErrorGoOnFromEachOtherAndFromWhatIsKept() {
         RenderSettings settings = fire(Method.RAYTRACE)
                 .settings(1)

@@ -16,6 +16,9 @@ final class MemoryArchive implements ResultArchive {
     /** How many results it takes before its disk is full. */
     int room = Integer.MAX_VALUE;
 
+    /** Whether its disk can no longer be read. */
+    boolean isUnreadable;
+
     /** What happens when time has passed. */
     Runnable whenTicked = () -> {};
 
@@ -55,7 +58,10 @@ final class MemoryArchive implements ResultArchive {
     }
 
     @Override
-    public Optional<byte[]> find(int plan, int unit) {
+    public Optional<byte[]> find(int plan, int unit) throws IOException {
+        if (isUnreadable) {
+            throw new IOException("Input/output error");
+        }
         Optional<byte[]> result = Optional.ofNullable(results.get(plan).get(unit));
         found += result.isPresent() ? 1 : 0;
         return result;

@@ -22,7 +22,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -35,15 +37,20 @@ import tools.jackson.databind.ObjectMapper;
 class StatusServerTest {
     private final AtomicLong clock = new AtomicLong();
     private final Render render = new Render();
+    private final List<Thread> threads = new CopyOnWriteArrayList<>();
     private StatusServer server;
 
     /** A render as far as a test says. */
     private static final class Render implements StatusSource {
         private volatile Image image = black(4, 3);
         private volatile State state = State.RENDERING;
+        private volatile long picture = 3;
+        private volatile Runnable asked = () -> {};
 
         @Override
         public Status status() {
+            State now = state;
+            asked.run();
             Map<String, Object> statistics = new LinkedHashMap<>();
             statistics.put("text", "\"quoted\"");
             statistics.put("whole", 1L << 40);
@@ -51,7 +58,7 @@ class StatusServerTest {
             statistics.put("unknown", Double.NaN);
             statistics.put("list", List.of(true, Map.of("deep", 7)));
             List<Status.Note> notes = List.of(new Status.Note(0.5, "</script>"));
-            return new Status("a <b>", state, 9, 20, "tiles", 4.5, OptionalDouble.empty(), 3, statistics, notes);
+            return new Status("a <b>", now, 9, 20, "tiles", 4.5, OptionalDouble.empty(), picture, statistics, notes);
         }
 
         @Override
@@ -71,12 +78,25 @@ class StatusServerTest {
 
     @BeforeEach
     void start() throws Exception {
-        server = StatusServer.start(render, 0, Thread::new, new ServerLog(line -> {}, clock::get), clock::get);
+        server = StatusServer.start(render, 0, this::thread, new ServerLog(line -> {}, clock::get), clock::get);
     }
 
     @AfterEach
     void end() throws Exception {
         server.close();
+    }
+
+    private Thread thread(Runnable work) {
+        Thread thread = new Thread(work);
+        threads.add(thread);
+        return thread;
+    }
+
+    /** Waits until whatever was answered has been done with: the first thread takes connections, each of the others has served one. */
+    private void awaitServed() throws Exception {
+        for (Thread serving : threads.subList(1, threads.size())) {
+            serving.join();
+        }
     }
 
     private HttpURLConnection open(String path) throws Exception {
@@ -149,7 +169,7 @@ class StatusServerTest {
 
     @Test
     void theEndWaitsForPagesThatHaveNotSeenItAndForNobodyElse() throws Exception {
-        server.awaitWatchers(60_000);
+        assertTrue(server.awaitWatchers(60_000));
         get("/status.json?page=gone");
         clock.addAndGet(Watchers.SILENCE_NANOS + 1);
         get("/status.json");
@@ -157,15 +177,50 @@ class StatusServerTest {
         get("/status.json?page=two");
         get("/picture.png?page=two");
         render.state = State.FINISHED;
-        get("/picture.png?page=one");
+        get("/picture.png?page=one&state=finished");
         get("/status.json?page=three");
         Thread end = new Thread(() -> server.awaitWatchers(60_000));
         end.start();
         while (end.getState() != Thread.State.TIMED_WAITING) {
             Thread.sleep(1);
         }
-        get("/picture.png?page=two");
+        get("/picture.png?page=two&state=finished");
         end.join();
+    }
+
+    /** A page asks for the picture of 100 %, the render ends, and only then the request comes in. */
+    @Test
+    void aPictureThatWasAskedForBeforeTheEndIsNoSignThatTheEndWasSeen() throws Exception {
+        get("/status.json?page=one");
+        render.state = State.FINISHED;
+        get("/picture.png?page=one&state=rendering");
+        awaitServed();
+        assertFalse(server.awaitWatchers(1));
+        get("/picture.png?page=one&state=finished");
+        awaitServed();
+        assertTrue(server.awaitWatchers(1));
+    }
+
+    @Test
+    void aPageThatIsToldThatItGoesOnWhileItEndsIsWaitedFor() throws Exception {
+        AtomicReference<Boolean> haveAllSeenIt = new AtomicReference<>();
+        render.asked = () -> {
+            render.state = State.FINISHED;
+            haveAllSeenIt.set(server.awaitWatchers(1));
+        };
+        assertTrue(text("/status.json?page=one").contains("\"rendering\""));
+        assertEquals(false, haveAllSeenIt.get());
+    }
+
+    @Test
+    void whereThereIsNoPictureTheEndWaitsOnlyUntilPagesHaveHeardOfIt() throws Exception {
+        render.picture = 0;
+        get("/status.json?page=one");
+        render.state = State.STOPPED;
+        assertFalse(server.awaitWatchers(1));
+        get("/status.json?page=one");
+        awaitServed();
+        assertTrue(server.awaitWatchers(1));
     }
 
     @Test
@@ -173,7 +228,7 @@ class StatusServerTest {
         for (int i = 0; i < 2 * Watchers.MOST; i++) {
             get("/status.json?page=" + i);
         }
-        server.awaitWatchers(1);
+        assertFalse(server.awaitWatchers(1));
     }
 
     @Test

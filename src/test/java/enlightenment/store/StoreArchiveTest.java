@@ -74,6 +74,31 @@ class StoreArchiveTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"sqlite", "h2"})
+    void whatOneWorkerMadeOfAPlanIsForgottenWithItsSamples(String database) throws IOException {
+        StoreAddress address = address(database);
+        try (StoreArchive archive = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.PIXELS)) {
+            assertEquals(0, archive.keep(TestStores.PLAN));
+            assertEquals(1, archive.keep(new byte[] {9}));
+            for (int unit = 1; unit < 40; unit++) {
+                archive.keepSamples(0, unit, 0, unit, TestStores.samples(unit));
+                archive.keep(0, unit, unit % 2 == 0 ? "liar" : "liar's friend", TestStores.result(unit));
+            }
+            archive.keepSamples(1, 2, 0, 2, TestStores.samples(2));
+            archive.keep(1, 2, "liar", TestStores.result(2));
+            archive.removeAll(0, "liar");
+            assertEquals(20, replayed(archive, 0).size());
+            assertEquals(1, replayed(archive, 1).size());
+        }
+        try (SampleStore store = SampleStore.open(address, StoreLogin.NONE)) {
+            RenderRow render = store.choose("aaa");
+            List<PlanRow> plans = store.plans(render);
+            assertEquals(20, store.facts(render, plans.get(0)).blocks());
+            assertEquals(1, store.facts(render, plans.get(1)).blocks());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"sqlite", "h2"})
     void theSameResultTwiceIsOneAndAnotherIsAnError(String database) throws IOException {
         StoreAddress address = address(database);
         try (StoreArchive a = TestStores.open(address, StoreLogin.NONE, TestStores.ID, StoredSamples.NONE);

@@ -1,13 +1,11 @@
 package enlightenment.store;
 
+import enlightenment.process.JavaProcess;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 
 /** A process that writes results to a store and says, a line each, up to where they are safe; for tests that kill it. */
@@ -43,19 +41,8 @@ final class TestWriter {
     /** The same with a password. */
     static Process start(StoreAddress address, String user, int first, int end, int step, String password)
             throws IOException {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1",
-                "-Xmx64m",
-                "-cp",
-                System.getProperty("java.class.path"),
-                TestWriter.class.getName(),
-                address.url(),
-                user,
-                Integer.toString(first),
-                Integer.toString(end),
-                Integer.toString(step)));
-        ProcessBuilder builder = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT);
+        ProcessBuilder builder = JavaProcess.of(TestWriter.class, address.url(), user, first, end, step)
+                .redirectError(ProcessBuilder.Redirect.INHERIT);
         builder.environment().put("TEST_PASSWORD", password);
         return builder.start();
     }

@@ -57,6 +57,11 @@ public record Secrets(Tls tls, byte[] token) {
         return tls == null ? Tls.noCertificate() : tls.certificate();
     }
 
+    /** What a worker may pin: 64 hexadecimal digits; empty without TLS. */
+    public String pin() {
+        return tls == null ? "" : tls.certificate().toString();
+    }
+
     private static Tls tls(Sources sources, Consumer<String> log) throws IOException {
         if (sources.certificate.isEmpty()) {
             return null;

@@ -123,6 +123,11 @@ public final class Connections {
         }
     }
 
+    /** Ends what is left. */
+    public void closeAll() {
+        list().forEach(c -> c.close(""));
+    }
+
     /** False if the thread was interrupted. */
     public static boolean sleep(long millis) {
         try {

@@ -2,90 +2,144 @@ package enlightenment.net.server;
 
 import enlightenment.checkpoint.Origin;
 import enlightenment.engine.UnitAssembly;
-import enlightenment.file.ContentHash;
 import enlightenment.render.ResultArchive;
 import java.io.IOException;
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.function.Consumer;
 
-/** The archives of a job. One that fails is not used any more: the picture is worth more than what is kept of it. */
-final class JobArchives {
+/**
+ * The archives of a job. One that fails is not used any more: the picture is worth more than what is kept of it. From {@link #start} on they are
+ * written by a thread of their own.
+ */
+final class JobArchives implements AutoCloseable {
     static final JobArchives NONE = new JobArchives(List.of(), line -> {});
 
+    /** Results that wait to be written have no more bytes together. */
+    private static final long MOST_WAITING = 32L << 20;
+
     private final Consumer<String> log;
+    private final List<Kept> all = new ArrayList<>();
 
-    /** With the number that each has given the plan. */
-    private final Map<ResultArchive, Integer> plans = new LinkedHashMap<>();
+    /** Null before the start, and where there are no archives. */
+    private ArchiveThread writer;
 
-    private final Map<Integer, ContentHash> hashes = new TreeMap<>();
+    /** An archive, what it calls the plan, and which units it had in the beginning. */
+    private static final class Kept {
+        final ResultArchive archive;
+        int plan;
+        final BitSet units = new BitSet();
+
+        Kept(ResultArchive archive) {
+            this.archive = archive;
+        }
+    }
 
     JobArchives(List<ResultArchive> archives, Consumer<String> log) {
         this.log = log;
-        archives.forEach(archive -> plans.put(archive, 0));
+        archives.forEach(archive -> all.add(new Kept(archive)));
     }
 
     /** What an archive is asked for. */
     @FunctionalInterface
     private interface Use {
-        void of(ResultArchive archive, int plan) throws IOException;
+        void of(Kept kept) throws IOException;
+    }
+
+    /** Takes a result that is not in the picture yet. */
+    @FunctionalInterface
+    interface Taker {
+        void take(int unit, byte[] result);
     }
 
     private void each(Use use) {
-        for (ResultArchive archive : List.copyOf(plans.keySet())) {
+        for (Kept kept : List.copyOf(all)) {
             try {
-                use.of(archive, plans.get(archive));
-            } catch (IOException | RuntimeException e) {
-                plans.remove(archive);
+                use.of(kept);
+            } catch (IOException | RuntimeException | LinkageError | OutOfMemoryError e) {
+                all.remove(kept);
                 String why = e instanceof IOException && e.getMessage() != null ? e.getMessage() : e.toString();
-                log.accept(archive.name() + ": " + why + "; it is not used any more, the render goes on without");
+                log.accept(kept.archive.name() + ": " + why + "; it is not used any more, the render goes on without");
             }
         }
     }
 
+    private void later(long bytes, Use use) {
+        if (writer != null) {
+            writer.add(bytes, () -> each(use));
+        }
+    }
+
     /**
-     * Keeps a plan, and puts into the picture what is kept of its units and is not there.
+     * Keeps a plan, and tells what is kept of its units and not in the picture.
      *
-     * @return those units, in ascending order
+     * @param distrusted machines whose results are forgotten
+     * @param taker puts results into the picture
      */
-    Set<Integer> begin(byte[] plan, UnitAssembly film) {
-        each((archive, none) -> {
-            plans.put(archive, archive.keep(plan));
-            archive.replay(plans.get(archive), (unit, result) -> {
+    void begin(byte[] plan, Set<Origin.Peer> distrusted, UnitAssembly film, Taker taker) {
+        each(kept -> {
+            ResultArchive archive = kept.archive;
+            kept.plan = archive.keep(plan);
+            for (Origin.Peer machine : distrusted) {
+                archive.removeAll(kept.plan, machine.toString());
+            }
+            int[] taken = new int[1];
+            archive.replay(kept.plan, (unit, result) -> {
                 byte[] bytes = PlainResult.of(film, unit, result);
                 Optional<String> problem = film.problem(unit, bytes);
                 if (problem.isPresent()) {
                     log.accept(archive.name() + ": tile " + unit + ": " + problem.get());
-                } else if (!film.has(unit)) {
-                    film.put(unit, bytes);
-                    hashes.put(unit, ContentHash.of(bytes));
+                    return;
+                }
+                kept.units.set(unit);
+                if (!film.has(unit)) {
+                    taker.take(unit, bytes);
+                    taken[0]++;
                 }
             });
-            if (!hashes.isEmpty()) {
-                log.accept(archive.name() + ": " + hashes.size() + " of " + film.units() + " tiles are done already");
+            if (taken[0] > 0) {
+                log.accept(archive.name() + ": " + taken[0] + " of " + film.units() + " tiles are done already");
             }
         });
-        return hashes.keySet();
     }
 
-    /** The hash of a unit that {@link #begin} has put into the picture. */
-    ContentHash hash(int unit) {
-        return hashes.get(unit);
+    /** Whether an archive had no result of a unit in the beginning. */
+    boolean lack(int unit) {
+        return all.stream().anyMatch(kept -> !kept.units.get(unit));
     }
 
+    /** Gives a result to the archives that had none of its unit; before the start. */
+    void complete(int unit, Origin origin, byte[] bytes) {
+        each(kept -> {
+            if (!kept.units.get(unit)) {
+                kept.archive.keep(kept.plan, unit, origin.toString(), bytes);
+            }
+        });
+    }
+
+    /** From now on a thread of their own writes them. */
+    void start() {
+        writer = new ArchiveThread(MOST_WAITING, () -> each(kept -> kept.archive.tick()));
+    }
+
+    /** Keeps a result, soon. */
     void keep(int unit, Origin origin, byte[] bytes) {
-        each((archive, plan) -> archive.keep(plan, unit, origin.toString(), bytes));
+        later(bytes.length, kept -> kept.archive.keep(kept.plan, unit, origin.toString(), bytes));
     }
 
+    /** Forgets a result, soon. */
     void remove(int unit) {
-        each((archive, plan) -> archive.remove(plan, unit));
+        later(0, kept -> kept.archive.remove(kept.plan, unit));
     }
 
-    void tick() {
-        each((archive, plan) -> archive.tick());
+    /** Returns when archives have what they were given, and hear of nothing more. */
+    @Override
+    public void close() {
+        if (writer != null) {
+            writer.close();
+        }
     }
 }

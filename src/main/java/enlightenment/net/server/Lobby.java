@@ -29,10 +29,6 @@ public final class Lobby {
     /** Takes care of a new connection. */
     public void welcome(Socket plain) {
         ServerConnection connection = new ServerConnection(connections.newId(), server, plain);
-        if (server.isClosed()) {
-            connection.close("");
-            return;
-        }
         try {
             connections.waitForRoom();
             connections.add(connection).forEach(c -> c.close("had to make room for newer ones, unknown like itself"));

@@ -56,8 +56,8 @@ public final class ServerConnection {
         /** First guess of the speed of a worker of this name at this address, 1 if nothing is known. */
         double weight(String name, String address);
 
-        /** Whether nobody is let in any more. */
-        boolean isClosed();
+        /** What workers are told once this server ends: nobody is let in any more. Null until then. */
+        Message lastWord();
 
         /** Whether there is a place for the worker, which has proved that it knows the token. */
         boolean admit(ServerConnection connection);
@@ -165,7 +165,12 @@ public final class ServerConnection {
 
     private boolean isAdmitted(MessageChannel on, Message.Hello worker) {
         if (!server.admit(this)) {
-            refuse("the server has as many workers as it can have", true);
+            Message last = server.lastWord();
+            if (last == null) {
+                refuse("the server has as many workers as it can have", true);
+            } else {
+                on.sayLast(last);
+            }
             return false;
         }
         String refusal = refusal(worker);
@@ -338,7 +343,7 @@ public final class ServerConnection {
         isKnown = true;
     }
 
-    boolean isKnown() {
+    public boolean isKnown() {
         return isKnown;
     }
 

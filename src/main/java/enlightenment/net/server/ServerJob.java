@@ -21,8 +21,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -52,6 +54,9 @@ public final class ServerJob implements Closeable {
 
     /** What the journal calls the plan. */
     private long key;
+
+    /** Where the journal has the results that it brought, until archives have them. */
+    private Map<Integer, Long> places = Map.of();
 
     private JobArchives archives = JobArchives.NONE;
 
@@ -105,8 +110,8 @@ public final class ServerJob implements Closeable {
         byte[] bytes = plan.toBytes();
         key = CheckpointJournal.key(bytes);
         reading.plans.addAll(List.of(0L, key));
-        journal = CheckpointJournal.open(
-                checkpoint, identity(), true, System.nanoTime(), (about, entry, place) -> reading.add(about, entry));
+        journal = CheckpointJournal.open(checkpoint, identity(), true, System.nanoTime(), reading::add);
+        places = reading.places;
         if (!reading.knowsPlan) {
             // Twice: all results of its units would be of no use without it.
             journal.append(System.nanoTime(), key, new JournalRecord.Planned(bytes));
@@ -136,9 +141,12 @@ public final class ServerJob implements Closeable {
         /** The keys of plans with the same units, and that of what is about none. */
         final Set<Long> plans = new HashSet<>();
 
+        /** The last place of each tile. */
+        final Map<Integer, Long> places = new HashMap<>();
+
         boolean knowsPlan;
 
-        void add(long about, JournalRecord entry) {
+        void add(long about, JournalRecord entry, long place) {
             if (entry instanceof JournalRecord.Planned planned) {
                 knowsPlan |= about == key;
                 KeptPlan.read(planned.plan())
@@ -146,14 +154,14 @@ public final class ServerJob implements Closeable {
                         .ifPresent(p -> plans.add(about));
             } else if (plans.contains(about)) {
                 if (entry instanceof JournalRecord.Kept tile) {
-                    put(tile);
+                    put(tile, place);
                 } else {
                     builder.add(entry);
                 }
             }
         }
 
-        private void put(JournalRecord.Kept tile) {
+        private void put(JournalRecord.Kept tile, long place) {
             byte[] result = PlainResult.of(film, tile.tile(), tile.data());
             Optional<String> problem = film.problem(tile.tile(), result);
             if (problem.isPresent()) {
@@ -161,6 +169,7 @@ public final class ServerJob implements Closeable {
                 return;
             }
             film.put(tile.tile(), result);
+            places.put(tile.tile(), place);
             builder.add(new JournalRecord.Kept(tile.tile(), tile.origin(), result));
         }
     }
@@ -205,20 +214,46 @@ public final class ServerJob implements Closeable {
         return machines.stream().map(Origin.Peer::toString).sorted().collect(Collectors.joining(", "));
     }
 
-    /** Goes on from archives, after the checkpoint, and keeps in them what is done from now on; of a job of one picture. */
+    /**
+     * Goes on from archives, after the checkpoint, gives each what the other has, and keeps in them what is done from now on; of a job of one
+     * picture.
+     */
     public void keepIn(List<ResultArchive> all) {
         if (all.isEmpty()) {
             return;
         }
         archives = new JobArchives(all, log);
         List<Restored.Tile> tiles = new ArrayList<>(restored.tiles());
-        for (int tile : archives.begin(plan.toBytes(), film)) {
+        archives.begin(plan.toBytes(), restored().expelled(), film, (tile, bytes) -> {
+            film.put(tile, bytes);
             // They are ours: whoever can write there can write anything.
-            kept[tile] = archives.hash(tile);
+            kept[tile] = ContentHash.of(bytes);
             tiles.add(new Restored.Tile(tile, Origin.SERVER, kept[tile], null));
+            write(key, new JournalRecord.Kept(tile, Origin.SERVER, bytes));
+        });
+        for (Restored.Tile tile : restored.tiles()) {
+            if (archives.lack(tile.tile())) {
+                inJournal(tile.tile()).ifPresent(bytes -> archives.complete(tile.tile(), tile.origin(), bytes));
+            }
         }
+        places = Map.of();
         tiles.sort(Comparator.comparingInt(Restored.Tile::tile));
         restored = new Restored(tiles, restored.expelled());
+        archives.start();
+    }
+
+    /** The result that the journal brought of a tile. */
+    private Optional<byte[]> inJournal(int tile) {
+        if (journal == null || !places.containsKey(tile)) {
+            return Optional.empty();
+        }
+        try {
+            return journal.read(places.get(tile))
+                    .map(entry -> entry instanceof JournalRecord.Kept k ? PlainResult.of(film, tile, k.data()) : null);
+        } catch (IOException e) {
+            giveUpJournal(e);
+            return Optional.empty();
+        }
     }
 
     /** What is to be kept; false if the action is none of these. */
@@ -268,7 +303,6 @@ public final class ServerJob implements Closeable {
 
     /** Time has passed. */
     public void tick() {
-        archives.tick();
         if (journal != null) {
             try {
                 journal.tick(System.nanoTime());
@@ -309,6 +343,8 @@ public final class ServerJob implements Closeable {
 
     @Override
     public void close() throws IOException {
+        // Without the server's lock: all that waits for a database is written here.
+        archives.close();
         try (results) {
             if (journal != null) {
                 journal.close();

@@ -35,51 +35,40 @@ class BadMatterTest {
             delimiter = '|',
             quoteCharacter = '"',
             value = {
-                "{'foo': 1} |  | a sky, {'type': 'sky', 'elevation': degrees}, not an object with 'foo'",
-                "{'elevation': 30} | | a picture, {'texture': '...'}, or a sky",
-                "{'file': 'sky.hdr'} | | a picture, {'texture': '...'}",
-                "{'textur': 'sky'} | | did you mean 'texture'?",
-                "{} | | not an empty object",
-                "[1, 2] | | or a sky",
-                "3 | | or a sky",
-                "'sky' | | or a sky",
-                "{'linear': [1, 1, 1], 'radiance': 2} | /radiance | a linear colour has 'linear'",
-                "{'linear': [-1, 0, 0]} | /linear/0 | at least 0",
-                "{'type': 'hosek', 'elevation': 30} | /type | expected one of 'picture', 'sky'",
-                "{'type': 'sky'} | /elevation | missing",
-                "{'type': 'sky', 'elevation': -5} | /elevation | must lie in 0.0..90.0",
-                "{'type': 'sky', 'elevation': 5, 'turbidity': 30} | /turbidity | must lie in 2.0..10.0",
-                "{'type': 'sky', 'elevation': 5, 'groundAlbedo': 1.5} | /groundAlbedo | more than it receives",
-                "{'type': 'sky', 'elevation': 5, 'radiance': -3} | /radiance | at least 0",
-                "{'type': 'sky', 'elevation': 5, 'texture': 'room'} | /texture | a sky background has",
-                "{'texture': 'room'} | /texture | names no textures",
+                "background | {'foo': 1} |  | a sky, {'type': 'sky', 'elevation': degrees}, not an object with 'foo'",
+                "background | {'elevation': 30} | | a picture, {'texture': '...'}, or a sky",
+                "background | {'file': 'sky.hdr'} | | a picture, {'texture': '...'}",
+                "background | {'textur': 'sky'} | | did you mean 'texture'?",
+                "background | {} | | not an empty object",
+                "background | [1, 2] | | or a sky",
+                "background | 3 | | or a sky",
+                "background | 'sky' | | or a sky",
+                "background | {'linear': [1, 1, 1], 'radiance': 2} | /radiance | a linear colour has 'linear'",
+                "background | {'linear': [-1, 0, 0]} | /linear/0 | at least 0",
+                "background | {'type': 'hosek', 'elevation': 30} | /type | expected one of 'picture', 'sky'",
+                "background | {'type': 'sky'} | /elevation | missing",
+                "background | {'type': 'sky', 'elevation': -5} | /elevation | must lie in 0.0..90.0",
+                "background | {'type': 'sky', 'elevation': 5, 'turbidity': 30} | /turbidity | must lie in 2.0..10.0",
+                "background | {'type': 'sky', 'elevation': 5, 'groundAlbedo': 1.5} | /groundAlbedo | more than it receives",
+                "background | {'type': 'sky', 'elevation': 5, 'radiance': -3} | /radiance | at least 0",
+                "background | {'type': 'sky', 'elevation': 5, 'texture': 'room'} | /texture | a sky background has",
+                "background | {'texture': 'room'} | /texture | names no textures",
+                "medium | {} | /color | either 'color' and 'meanFreePath' or",
+                "medium | {'color': '#888'} | /meanFreePath | missing",
+                "medium | {'scatteringCoefficient': 1} | /absorptionCoefficient | missing",
+                "medium | {'color': '#888', 'meanFreePath': 1, 'absorptionCoefficient': 1} | /absorptionCoefficient | either these or",
+                "medium | {'color': '#888', 'meanFreePath': 0} | /meanFreePath | greater than 0",
+                "medium | {'color': '#888', 'meanFreePath': '1 mm'} | /meanFreePath | must be a number",
+                "medium | {'color': '#888', 'meanFreePath': 1, 'anisotropy': 1} | /anisotropy | both excluded",
+                "medium | {'color': '#888', 'meanFreePath': 1, 'indexOfRefraction': 1.3} | /indexOfRefraction | a medium has",
+                "medium | {'color': {'linear': [1.2, 1, 1]}, 'meanFreePath': 1} | /color | more than it receives",
+                "medium | {'scatteringCoefficient': -1, 'absorptionCoefficient': 0} | /scatteringCoefficient | at least 0",
+                "medium | {'scatteringCoefficient': 1e400, 'absorptionCoefficient': 0} | /scatteringCoefficient | a double can hold",
+                "medium | 3 | | an object",
             })
-    void ofBackgrounds(String background, String pointer, String words) {
-        Problem problem = problem("'model': 'physical', 'background': " + background, "'lights': []");
-        assertTells(problem, "/shading/background" + (pointer == null ? "" : pointer), words);
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            quoteCharacter = '"',
-            value = {
-                "{} | /color | either 'color' and 'meanFreePath' or",
-                "{'color': '#888'} | /meanFreePath | missing",
-                "{'scatteringCoefficient': 1} | /absorptionCoefficient | missing",
-                "{'color': '#888', 'meanFreePath': 1, 'absorptionCoefficient': 1} | /absorptionCoefficient | either these or",
-                "{'color': '#888', 'meanFreePath': 0} | /meanFreePath | greater than 0",
-                "{'color': '#888', 'meanFreePath': '1 mm'} | /meanFreePath | must be a number",
-                "{'color': '#888', 'meanFreePath': 1, 'anisotropy': 1} | /anisotropy | both excluded",
-                "{'color': '#888', 'meanFreePath': 1, 'indexOfRefraction': 1.3} | /indexOfRefraction | a medium has",
-                "{'color': {'linear': [1.2, 1, 1]}, 'meanFreePath': 1} | /color | more than it receives",
-                "{'scatteringCoefficient': -1, 'absorptionCoefficient': 0} | /scatteringCoefficient | at least 0",
-                "{'scatteringCoefficient': 1e400, 'absorptionCoefficient': 0} | /scatteringCoefficient | a double can hold",
-                "3 | | an object",
-            })
-    void ofMedia(String medium, String pointer, String words) {
-        Problem problem = problem("'model': 'physical', 'medium': " + medium, "'lights': []");
-        assertTells(problem, "/shading/medium" + (pointer == null ? "" : pointer), words);
+    void ofBackgroundsAndMedia(String key, String value, String pointer, String words) {
+        Problem problem = problem("'model': 'physical', '" + key + "': " + value, "'lights': []");
+        assertTells(problem, "/shading/" + key + (pointer == null ? "" : pointer), words);
     }
 
     @ParameterizedTest

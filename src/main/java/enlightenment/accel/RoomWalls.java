@@ -108,7 +108,7 @@ final class RoomWalls {
         long behindY = bits((ray.oy - w[3 - y]) * iy - slack) >>> SIGN;
         long behindZ = bits((ray.oz - w[5 - z]) * iz - slack) >>> SIGN;
         int near = (int) behindX * (2 - x) + (int) behindY * (6 - 3 * y) + (int) behindZ * (18 - 9 * z);
-        if (near != 0 && byDigits[near] != ray.start) {
+        if (near != 0 && (ray.start == null || byDigits[near] != ray.start)) {
             return false;
         }
         // Numbers that are not negative are in the order of their bits.

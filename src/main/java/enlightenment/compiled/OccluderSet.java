@@ -225,18 +225,24 @@ final class OccluderSet {
 
     /** The same for segments from one point to some others. One per thread. */
     final class SegmentJudge implements ConeJudge {
-        private final SegmentEnds ends;
+        private SegmentEnds ends;
+        private int start;
 
-        SegmentJudge(SegmentEnds ends) {
-            this.ends = ends;
-        }
-
-        SegmentEnds ends() {
-            return ends;
+        /**
+         * Turns to the segments that lead to some ends.
+         *
+         * @param on the primitive that they begin on and never meet again, or -1
+         */
+        void begin(SegmentEnds to, int on) {
+            ends = to;
+            start = on;
         }
 
         @Override
         public int judge(int id) {
+            if (id == start || ends.lieOn(id)) {
+                return CLEAR;
+            }
             int plane = planeAt[id];
             if (plane != NO_PLANE && staysBeside(plane)) {
                 return CLEAR;

@@ -8,6 +8,9 @@ import enlightenment.numeric.Scale;
  * is found for all of them together. A mutable work object, one per thread.
  */
 public final class SegmentEnds {
+    /** The id of no primitive. */
+    private static final int NONE = -1;
+
     /** A generous bound of the roundings of the ball around the points. */
     private static final double ERROR = Scale.gamma(64);
 
@@ -20,6 +23,9 @@ public final class SegmentEnds {
     /** The cone in which they are seen. */
     final BallCone cone = new BallCone();
 
+    /** The primitive that all of the points lie on, or -1. */
+    private int on;
+
     private double x;
     private double y;
     private double z;
@@ -28,12 +34,23 @@ public final class SegmentEnds {
     /** No points at first. */
     public SegmentEnds() {}
 
-    /** Forgets the points. */
-    public void clear() {
+    /**
+     * Forgets the points.
+     *
+     * @param surface the primitive that all points to come lie on, the way that segments do not meet it earlier: a flat one, or a convex one
+     *     from outside; -1 if there is none
+     */
+    public void clear(int surface) {
+        on = surface;
         for (int c = 0; c < 3; c++) {
             box[c] = Double.POSITIVE_INFINITY;
             box[c + 3] = Double.NEGATIVE_INFINITY;
         }
+    }
+
+    /** From here on points may lie on any primitive. */
+    public void mix() {
+        on = NONE;
     }
 
     /** Adds a point. */
@@ -61,6 +78,11 @@ public final class SegmentEnds {
             size += Math.max(Math.abs(box[c]), Math.abs(box[c + 3]));
         }
         radius = Math.sqrt(dx * dx + dy * dy + dz * dz) * (1 + ERROR) + ERROR * size;
+    }
+
+    /** Whether no segment can meet the primitive on its way, since its points lie on it. */
+    boolean lieOn(int id) {
+        return id == on;
     }
 
     /** Turns the cone to where segments begin. */

@@ -229,15 +229,19 @@ public final class Tracer {
     /**
      * Prepares {@link #occludedSegment} for rays from a point.
      *
+     * @param on the primitive that they begin on and never meet again; -1 if there is none
      * @param ends where they lead
      * @param rays how many there will be
+     * @return whether anything may be in the way of any of them
      */
-    public void prepareSegments(double x, double y, double z, SegmentEnds ends, int rays) {
-        if (segments == null || segments.ends() != ends) {
-            segments = scene.occluders.new SegmentJudge(ends);
+    public boolean prepareSegments(double x, double y, double z, int on, SegmentEnds ends, int rays) {
+        if (segments == null) {
+            segments = scene.occluders.new SegmentJudge();
         }
+        segments.begin(ends, on);
         ends.seenFrom(x, y, z);
         isFree = scene.accelerator.narrow(ends.cone, segments, rays, query) == 0;
+        return !isFree;
     }
 
     /**

@@ -91,9 +91,10 @@ final class GlassTracer {
         }
     }
 
-    /** Whether the last {@link #arrive} found nothing but an opaque surface, from empty space. */
+    /** Whether the last {@link #arrive} found nothing but one opaque surface, from empty space. */
     boolean isPlain() {
-        return coincident.size() == 0 && inside.size() == 0;
+        int found = coincident.size();
+        return inside.size() == 0 && (found == 0 || found == 1 && !coincident.isGlass(0));
     }
 
     /** The ray is at no surface now. */

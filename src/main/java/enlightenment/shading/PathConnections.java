@@ -4,73 +4,209 @@ import enlightenment.compiled.SegmentEnds;
 import enlightenment.compiled.Tracer;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
+import java.util.Arrays;
 
-/** Connects first vertices of paths to second vertices of others. One per thread. */
+/**
+ * Connects first vertices of paths to second vertices of others. One per thread.
+ *
+ * <p>First vertices are kept by surface: what may be in the way is asked once for all vertices of a surface. And their coordinates lie side
+ * by side, for loops that the compiler makes vector instructions of.
+ */
 public final class PathConnections {
+    /** First vertices on more surfaces than this count as on one, which is none. */
+    private static final int MOST_SURFACES = 6;
+
     private final Tracer tracer;
     private final Ray ray = new Ray();
-    private final SegmentEnds ends = new SegmentEnds();
-    private int takers;
-    private PathCut giver;
+
+    /** By surface: its id, how many first vertices lie on it and where they end in the arrays, and those as ends of segments. */
+    private final int[] surfaces = new int[MOST_SURFACES];
+
+    private final int[] sizes = new int[MOST_SURFACES];
+    private final int[] ends = new int[MOST_SURFACES];
+    private final SegmentEnds[] segments = new SegmentEnds[MOST_SURFACES];
+    private int surfaceCount;
+
+    /** By path: the index of the surface that its first vertex lies on. */
+    private int[] surfaceOf = {};
+
+    /** By first vertex, in the order of surfaces: its path, place, normal towards the side it is seen from, and albedo. */
+    private int[] pathOf = {};
+
+    private double[] x;
+    private double[] y;
+    private double[] z;
+    private double[] nx;
+    private double[] ny;
+    private double[] nz;
+    private double[] red;
+    private double[] green;
+    private double[] blue;
+    private int count;
+
+    /** By first vertex: its share of what is given, and the radiance that it has gained. */
+    private double[] shares;
+
+    private double[] gainedR;
+    private double[] gainedG;
+    private double[] gainedB;
 
     PathConnections(Tracer tracer) {
         this.tracer = tracer;
+        Arrays.setAll(segments, k -> new SegmentEnds());
     }
 
     /**
-     * Prepares for paths that share what their second vertices give.
+     * Divides what the second vertices of paths give among the first vertices of all that see them: in proportion to the density with which a
+     * path from there would have found them.
      *
-     * @param count how many of the paths there are
+     * @param paths that begin close to each other, the first of an array; some may take or give nothing
+     * @param out receives, added, what each of them takes
      */
-    public void begin(PathCut[] paths, int count) {
-        ends.clear();
-        takers = 0;
-        for (int p = 0; p < count; p++) {
-            if (paths[p].takes) {
-                Hit at = paths[p].first;
-                ends.add(at.px, at.py, at.pz);
-                takers++;
+    public void share(PathCut[] paths, int size, double[][] out) {
+        findSurfaces(paths, size);
+        if (surfaceCount == 0) {
+            return;
+        }
+        order(paths, size);
+        for (int q = 0; q < size; q++) {
+            if (paths[q].gives) {
+                give(paths[q], q, paths);
             }
         }
-        if (takers > 0) {
-            ends.finish();
+        for (int k = 0; k < count; k++) {
+            double[] rgb = out[pathOf[k]];
+            rgb[0] += red[k] * gainedR[k];
+            rgb[1] += green[k] * gainedG[k];
+            rgb[2] += blue[k] * gainedB[k];
         }
     }
 
-    /** Turns to a path that gives. */
-    public void from(PathCut to) {
-        giver = to;
-        Hit at = to.second;
-        tracer.prepareSegments(at.px, at.py, at.pz, ends, takers);
+    private void findSurfaces(PathCut[] paths, int size) {
+        if (surfaceOf.length < size) {
+            makeRoom(size);
+        }
+        surfaceCount = 0;
+        for (int p = 0; p < size; p++) {
+            if (paths[p].takes) {
+                int k = surface(paths[p].firstId);
+                Hit at = paths[p].first;
+                segments[k].add(at.px, at.py, at.pz);
+                sizes[k]++;
+                surfaceOf[p] = k;
+            }
+        }
+        int end = 0;
+        for (int k = 0; k < surfaceCount; k++) {
+            segments[k].finish();
+            ends[k] = end;
+            end += sizes[k];
+        }
     }
 
-    /**
-     * How much of what the second vertex of the giving path gives goes to the first vertex of another, in proportion to others; 0 if that does
-     * not see it. It is the density per area, but for a factor, with which paths from there would have found it.
-     */
-    public double share(PathCut from) {
-        if (!from.takes) {
-            return 0;
+    /** The index of a surface. */
+    private int surface(int id) {
+        for (int k = 0; k < surfaceCount; k++) {
+            if (surfaces[k] == id) {
+                return k;
+            }
         }
-        Hit a = from.first;
-        Hit b = giver.second;
-        double dx = a.px - b.px;
-        double dy = a.py - b.py;
-        double dz = a.pz - b.pz;
-        double dd = dx * dx + dy * dy + dz * dz;
-        double leaving = -(a.nx * dx + a.ny * dy + a.nz * dz) * a.side;
-        double arriving = (b.nx * dx + b.ny * dy + b.nz * dz) * b.side;
-        if (!(leaving > 0 && arriving > 0)) {
-            return 0;
+        if (surfaceCount == MOST_SURFACES) {
+            segments[MOST_SURFACES - 1].mix();
+            return MOST_SURFACES - 1;
         }
-        if (from != giver && isOccluded(a, b, dx, dy, dz)) {
-            return 0;
-        }
-        return leaving / dd * (arriving / dd);
+        surfaces[surfaceCount] = id;
+        sizes[surfaceCount] = 0;
+        segments[surfaceCount].clear(id);
+        return surfaceCount++;
     }
 
-    private boolean isOccluded(Hit a, Hit b, double dx, double dy, double dz) {
-        ray.set(b.px, b.py, b.pz, dx, dy, dz, 0).from(b.primitive, b.side);
+    private void makeRoom(int size) {
+        surfaceOf = new int[size];
+        pathOf = new int[size];
+        x = new double[size];
+        y = new double[size];
+        z = new double[size];
+        nx = new double[size];
+        ny = new double[size];
+        nz = new double[size];
+        red = new double[size];
+        green = new double[size];
+        blue = new double[size];
+        shares = new double[size];
+        gainedR = new double[size];
+        gainedG = new double[size];
+        gainedB = new double[size];
+    }
+
+    /** Puts first vertices in the order of their surfaces, of which each has its end moved behind them. */
+    private void order(PathCut[] paths, int size) {
+        for (int p = 0; p < size; p++) {
+            if (paths[p].takes) {
+                int k = ends[surfaceOf[p]]++;
+                Hit at = paths[p].first;
+                pathOf[k] = p;
+                x[k] = at.px;
+                y[k] = at.py;
+                z[k] = at.pz;
+                nx[k] = at.nx * at.side;
+                ny[k] = at.ny * at.side;
+                nz[k] = at.nz * at.side;
+                red[k] = paths[p].albedo[0];
+                green[k] = paths[p].albedo[1];
+                blue[k] = paths[p].albedo[2];
+                gainedR[k] = 0;
+                gainedG[k] = 0;
+                gainedB[k] = 0;
+            }
+        }
+        count = ends[surfaceCount - 1];
+    }
+
+    private void give(PathCut giver, int number, PathCut[] paths) {
+        Hit at = giver.second;
+        findShares(at.px, at.py, at.pz, at.nx * at.side, at.ny * at.side, at.nz * at.side);
+        double sum = 0;
+        int from = 0;
+        for (int k = 0; k < surfaceCount; k++) {
+            boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, giver.secondId, segments[k], sizes[k]);
+            for (int n = from; n < ends[k]; n++) {
+                if (!(shares[n] > 0)
+                        || mayBeHidden && pathOf[n] != number && isOccluded(n, paths[pathOf[n]].first, at)) {
+                    shares[n] = 0;
+                }
+                sum += shares[n];
+            }
+            from = ends[k];
+        }
+        if (sum > 0) {
+            gain(giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
+        }
+    }
+
+    /** The density per area, but for a factor, with which paths from the first vertices would find a second one, if they see it. */
+    private void findShares(double bx, double by, double bz, double mx, double my, double mz) {
+        for (int k = 0; k < count; k++) {
+            double dx = x[k] - bx;
+            double dy = y[k] - by;
+            double dz = z[k] - bz;
+            double dd = dx * dx + dy * dy + dz * dz;
+            double leaving = Math.max(-(nx[k] * dx + ny[k] * dy + nz[k] * dz), 0);
+            double arriving = Math.max(mx * dx + my * dy + mz * dz, 0);
+            shares[k] = leaving / dd * (arriving / dd);
+        }
+    }
+
+    private void gain(double r, double g, double b) {
+        for (int k = 0; k < count; k++) {
+            gainedR[k] += shares[k] * r;
+            gainedG[k] += shares[k] * g;
+            gainedB[k] += shares[k] * b;
+        }
+    }
+
+    private boolean isOccluded(int n, Hit a, Hit b) {
+        ray.set(b.px, b.py, b.pz, x[n] - b.px, y[n] - b.py, z[n] - b.pz, 0).from(b.primitive, b.side);
         ray.alsoFrom(a.primitive, a.side);
         return tracer.occludedSegment(ray);
     }

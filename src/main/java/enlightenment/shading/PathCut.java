@@ -19,7 +19,9 @@ public final class PathCut {
     boolean gives;
 
     final Hit first = new Hit();
+    int firstId;
     final Hit second = new Hit();
+    int secondId;
     final double[] albedo = new double[3];
 
     /** What the path brings without what leaves the second vertex. */
@@ -57,6 +59,7 @@ public final class PathCut {
             takes = isOpen(path) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
             if (takes) {
                 first.set(path.hit);
+                firstId = path.id;
                 System.arraycopy(color, 0, albedo, 0, 3);
             }
         } else {
@@ -69,6 +72,7 @@ public final class PathCut {
         gives = path.surfaces == 1 && takes && isOpen(path);
         if (gives) {
             second.set(path.hit);
+            secondId = path.id;
             value.get(own);
             value.beginPart();
         }

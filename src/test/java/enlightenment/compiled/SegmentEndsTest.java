@@ -86,12 +86,12 @@ class SegmentEndsTest {
     }
 
     private void prepare(Tracer tracer, double[] from) {
-        ends.clear();
+        ends.clear(-1);
         for (double[] p : points) {
             ends.add(p[0], p[1], p[2]);
         }
         ends.finish();
-        tracer.prepareSegments(from[0], from[1], from[2], ends, SEGMENTS);
+        tracer.prepareSegments(from[0], from[1], from[2], -1, ends, SEGMENTS);
     }
 
     private void aim(double[] from, double[] to) {

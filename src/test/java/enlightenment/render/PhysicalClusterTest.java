@@ -12,6 +12,7 @@ import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
 import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.render.BlockMeans.Verdict;
+import enlightenment.sampling.RunningStatistics;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -61,7 +62,10 @@ class PhysicalClusterTest {
     }
 
     private static void compare(String name, double samples, int seeds) {
-        Scene scene = ManySeeds.shipped(name);
+        compare(name, ManySeeds.shipped(name), samples, seeds);
+    }
+
+    private static void compare(String name, Scene scene, double samples, int seeds) {
         List<double[]> clustered = pictures(scene, settings(scene, Method.CLUSTER, samples), 1, seeds);
         List<double[]> traced = pictures(scene, settings(scene, Method.RAYTRACE, samples), APART, seeds);
         Verdict verdict = new BlockMeans(WIDTH, HEIGHT).compare(clustered, traced);
@@ -73,6 +77,63 @@ class PhysicalClusterTest {
     @ValueSource(strings = {"fire-and-ice-physical", "cornell-box", "glass-physical"})
     void itMeansThePictureOfRaytrace(String name) {
         compare(name, 9, 24);
+    }
+
+    /** A room in which a box and a turned cube stand on the floor, so that faces coincide. */
+    private static final String FURNISHED =
+            """
+            {
+              "image": { "width": 48, "height": 24 },
+              "camera": { "type": "perspective", "eye": [0, 1, -3], "lookAt": [0, 0.7, 0], "fieldOfView": 32 },
+              "shading": { "model": "physical" },
+              "materials": {
+                "white": { "type": "matte", "color": { "linear": [0.7, 0.7, 0.7] } },
+                "red": { "type": "matte", "color": { "linear": [0.6, 0.1, 0.1] } }
+              },
+              "lights": [ { "type": "rectangle", "radiance": 12, "color": "#ffffff", "twoSided": false,
+                "corners": [[-0.3, 1.99, 0.3], [-0.3, 1.99, -0.3], [0.3, 1.99, -0.3], [0.3, 1.99, 0.3]] } ],
+              "objects": [
+                { "type": "rectangle", "corners": [[-2, 0, -1], [-2, 0, 1], [2, 0, 1], [2, 0, -1]], "material": "white" },
+                { "type": "rectangle", "corners": [[-2, 2, -1], [-2, 2, 1], [2, 2, 1], [2, 2, -1]], "material": "white" },
+                { "type": "rectangle", "corners": [[-2, 0, 1], [-2, 2, 1], [2, 2, 1], [2, 0, 1]], "material": "white" },
+                { "type": "rectangle", "corners": [[-2, 0, -1], [-2, 2, -1], [-2, 2, 1], [-2, 0, 1]], "material": "red" },
+                { "type": "rectangle", "corners": [[2, 0, -1], [2, 2, -1], [2, 2, 1], [2, 0, 1]], "material": "white" },
+                { "type": "box", "min": [-1.2, 0, 0], "max": [-0.5, 1.2, 0.5], "material": "white" },
+                { "type": "cube", "center": [0.8, 0.3, -0.2], "radius": 0.5196152422706631, "rotation": [0, 20, 0], "material": "red" }
+              ]
+            }
+            """;
+
+    private static Scene furnished() {
+        return SceneReader.readString(FURNISHED, Path.of("."), "furnished");
+    }
+
+    @Test
+    void roomsWithFurnitureHaveTheSameMean() {
+        compare("furnished", furnished(), 9, 24);
+    }
+
+    /** Thirty-two paths in place of one, but for edges and for direct light in penumbras. */
+    @Test
+    void wherePathsAreSharedTheyVaryLess() {
+        Scene scene = furnished();
+        double shared = variance(pictures(scene, settings(scene, Method.CLUSTER, 16), 1, 8));
+        double alone = variance(pictures(scene, settings(scene, Method.RAYTRACE, 16), 1, 8));
+        assertTrue(shared < alone / 4, shared + " of " + alone);
+    }
+
+    /** The mean over all values of their variance among some pictures. */
+    private static double variance(List<double[]> pictures) {
+        int values = pictures.get(0).length;
+        double sum = 0;
+        for (int k = 0; k < values; k++) {
+            RunningStatistics of = new RunningStatistics();
+            for (double[] picture : pictures) {
+                of.add(picture[k]);
+            }
+            sum += of.variance();
+        }
+        return sum / values;
     }
 
     @Tag("full")

@@ -47,9 +47,11 @@ class PathCutTest {
             assertEquals(key, tracer.certain(again));
             if (cut.gives()) {
                 given++;
-                tracer.connections().begin(new PathCut[] {cut}, 1);
-                tracer.connections().from(cut);
-                assertTrue(tracer.connections().share(cut) > 0);
+                double[][] taken = new double[1][3];
+                tracer.connections().share(new PathCut[] {cut}, 1, taken);
+                for (int c = 0; c < 3; c++) {
+                    assertEquals(cut.brings(cut, 1, c), taken[0][c], 1e-15 * taken[0][c]);
+                }
             }
             for (int c = 0; c < 3; c++) {
                 double value = own[c] + (cut.gives() ? cut.brings(cut, 1, c) : 0);

@@ -8,11 +8,7 @@ import enlightenment.film.TilePasses;
 import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.method.TileIntegrator;
-import enlightenment.primitive.Ray;
-import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.PathConnections;
-import enlightenment.shading.PathCut;
 import enlightenment.shading.PathTracer;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
@@ -41,26 +37,14 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final RenderSettings settings;
     private final PhysicalAllocation allocation;
     private final PathTracer tracer;
-    private final PathConnections connections;
     private final PhysicalSurvey survey;
     private final PathNoise noise;
     private final SharingGain sharing = new SharingGain();
     private final Interpolation interpolation = new Interpolation();
-    private final Ray ray = new Ray();
     private final PixelGroup group = new PixelGroup();
 
-    /** Set to the pixels of the group: what they know of a pixel serves all of its samples. */
-    private final SobolSampler[] samplers = new SobolSampler[MOST_MEMBERS];
-
+    private final GroupPaths paths;
     private final int[] count = new int[MOST_MEMBERS];
-    private final long[] keys = new long[MOST_MEMBERS];
-    private final int[] events = new int[MOST_MEMBERS];
-    private final double[] placeX = new double[MOST_MEMBERS];
-    private final double[] placeY = new double[MOST_MEMBERS];
-    private final double[] shares = new double[MOST_MEMBERS];
-    private final double[][] colors = new double[MOST_MEMBERS][3];
-    private final double[][] certain = new double[MOST_MEMBERS][3];
-    private final PathCut[] paths = new PathCut[MOST_MEMBERS];
     private final SampleSpread[] spreads = new SampleSpread[MOST_MEMBERS];
 
     /** Binary logarithm of the number of first paths of each pixel; and their colours, one after another. */
@@ -94,12 +78,10 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         first = new double[3 * PIXELS << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
         tracer = new PathTracer(scene, counters);
-        connections = tracer.connections();
         survey = new PhysicalSurvey(scene, settings, tracer);
         noise = new PathNoise(scene.display, survey);
+        paths = new GroupPaths(scene, settings, tracer, group);
         for (int m = 0; m < MOST_MEMBERS; m++) {
-            paths[m] = new PathCut();
-            samplers[m] = new SobolSampler();
             spreads[m] = new SampleSpread();
         }
     }
@@ -138,15 +120,9 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         for (int number = 0; number < PixelGroup.COUNT; number++) {
             group.gather(block, number);
             if (group.overlaps(tile)) {
-                toPixels(settings.seed());
+                paths.toPixels(settings.seed());
                 renderGroup(tile);
             }
-        }
-    }
-
-    private void toPixels(long seed) {
-        for (int m = 0; m < group.members; m++) {
-            samplers[m].pixel(seed, group.x(m), group.y(m));
         }
     }
 
@@ -186,15 +162,14 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         if (!tile.contains(x, y)) {
             return;
         }
-        double[] from = colors[m];
-        int at = 0;
-        if (s < 1 << firstSamples) {
-            from = first;
-            at = 3 * ((group.inBlock(m) << firstSamples) + s);
-            if (s < 2) {
-                samplers[m].sample(s);
-                spreads[m].at(samplers[m].filmX(), samplers[m].filmY());
-            }
+        double[] from = first;
+        int at = 3 * ((group.inBlock(m) << firstSamples) + s);
+        if (s >= 1 << firstSamples) {
+            from = paths.color(m);
+            at = 0;
+        }
+        if (s < 2) {
+            paths.place(spreads[m], m, s);
         } else {
             spreads[m].at(0, 0);
         }
@@ -249,33 +224,16 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     /** Takes some of the first samples of a group's pixels. */
     private void takeFirst(Block block, long seed, int number, int from, int to) {
         group.gather(block, number);
-        toPixels(seed);
+        paths.toPixels(seed);
         Arrays.fill(count, 0, group.members, to);
         for (int s = from; s < to; s++) {
             sample(s);
             for (int m = 0; m < group.members; m++) {
-                System.arraycopy(colors[m], 0, first, 3 * ((group.inBlock(m) << firstSamples) + s), 3);
-                tell(m, s);
+                int at = 3 * ((group.inBlock(m) << firstSamples) + s);
+                System.arraycopy(paths.color(m), 0, first, at, 3);
+                paths.tell(noise, m, s);
             }
         }
-    }
-
-    /** Tells of a member's last sample. */
-    private void tell(int m, int s) {
-        int i = group.column[m];
-        int j = group.row[m];
-        double known = noise.isQuiet(i, j) ? 0 : 1;
-        double[] color = colors[m];
-        double[] c = certain[m];
-        noise.tell(
-                i,
-                j,
-                s,
-                keys[m],
-                2 + events[m],
-                color[0] - known * c[0],
-                color[1] - known * c[1],
-                color[2] - known * c[2]);
     }
 
     /** How many rays the last survey took. */
@@ -298,74 +256,18 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         return noise.cost(i, j);
     }
 
-    /** Takes a sample of each member of the group that has so many. */
-    private void sample(int index) {
+    /** Takes the sample with a number of each member of the group that gets so many. */
+    private void sample(int number) {
         if (survey.isEmpty()) {
             // All that is seen is certain, and known already.
-            for (int m = 0; m < group.members; m++) {
-                Arrays.fill(colors[m], 0);
-            }
+            paths.clear(number, count);
             return;
         }
-        int field = group.column[0] + group.row[0] & 1;
-        boolean shares = sharing.isWorthIt(field);
+        paths.take(number, count, sharing);
         for (int m = 0; m < group.members; m++) {
-            if (index >= count[m]) {
-                continue;
-            }
-            int x = group.x(m);
-            int y = group.y(m);
-            SobolSampler sampler = samplers[m];
-            sampler.sample(index);
-            placeX[m] = sampler.filmX();
-            placeY[m] = sampler.filmY();
-            scene.camera.ray((x + placeX[m]) / settings.width(), (y + placeY[m]) / settings.height(), ray);
-            if (shares) {
-                tracer.shade(ray, sampler, paths[m]);
-                paths[m].own(colors[m]);
-            } else {
-                tracer.shade(ray, sampler, colors[m]);
-            }
-            keys[m] = tracer.certain(certain[m]);
-            events[m] = tracer.events();
-        }
-        if (shares) {
-            sharing.before(field, paths, colors, group.members, index, count);
-            share(index);
-            sharing.after(field, colors, group.members, index, count);
-        }
-        for (int m = 0; m < group.members; m++) {
-            if (index < count[m] && noise.isQuiet(group.column[m], group.row[m])) {
+            if (paths.has(m) && noise.isQuiet(group.column[m], group.row[m])) {
                 interpolation.between(survey, group.column[m], group.row[m]);
-                interpolation.subtract(placeX[m], placeY[m], colors[m]);
-            }
-        }
-    }
-
-    /** Shares what the second vertices of the group's paths give among all first vertices that see them. */
-    private void share(int index) {
-        for (int m = 0; m < group.members; m++) {
-            if (index >= count[m]) {
-                paths[m].clear();
-            }
-        }
-        connections.begin(paths, group.members);
-        for (int q = 0; q < group.members; q++) {
-            if (!paths[q].gives()) {
-                continue;
-            }
-            connections.from(paths[q]);
-            double sum = 0;
-            for (int p = 0; p < group.members; p++) {
-                shares[p] = connections.share(paths[p]);
-                sum += shares[p];
-            }
-            for (int p = 0; p < group.members; p++) {
-                if (shares[p] > 0) {
-                    for (int c = 0; c < 3; c++) {
-                        colors[p][c] += paths[p].brings(paths[q], shares[p] / sum, c);
-                    }
-                }
+                paths.subtract(interpolation, m);
             }
         }
     }

@@ -3,18 +3,16 @@ package enlightenment.method.cluster;
 import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 
-/**
- * Some pixels of a block, evenly spread over it: every other pixel of every other row, and those between. Mutable, one per thread. The
- * groups of a block are numbered; each pixel belongs to one.
- */
+/** The pixels of a block that are fields of one colour, were it a chessboard. Mutable, one per thread. */
 final class PixelGroup {
-    /** How many groups a block has. */
-    static final int COUNT = 8;
+    /** How many groups a block has: the colours. */
+    static final int COUNT = 2;
 
     /** How many pixels a group has at most. */
     static final int MOST_MEMBERS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE / COUNT;
 
-    private static final int STEP = 4;
+    /** The colour, 0 or 1. */
+    int field;
 
     /** How many pixels the group has. */
     int members;
@@ -26,13 +24,13 @@ final class PixelGroup {
 
     private Block block;
 
-    /** Makes it the group of a block with this number. */
-    void gather(Block of, int number) {
+    /** Makes it the group of a block that has this colour. */
+    void gather(Block of, int colour) {
         block = of;
+        field = colour;
         members = 0;
-        for (int j = number / STEP; j < block.height(); j += STEP / 2) {
-            int shift = (j - number / STEP) % STEP;
-            for (int i = (number + shift) % STEP; i < block.width(); i += STEP) {
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = (j ^ colour) & 1; i < block.width(); i += COUNT) {
                 column[members] = i;
                 row[members++] = j;
             }

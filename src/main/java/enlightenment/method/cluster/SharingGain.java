@@ -33,25 +33,21 @@ final class SharingGain {
         return isTrying || gain[1 - field] >= 0;
     }
 
-    /** Tells of paths that are going to share: what each would bring alone. */
-    void before(int field, PathCut[] paths, double[][] colors, int members, int index, int[] count) {
-        for (int m = 0; isTrying && m < members; m++) {
-            if (index < count[m]) {
-                for (int c = 0; c < 3; c++) {
-                    double alone = colors[m][c] + (paths[m].gives() ? paths[m].brings(paths[m], 1, c) : 0);
-                    gain[field] += alone * alone;
-                }
+    /** Tells of paths that are going to share, the first of an array: what each would bring alone. */
+    void before(int field, PathCut[] paths, double[][] colors, int size) {
+        for (int k = 0; isTrying && k < size; k++) {
+            for (int c = 0; c < 3; c++) {
+                double alone = colors[k][c] + (paths[k].gives() ? paths[k].brings(paths[k], 1, c) : 0);
+                gain[field] += alone * alone;
             }
         }
     }
 
     /** Tells of the same paths, after they have shared. */
-    void after(int field, double[][] colors, int members, int index, int[] count) {
-        for (int m = 0; isTrying && m < members; m++) {
-            if (index < count[m]) {
-                for (int c = 0; c < 3; c++) {
-                    gain[field] -= colors[m][c] * colors[m][c];
-                }
+    void after(int field, double[][] colors, int size) {
+        for (int k = 0; isTrying && k < size; k++) {
+            for (int c = 0; c < 3; c++) {
+                gain[field] -= colors[k][c] * colors[k][c];
             }
         }
     }

@@ -1,0 +1,155 @@
+package enlightenment.method.cluster;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.film.SampleSpread;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.SobolSampler;
+import enlightenment.scene.RenderSettings;
+import enlightenment.shading.PathConnections;
+import enlightenment.shading.PathCut;
+import enlightenment.shading.PathTracer;
+import java.util.Arrays;
+
+/** One sample of each pixel of a group that still gets any; their paths may share what they bring. One per thread. */
+final class GroupPaths {
+    private static final int NONE = -1;
+
+    private final CompiledScene scene;
+    private final RenderSettings settings;
+    private final PathTracer tracer;
+    private final PathConnections connections;
+    private final PixelGroup group;
+    private final Ray ray = new Ray();
+
+    /** Set to the pixels of the group: what they know of a pixel serves all of its samples. */
+    private final SobolSampler[] samplers = new SobolSampler[PixelGroup.MOST_MEMBERS];
+
+    /** By member: the index of its sample, or {@link #NONE}. */
+    private final int[] sampleOf = new int[PixelGroup.MOST_MEMBERS];
+
+    private int size;
+
+    /** By sample: its path, its value, and what of that is certain. */
+    private final PathCut[] paths = new PathCut[PixelGroup.MOST_MEMBERS];
+
+    private final double[][] colors = new double[PixelGroup.MOST_MEMBERS][3];
+    private final double[][] certain = new double[PixelGroup.MOST_MEMBERS][3];
+    private final long[] keys = new long[PixelGroup.MOST_MEMBERS];
+    private final int[] events = new int[PixelGroup.MOST_MEMBERS];
+    private final double[] placeX = new double[PixelGroup.MOST_MEMBERS];
+    private final double[] placeY = new double[PixelGroup.MOST_MEMBERS];
+
+    GroupPaths(CompiledScene scene, RenderSettings settings, PathTracer tracer, PixelGroup group) {
+        this.scene = scene;
+        this.settings = settings;
+        this.tracer = tracer;
+        this.group = group;
+        connections = tracer.connections();
+        Arrays.setAll(paths, k -> new PathCut());
+        Arrays.setAll(samplers, m -> new SobolSampler());
+    }
+
+    /** Turns to the pixels of the group. */
+    void toPixels(long seed) {
+        for (int m = 0; m < group.members; m++) {
+            samplers[m].pixel(seed, group.x(m), group.y(m));
+        }
+    }
+
+    /**
+     * Makes the samples with a number black, in place of {@link #take}.
+     *
+     * @param counts how many each member gets
+     */
+    void clear(int number, int[] counts) {
+        begin(number, counts);
+        for (int k = 0; k < size; k++) {
+            Arrays.fill(colors[k], 0);
+        }
+    }
+
+    private void begin(int number, int[] counts) {
+        size = 0;
+        for (int m = 0; m < group.members; m++) {
+            sampleOf[m] = number < counts[m] ? size++ : NONE;
+        }
+    }
+
+    /** Whether there is a sample of a member. */
+    boolean has(int m) {
+        return sampleOf[m] != NONE;
+    }
+
+    /**
+     * Takes the sample with a number of each member that gets so many.
+     *
+     * @param counts how many each gets
+     */
+    void take(int number, int[] counts, SharingGain sharing) {
+        begin(number, counts);
+        boolean shares = sharing.isWorthIt(group.field);
+        for (int m = 0; m < group.members; m++) {
+            if (has(m)) {
+                shade(m, number, sampleOf[m], shares);
+            }
+        }
+        if (shares) {
+            sharing.before(group.field, paths, colors, size);
+            connections.share(paths, size, colors);
+            sharing.after(group.field, colors, size);
+        }
+    }
+
+    private void shade(int m, int number, int k, boolean shares) {
+        SobolSampler sampler = samplers[m];
+        sampler.sample(number);
+        placeX[k] = sampler.filmX();
+        placeY[k] = sampler.filmY();
+        scene.camera.ray(
+                (group.x(m) + placeX[k]) / settings.width(), (group.y(m) + placeY[k]) / settings.height(), ray);
+        if (shares) {
+            tracer.shade(ray, sampler, paths[k]);
+            paths[k].own(colors[k]);
+        } else {
+            tracer.shade(ray, sampler, colors[k]);
+        }
+        keys[k] = tracer.certain(certain[k]);
+        events[k] = tracer.events();
+    }
+
+    /** Subtracts from a member's sample what its corners let expect, but for the mean of that. */
+    void subtract(Interpolation interpolation, int m) {
+        int k = sampleOf[m];
+        interpolation.subtract(placeX[k], placeY[k], colors[k]);
+    }
+
+    /** The value of a member's sample. */
+    double[] color(int m) {
+        return colors[sampleOf[m]];
+    }
+
+    /** Tells of a member's sample, which has this number among those of its pixel. */
+    void tell(PathNoise noise, int m, int number) {
+        int i = group.column[m];
+        int j = group.row[m];
+        int k = sampleOf[m];
+        double known = noise.isQuiet(i, j) ? 0 : 1;
+        double[] color = colors[k];
+        double[] c = certain[k];
+        noise.tell(
+                i,
+                j,
+                number,
+                keys[k],
+                2 + events[k],
+                color[0] - known * c[0],
+                color[1] - known * c[1],
+                color[2] - known * c[2]);
+    }
+
+    /** Tells where in the pixel a sample of a member lies, the next that the spread is told of. */
+    void place(SampleSpread spread, int m, int number) {
+        samplers[m].sample(number);
+        spread.at(samplers[m].filmX(), samplers[m].filmY());
+    }
+}

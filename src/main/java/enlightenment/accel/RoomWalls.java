@@ -35,12 +35,22 @@ final class RoomWalls {
     /** By a number of three digits to the base of 3, one for each axis: the wall, if only one digit is not 0. */
     private final Primitive[] byDigits = new Primitive[27];
 
+    /** By axis: the largest and the least coordinate of all walls. */
+    private final double[] ends = new double[WALLS];
+
     private boolean isRoom;
+
+    /** Where the ray meets the plane of the wall that {@link #nearest} told. */
+    private double met;
 
     /** Sets the walls: rectangles, of which those across each axis begin where the array says. */
     void set(RectanglePrimitive[] rectangles, int[] rectangleIds, int[] firstAcross) {
         isRoom = firstAcross[3] >= FEWEST;
         Arrays.fill(byDigits, null);
+        for (int axis = 0; axis < 3; axis++) {
+            ends[2 * axis] = Double.NEGATIVE_INFINITY;
+            ends[2 * axis + 1] = Double.POSITIVE_INFINITY;
+        }
         int unit = 1;
         for (int axis = 0; axis < 3 && isRoom; axis++) {
             int first = firstAcross[axis];
@@ -81,6 +91,8 @@ final class RoomWalls {
         at[wall] = coordinate(r, axis);
         Bounds box = r.bounds();
         for (int c = 0; c < 3; c++) {
+            ends[2 * c] = Math.max(ends[2 * c], box.max().component(c));
+            ends[2 * c + 1] = Math.min(ends[2 * c + 1], box.min().component(c));
             boxes[BOX * wall + 2 * c] =
                     c == axis ? Double.NEGATIVE_INFINITY : box.min().component(c);
             boxes[BOX * wall + 2 * c + 1] =
@@ -99,11 +111,11 @@ final class RoomWalls {
         if (!isRoom) {
             return false;
         }
-        double[] w = at;
         int x = (int) (bits(ix) >>> SIGN);
         int y = (int) (bits(iy) >>> SIGN);
         int z = (int) (bits(iz) >>> SIGN);
         // Those behind the ray are far behind, or one is where it starts.
+        double[] w = at;
         long behindX = bits((ray.ox - w[1 - x]) * ix - slack) >>> SIGN;
         long behindY = bits((ray.oy - w[3 - y]) * iy - slack) >>> SIGN;
         long behindZ = bits((ray.oz - w[5 - z]) * iz - slack) >>> SIGN;
@@ -111,39 +123,82 @@ final class RoomWalls {
         if (near != 0 && (ray.start == null || byDigits[near] != ray.start)) {
             return false;
         }
-        // Numbers that are not negative are in the order of their bits.
-        long tx = bits((w[x] - ray.ox) / ray.dx);
-        long ty = bits((w[2 + y] - ray.oy) / ray.dy);
-        long tz = bits((w[4 + z] - ray.oz) / ray.dz);
-        long less = Math.min(tx, ty);
-        long least = Math.min(less, tz);
-        double t = Double.longBitsToDouble(least);
-        double next = Double.longBitsToDouble(Math.min(Math.max(tx, ty), Math.max(less, tz)));
-        if (!(t > ray.tMin + slack && next > t + slack)) {
+        int wall = nearest(ray, x, 2 + y, 4 + z, ix, iy, iz, slack);
+        if (wall < 0 || walls[wall] == ray.start) {
             return false;
         }
-        int wall = least == tx ? x : least == ty ? 2 + y : 4 + z;
-        return t > state.t() + slack || takes(ray, state, wall, t, slack);
+        return met > state.t() + slack
+                || meets(ray, state, wall, slack)
+                || leaves(ray, x, 2 + y, 4 + z, ix, iy, iz, slack);
     }
 
-    private boolean takes(Ray ray, Closest state, int wall, double t, double slack) {
+    /**
+     * The wall whose plane the ray meets first, of three that are ahead.
+     *
+     * @return -1 if that may be another one, or before the ray begins
+     */
+    private int nearest(Ray ray, int x, int y, int z, double ix, double iy, double iz, double slack) {
+        long gapX = bits(at[x] - ray.ox);
+        long gapY = bits(at[y] - ray.oy);
+        long gapZ = bits(at[z] - ray.oz);
+        // Numbers that are not negative are in the order of their bits.
+        long tx = bits(Double.longBitsToDouble(gapX) * ix);
+        long ty = bits(Double.longBitsToDouble(gapY) * iy);
+        long tz = bits(Double.longBitsToDouble(gapZ) * iz);
+        if ((tx | ty | tz) < 0) {
+            return -1;
+        }
+        long isY = ty - tx >> SIGN;
+        long less = choose(tx, ty, isY);
+        long isZ = tz - less >> SIGN;
+        long least = choose(less, tz, isZ);
+        long next = Math.min(less ^ tz ^ least, tx ^ ty ^ less);
+        double t = Double.longBitsToDouble(least);
+        if (!(t > ray.tMin + slack && Double.longBitsToDouble(next) > t + slack)) {
+            return -1;
+        }
+        long gap = choose(choose(gapX, gapY, isY), gapZ, isZ);
+        long slope = choose(choose(bits(ray.dx), bits(ray.dy), isY), bits(ray.dz), isZ);
+        met = Double.longBitsToDouble(gap) / Double.longBitsToDouble(slope);
+        return (int) choose(choose(x, y, isY), z, isZ);
+    }
+
+    /** The second number where all bits of the choice are set, the first where none is. */
+    private static long choose(long first, long second, long choice) {
+        return first ^ (first ^ second) & choice;
+    }
+
+    /** Takes the wall if the ray meets its plane well within it. */
+    private boolean meets(Ray ray, Closest state, int wall, double slack) {
+        double x = Math.fma(met, ray.dx, ray.ox);
+        double y = Math.fma(met, ray.dy, ray.oy);
+        double z = Math.fma(met, ray.dz, ray.oz);
+        double margin = slack * (Math.abs(ray.dx) + Math.abs(ray.dy) + Math.abs(ray.dz));
         double[] b = boxes;
         int k = BOX * wall;
-        double x = Math.fma(t, ray.dx, ray.ox);
-        double y = Math.fma(t, ray.dy, ray.oy);
-        double z = Math.fma(t, ray.dz, ray.oz);
-        double margin = slack * (Math.abs(ray.dx) + Math.abs(ray.dy) + Math.abs(ray.dz));
         long outside = bits(x - b[k] - margin)
                 | bits(b[k + 1] - x - margin)
                 | bits(y - b[k + 2] - margin)
                 | bits(b[k + 3] - y - margin)
                 | bits(z - b[k + 4] - margin)
                 | bits(b[k + 5] - z - margin);
-        if (outside < 0 || walls[wall] == ray.start) {
+        if (outside < 0) {
             return false;
         }
-        state.take(ray, walls[wall], ids[wall], t);
+        state.take(ray, walls[wall], ids[wall], met);
         return true;
+    }
+
+    /** Whether the ray is beyond all walls by then, on its way away from them: through the open side of the room. */
+    private boolean leaves(Ray ray, int x, int y, int z, double ix, double iy, double iz, double slack) {
+        double margin = slack * (Math.abs(ray.dx) + Math.abs(ray.dy) + Math.abs(ray.dz));
+        double gapX = (ends[x] - Math.fma(met, ray.dx, ray.ox)) * ix;
+        double gapY = (ends[y] - Math.fma(met, ray.dy, ray.oy)) * iy;
+        double gapZ = (ends[z] - Math.fma(met, ray.dz, ray.oz)) * iz;
+        return (bits(Math.fma(margin, Math.abs(ix), gapX))
+                        | bits(Math.fma(margin, Math.abs(iy), gapY))
+                        | bits(Math.fma(margin, Math.abs(iz), gapZ)))
+                < 0;
     }
 
     private static long bits(double v) {

@@ -58,10 +58,10 @@ set "E_ARCHIVE="
 set "E_USE="
 if defined LOCALAPPDATA set "E_ARCHIVE=%LOCALAPPDATA%\enlightenment\%E_PROGRAM%-java-%E_VERSION%.jsa"
 if not defined E_ARCHIVE goto start
-if %E_MAJOR% GEQ 19 if "%~1"=="render" goto create
+if %E_MAJOR% GEQ 21 if "%~1"=="render" goto create
 if "%~1"=="setup" goto start
 if not exist "%E_ARCHIVE%" goto start
-if %E_MAJOR% GEQ 19 goto use
+if %E_MAJOR% GEQ 21 goto use
 rem Before version 19 Java crashes on an archive that was cut short: setup says how long it is.
 set "E_SIZE="
 if exist "%E_ARCHIVE%.size" set /p E_SIZE=<"%E_ARCHIVE%.size"
@@ -72,7 +72,8 @@ set "E_USE=-XX:SharedArchiveFile="%E_ARCHIVE%""
 goto start
 
 :create
-rem Java makes it when the first render ends. It would warn on standard output of one that is of no use to it.
+rem Java makes it when the first render ends; before version 21 it would forget to compile what was just then waiting for that, for good,
+rem which setup prevents. It would warn on standard output of one that is of no use to it.
 if not exist "%LOCALAPPDATA%\enlightenment" mkdir "%LOCALAPPDATA%\enlightenment" 2>nul
 if exist "%LOCALAPPDATA%\enlightenment" set "E_USE=-XX:+AutoCreateSharedArchive -XX:+UnlockDiagnosticVMOptions -XX:-PrintWarnings -XX:SharedArchiveFile="%E_ARCHIVE%""
 

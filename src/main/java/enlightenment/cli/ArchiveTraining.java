@@ -18,7 +18,7 @@ public final class ArchiveTraining {
     private static final String SCENE =
             """
             {
-              "image": { "width": 16, "height": 16 },
+              "image": { "width": 8, "height": 8 },
               "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "up": [0, 1, 0], "fieldOfView": 40 },
               "textures": { "checks": { "type": "checker", "colors": ["#ffffff", "#808080"], "scale": 4 } },
               "materials": {
@@ -72,7 +72,7 @@ public final class ArchiveTraining {
     }
 
     private static int render(String scene, String picture, Method method) {
-        return run("render", scene, "-o", picture, "--method", method.word(), "--samples", "8", "--progress", "none");
+        return run("render", scene, "-o", picture, "--method", method.word(), "--samples", "4", "--progress", "none");
     }
 
     private static int run(String... command) {

@@ -19,7 +19,7 @@ import picocli.CommandLine.Command;
 @Command(
         name = "setup",
         description = "Makes the archive of classes that lets commands start faster on this computer; "
-                + "with Java 19 or newer the first render makes one by itself.")
+                + "with Java 21 or newer the first render makes one by itself.")
 final class SetupCommand extends Subcommand {
     /** Where the launcher looks for the archive. */
     static final String ARCHIVE = "enlightenment.archive";
@@ -61,6 +61,10 @@ final class SetupCommand extends Subcommand {
         Process training = new ProcessBuilder(List.of(
                         java.toString(),
                         "-XX:ArchiveClassesAtExit=" + archive,
+                        // Before version 21 Java archives that a method waits for the compiler, and whoever starts from
+                        // that archive never
+                        // compiles it (JDK-8306460). So nothing may wait.
+                        "-Xint",
                         // What cannot be archived is nobody's business.
                         "-Xlog:disable",
                         "-Xlog:all=error:stderr",

@@ -68,14 +68,22 @@ public final class SphereLight implements AreaLight {
         return !s.cone.inside && nx * s.cone.wx + ny * s.cone.wy + nz * s.cone.wz >= s.cone.sine;
     }
 
+    /**
+     * Samples a direction and the distance by the cosine, and nothing else of the sample. Only where {@link #samplesByCosine} says that it can
+     * be done.
+     */
+    public void directByCosine(LightSample s, double nx, double ny, double nz, double u, double v) {
+        ball.prepareByCosine(s, nx, ny, nz);
+        ball.sampleByCosine(s, u, v);
+    }
+
     @Override
     public void sampleByCosine(LightSample s, double nx, double ny, double nz, double u, double v) {
         if (!samplesByCosine(s, nx, ny, nz)) {
             sample(s, u, v);
             return;
         }
-        ball.prepareByCosine(s, nx, ny, nz);
-        ball.sampleByCosine(s, u, v);
+        directByCosine(s, nx, ny, nz, u, v);
         s.cosine = s.half / radius;
         double density = (s.dx * nx + s.dy * ny + s.dz * nz) / SphereIrradiance.of(s.cone, nx, ny, nz);
         s.pdf = density > 0 && density <= Double.MAX_VALUE ? density : 0;

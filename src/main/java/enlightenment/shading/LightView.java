@@ -78,8 +78,8 @@ final class LightView {
         }
     }
 
-    /** The same by the cosine at the vertex, where {@link SphereLight#samplesByCosine} says that it can be done. */
-    void sampleByCosine(SphereLight ball, double nx, double ny, double nz) {
-        ball.sampleByCosine(sample, nx, ny, nz, pair[0], pair[1]);
+    /** Its direction and distance alone, by the cosine at the vertex, where {@link SphereLight#samplesByCosine} says that it can be done. */
+    void directByCosine(SphereLight ball, double nx, double ny, double nz) {
+        ball.directByCosine(sample, nx, ny, nz, pair[0], pair[1]);
     }
 }

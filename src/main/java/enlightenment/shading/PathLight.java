@@ -234,7 +234,7 @@ final class PathLight {
         isByChance = true;
         view.draw(index, sampler, address);
         if (isWhole) {
-            view.sampleByCosine(ball, nx, ny, nz);
+            view.directByCosine(ball, nx, ny, nz);
             return shadow.isBlocked(l, sample) ? 0 : e;
         }
         view.sample(ball);

@@ -76,13 +76,23 @@ class AcceleratorTest {
         }
     }
 
-    /** A room of walls that share edges and planes, with some things in it. */
-    private static Primitive[] room(RandomPrimitives random) {
+    /**
+     * A room of walls that share edges and planes, with some things in it.
+     *
+     * @param parts that each wall has: one or two
+     * @param missing one in so many of them is not there
+     */
+    private static Primitive[] room(RandomPrimitives random, int parts, int missing) {
         List<Shape> shapes = new ArrayList<>();
         for (int k = 0; k < 3; k++) {
             for (int at = -4; at <= 4; at += 8) {
-                for (int half = 0; half < 2; half++) {
-                    double[][] c = {{-4, -4 + 4 * half}, {-4, 4 * half}, {4, 4 * half}, {4, -4 + 4 * half}};
+                for (int part = 0; part < parts; part++) {
+                    if (random.index(missing) == 0) {
+                        continue;
+                    }
+                    int high = 8 / parts;
+                    int low = -4 + high * part;
+                    double[][] c = {{-4, low}, {-4, low + high}, {4, low + high}, {4, low}};
                     ExactPoint[] p = new ExactPoint[4];
                     for (int i = 0; i < 4; i++) {
                         p[i] = k == 0
@@ -120,8 +130,8 @@ class AcceleratorTest {
         RandomPrimitives random = new RandomPrimitives(8);
         Hit hit = new Hit();
         int starts = 0;
-        for (int k = 0; k < 20; k++) {
-            Primitive[] all = room(random);
+        for (int k = 0; k < 40; k++) {
+            Primitive[] all = room(random, 1 + k % 2, k < 20 ? Integer.MAX_VALUE : 7);
             PrimitiveList list = PrimitiveList.of(all, new int[all.length]);
             Ray ray = new Ray();
             for (int i = 0; i < 2_000; i++) {
@@ -143,7 +153,7 @@ class AcceleratorTest {
                 }
             }
         }
-        assertTrue(starts > 10_000, starts + " rays from surfaces");
+        assertTrue(starts > 20_000, starts + " rays from surfaces");
     }
 
     /** Spheres around (x, 0, 0) within a distance of 200 times their radius. */

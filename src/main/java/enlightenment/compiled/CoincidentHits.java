@@ -15,7 +15,7 @@ public final class CoincidentHits {
     private static final double SAME_DIRECTION = 0.5;
 
     /** How far to search for a face that is known to coincide, in tolerances: enough never to miss it. */
-    private static final double REACH = 4;
+    static final double REACH = 4;
 
     private final CompiledScene scene;
     private final Ray probe = new Ray();
@@ -41,7 +41,9 @@ public final class CoincidentHits {
         int[] entries = scene.coincident.of(id);
         for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
             int other = entries[k + 1];
-            if (entries[k] == hit.face && !leaves(ray, scene.primitives[other])) {
+            if (entries[k] == hit.face
+                    && scene.coincident.isNear(id, k / CoincidentSurfaces.ENTRY, hit.px, hit.py, hit.pz)
+                    && !leaves(ray, scene.primitives[other])) {
                 probe(
                         other,
                         entries[k + 2],
@@ -51,13 +53,25 @@ public final class CoincidentHits {
         }
     }
 
+    /** Whether no surface can coincide with a hit. False where in doubt: it is to save the search mostly. */
+    private boolean isAlone(int id, Hit hit) {
+        int[] entries = scene.coincident.of(id);
+        for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
+            if (entries[k] == hit.face
+                    && scene.coincident.isNear(id, k / CoincidentSurfaces.ENTRY, hit.px, hit.py, hit.pz)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /**
      * Replaces a hit on an opaque surface by that on the coincident surface that is seen.
      *
      * @return the id of the primitive that is seen
      */
     int choose(Ray ray, int id, Hit hit) {
-        if (scene.isGlass(id, hit.face)) {
+        if (isAlone(id, hit) || scene.isGlass(id, hit.face)) {
             return id;
         }
         find(ray, id, hit);

@@ -35,6 +35,9 @@ public final class CoincidentSurfaces {
     /** Numbers per entry: this primitive's face, the other primitive, that one's face. */
     static final int ENTRY = 3;
 
+    /** Numbers per box. */
+    private static final int BOX = 6;
+
     private final CompiledPrimitives compiled;
 
     /** By id: entries of the faces that coincide with its own, by ascending id; null as a whole if there are none. */
@@ -42,6 +45,9 @@ public final class CoincidentSurfaces {
 
     /** By id: for each entry, how far apart the two surfaces may be. */
     private double[][] tolerances;
+
+    /** By id: for each entry, a box outside of which no point of this surface has the other one within {@link CoincidentHits#REACH}. */
+    private double[][] places;
 
     /** By id: the rank of each face, the lowest is seen; null where nothing coincides. */
     private int[][] order;
@@ -89,6 +95,13 @@ public final class CoincidentSurfaces {
     /** For each coincidence of the primitive, how far apart the two surfaces may be: a length in the frame. */
     double[] tolerancesOf(int id) {
         return tolerances[id];
+    }
+
+    /** Whether the entry k of a primitive counts at a point of it: false if that certainly is away from the other surface. */
+    boolean isNear(int id, int k, double x, double y, double z) {
+        double[] p = places[id];
+        int at = BOX * k;
+        return x >= p[at] && x <= p[at + 3] && y >= p[at + 1] && y <= p[at + 4] && z >= p[at + 2] && z <= p[at + 5];
     }
 
     /** Whether the first of two coincident opaque faces is seen rather than the second. */
@@ -205,16 +218,28 @@ public final class CoincidentSurfaces {
             if (entries == null) {
                 entries = new int[primitives.length][];
                 tolerances = new double[primitives.length][];
+                places = new double[primitives.length][];
             }
             double[] known = tolerances[id] == null ? new double[0] : tolerances[id];
             tolerances[id] = Arrays.copyOf(known, known.length + 1);
             tolerances[id][known.length] = tolerance;
+            addPlace(id, known.length, bounds(other), tolerance);
             int[] old = of(id);
             int[] now = Arrays.copyOf(old, old.length + ENTRY);
             now[old.length] = face;
             now[old.length + 1] = other;
             now[old.length + 2] = otherFace;
             entries[id] = now;
+        }
+
+        /** Twice the reach of the search: for the roundings of hit points and of boxes. */
+        private void addPlace(int id, int k, Bounds other, double tolerance) {
+            Bounds box = widened(other, 2 * CoincidentHits.REACH * tolerance);
+            places[id] = Arrays.copyOf(k == 0 ? new double[0] : places[id], BOX * (k + 1));
+            for (int c = 0; c < 3; c++) {
+                places[id][BOX * k + c] = box.min().component(c);
+                places[id][BOX * k + 3 + c] = box.max().component(c);
+            }
         }
 
         private void rank() {

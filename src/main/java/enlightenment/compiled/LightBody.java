@@ -48,6 +48,9 @@ public class LightBody {
     /** The primitives that may occlude it from a point of the scene's surfaces; null if that is not known better than for all lights. */
     Accelerator occluders;
 
+    /** Decides more precisely than the ball what may occlude it; null if nothing does. */
+    LightPyramid pyramid;
+
     private final EndFaces lyingOn = new EndFaces();
 
     /**

@@ -130,6 +130,14 @@ final class OccluderSet {
         private final double[] planeAtPlace = planes;
 
         private LightCone cone;
+
+        /** The light's; null if it has none. */
+        private LightPyramid pyramid;
+
+        /** The cone's apex as the pyramid's, if it is set. */
+        private final LightPyramid.Apex tip = new LightPyramid.Apex();
+
+        private boolean hasTip;
         private int[] starts;
         private int startCount;
 
@@ -161,6 +169,10 @@ final class OccluderSet {
             }
             startCount = count;
             firstStart = count > 0 ? clear[0] : -1;
+            if (pyramid != around.light().pyramid) {
+                pyramid = around.light().pyramid;
+            }
+            hasTip = false;
             x = around.x;
             y = around.y;
             z = around.z;
@@ -187,10 +199,18 @@ final class OccluderSet {
             double cy = b[at + 1];
             double cz = b[at + 2];
             double radius = b[at + 3];
-            if (cone.misses(cx, cy, cz, radius)) {
+            if (cone.misses(cx, cy, cz, radius) || pyramid != null && isBeside(id)) {
                 return CLEAR;
             }
             return isBallOf[id] && cone.isHiddenBy(cx, cy, cz, radius) ? BLOCKS_ALL : MAY_BLOCK;
+        }
+
+        private boolean isBeside(int id) {
+            if (!hasTip) {
+                tip.set(pyramid, x, y, z);
+                hasTip = true;
+            }
+            return tip.misses(id);
         }
 
         /**

@@ -235,6 +235,7 @@ public final class PhysicalScene {
             }
             some.size(n);
             light.occluders = some;
+            light.pyramid = LightPyramid.of(light, primitives);
         }
     }
 

@@ -38,8 +38,16 @@ public sealed interface AreaLight permits SphereLight, SurfaceLight {
      */
     double irradiance(LightSample s, double nx, double ny, double nz);
 
-    /** Whether it certainly shines towards the receiver, wherever that is turned, and has a closed form. False where in doubt. */
-    default boolean shinesOn(LightSample s) {
+    /**
+     * Whether light of it may reach a receiver with the unit normal n: not if the receiver is behind the light, or the light below the horizon,
+     * where {@link #irradiance} is 0, up to rounding. It costs less than that, and is a function of receiver and light alone.
+     */
+    default boolean reaches(LightSample s, double nx, double ny, double nz) {
+        return irradiance(s, nx, ny, nz) != 0;
+    }
+
+    /** Whether {@link #irradiance} is a number everywhere, of a ball outside of it. */
+    default boolean hasClosedForm() {
         return false;
     }
 

@@ -47,11 +47,6 @@ public final class DiskLight extends FlatLight {
 
     /** 0 where nothing of it is seen above the horizon; else there is none. */
     @Override
-    public boolean shinesOn(LightSample s) {
-        return false;
-    }
-
-    @Override
     public double irradiance(LightSample s, double nx, double ny, double nz) {
         if (!faces(s)) {
             return 0;

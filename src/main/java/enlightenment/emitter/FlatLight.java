@@ -28,11 +28,6 @@ abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight,
         return twoSided ? s.height != 0 : s.height > 0;
     }
 
-    @Override
-    public boolean shinesOn(LightSample s) {
-        return faces(s);
-    }
-
     /** Chooses a point that was sampled evenly over the area, given from the receiver. */
     final void choose(LightSample s, double x, double y, double z) {
         s.toOffset(x, y, z);
@@ -56,8 +51,12 @@ abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight,
 
     /** The irradiance of the polygon that the sample has, which is the light. */
     final double irradianceOfPolygon(LightSample s, double nx, double ny, double nz) {
-        return s.polygon.irradiance(
-                nx, ny, nz, Math.abs(s.height), 2 * ballRadius() < HorizonPolygon.FAR * s.cone.distance);
+        return s.polygon.irradiance(nx, ny, nz, Math.abs(s.height), isFar(s));
+    }
+
+    /** Whether Lambert's sum would lose digits from here. */
+    final boolean isFar(LightSample s) {
+        return 2 * ballRadius() < HorizonPolygon.FAR * s.cone.distance;
     }
 
     @Override

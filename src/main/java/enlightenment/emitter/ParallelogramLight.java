@@ -13,6 +13,9 @@ public final class ParallelogramLight extends FlatLight {
     /** Below this solid angle the density by area hardly varies over the light, unless it is seen at a grazing angle. */
     static final double LEAST_SOLID_ANGLE = 1e-3;
 
+    /** Where the squared distances of a rectangle's points differ by less than this factor, the density by area hardly varies at all. */
+    private static final double EVEN = 1.25;
+
     /** Above this a spherical triangle is nearly the whole half space. */
     static final double LARGEST_SOLID_ANGLE = 6;
 
@@ -79,19 +82,42 @@ public final class ParallelogramLight extends FlatLight {
     }
 
     private SamplingChoice decideRectangle(LightSample s) {
-        double x = corner.x() - s.cone.x;
-        double y = corner.y() - s.cone.y;
-        double z = corner.z() - s.cone.z;
         SphericalRectangle r = s.rectangle;
-        double left = Products.dot(unitRight.x(), unitRight.y(), unitRight.z(), x, y, z);
-        double low = Products.dot(unitUp.x(), unitUp.y(), unitUp.z(), x, y, z);
-        r.set(left, width, low, length, Math.abs(s.height));
-        boolean uneven = r.farthest > 2 * r.nearest && r.solidAngle > LEAST_PRECISE;
+        r.set(left(s), width, low(s), length, Math.abs(s.height));
+        double nearest = r.nearest();
+        double farthest = r.farthest();
+        if (farthest <= EVEN * nearest) {
+            return SamplingChoice.AREA;
+        }
+        r.measure();
+        boolean uneven = farthest > 2 * nearest && r.solidAngle > LEAST_PRECISE;
         if (r.solidAngle < LEAST_SOLID_ANGLE && !uneven) {
             return SamplingChoice.AREA;
         }
         r.prepare();
         return SamplingChoice.SOLID_ANGLE;
+    }
+
+    /** The least coordinate of the rectangle along the edge to its right, from the receiver. */
+    private double left(LightSample s) {
+        return Products.dot(
+                unitRight.x(),
+                unitRight.y(),
+                unitRight.z(),
+                corner.x() - s.cone.x,
+                corner.y() - s.cone.y,
+                corner.z() - s.cone.z);
+    }
+
+    /** The same along the edge that leads up. */
+    private double low(LightSample s) {
+        return Products.dot(
+                unitUp.x(),
+                unitUp.y(),
+                unitUp.z(),
+                corner.x() - s.cone.x,
+                corner.y() - s.cone.y,
+                corner.z() - s.cone.z);
     }
 
     private SamplingChoice decideTriangles(LightSample s) {
@@ -167,12 +193,47 @@ public final class ParallelogramLight extends FlatLight {
         if (!faces(s)) {
             return 0;
         }
+        if (rectangular && !isFar(s)) {
+            double e = whole(s, nx, ny, nz);
+            if (e == e) {
+                return e;
+            }
+        }
         HorizonPolygon p = s.polygon;
         p.begin(corner.x() - s.cone.x, corner.y() - s.cone.y, corner.z() - s.cone.z);
         p.add(right.x(), right.y(), right.z());
         p.add(right.x() + up.x(), right.y() + up.y(), right.z() + up.z());
         p.add(up.x(), up.y(), up.z());
         return irradianceOfPolygon(s, nx, ny, nz);
+    }
+
+    /** The same of a rectangle above the horizon; else NaN. */
+    private double whole(LightSample s, double nx, double ny, double nz) {
+        return LambertRectangle.irradiance(
+                left(s),
+                width,
+                low(s),
+                length,
+                -s.height,
+                Products.dot(unitRight.x(), unitRight.y(), unitRight.z(), nx, ny, nz),
+                Products.dot(unitUp.x(), unitUp.y(), unitUp.z(), nx, ny, nz),
+                Products.dot(normal.x(), normal.y(), normal.z(), nx, ny, nz));
+    }
+
+    @Override
+    public boolean reaches(LightSample s, double nx, double ny, double nz) {
+        if (!faces(s)) {
+            return false;
+        }
+        double base = nx * (corner.x() - s.cone.x) + ny * (corner.y() - s.cone.y) + nz * (corner.z() - s.cone.z);
+        double across = nx * right.x() + ny * right.y() + nz * right.z();
+        double along = nx * up.x() + ny * up.y() + nz * up.z();
+        return base + Math.max(across, 0) + Math.max(along, 0) > 0;
+    }
+
+    @Override
+    public boolean hasClosedForm() {
+        return true;
     }
 
     @Override

@@ -59,6 +59,11 @@ public final class SphereLight implements AreaLight {
     }
 
     @Override
+    public boolean hasClosedForm() {
+        return true;
+    }
+
+    @Override
     public boolean samplesByCosine(LightSample s, double nx, double ny, double nz) {
         return !s.cone.inside && nx * s.cone.wx + ny * s.cone.wy + nz * s.cone.wz >= s.cone.sine;
     }

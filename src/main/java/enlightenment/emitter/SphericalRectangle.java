@@ -1,6 +1,7 @@
 package enlightenment.emitter;
 
 import enlightenment.numeric.Angles;
+import enlightenment.numeric.Arcs;
 
 /**
  * A rectangle as it is seen from the origin of coordinates that are parallel to its edges, sampled evenly over its solid angle: C. Ureña,
@@ -13,23 +14,32 @@ final class SphericalRectangle {
 
     double y;
 
-    /** The solid angle, accurate at every distance. */
+    /** The solid angle, accurate at every distance; after {@link #measure}. */
     double solidAngle;
-
-    /** The squared distances of its nearest point and of its farthest corner. */
-    double nearest;
-
-    double farthest;
 
     private double x0;
     private double x1;
     private double y0;
     private double y1;
     private double height;
+    private double area;
+
+    /** The squares of coordinates, and those of the distances of the edges' lines. */
+    private double zz;
+
+    private double low2;
+    private double high2;
+    private double left2;
+    private double right2;
+
     private double b0;
     private double a0;
     private double b1;
-    private double start;
+
+    /** Sine and cosine of the angle where the left edge is. */
+    private double startSine;
+
+    private double startCosine;
 
     /**
      * Places the rectangle at the distance {@code height} &gt; 0 from the origin.
@@ -42,64 +52,86 @@ final class SphericalRectangle {
         y0 = low;
         y1 = low + length;
         this.height = height;
-        double zz = height * height;
-        double l00 = Math.sqrt(x0 * x0 + y0 * y0 + zz);
-        double l10 = Math.sqrt(x1 * x1 + y0 * y0 + zz);
-        double l11 = Math.sqrt(x1 * x1 + y1 * y1 + zz);
-        double l01 = Math.sqrt(x0 * x0 + y1 * y1 + zz);
-        double far = Math.max(Math.max(l00, l10), Math.max(l11, l01));
-        farthest = far * far;
-        double nearX = Math.max(Math.max(x0, -x1), 0);
-        double nearY = Math.max(Math.max(y0, -y1), 0);
-        nearest = nearX * nearX + nearY * nearY + zz;
-        // Two triangles by Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983.
-        double numerator = height * width * length;
-        double across = x0 * x1 + y0 * y1 + zz;
-        double diagonal = l00 * l11;
-        double lower = (x0 * x1 + y0 * y0 + zz) * l11 + (x1 * x1 + y0 * y1 + zz) * l00 + (across + diagonal) * l10;
-        double upper = (x0 * x0 + y0 * y1 + zz) * l11 + (x0 * x1 + y1 * y1 + zz) * l00 + (across + diagonal) * l01;
-        solidAngle = 2 * (Angles.atan2(numerator, lower) + Angles.atan2(numerator, upper));
+        area = width * length;
+        zz = height * height;
+        low2 = y0 * y0 + zz;
+        high2 = y1 * y1 + zz;
+        left2 = x0 * x0 + zz;
+        right2 = x1 * x1 + zz;
     }
 
-    /** Prepares {@link #choose}. */
+    /** The squared distance of its nearest point. */
+    double nearest() {
+        double nearX = Math.max(Math.max(x0, -x1), 0);
+        double nearY = Math.max(Math.max(y0, -y1), 0);
+        return nearX * nearX + nearY * nearY + zz;
+    }
+
+    /** The squared distance of its farthest corner. */
+    double farthest() {
+        return Math.max(x0 * x0, x1 * x1) + Math.max(low2, high2);
+    }
+
+    /**
+     * Finds the solid angle: two triangles by A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983. The angles are
+     * those of two complex numbers, and their sum that of the product.
+     */
+    void measure() {
+        double l00 = Math.sqrt(x0 * x0 + low2);
+        double l10 = Math.sqrt(x1 * x1 + low2);
+        double l11 = Math.sqrt(x1 * x1 + high2);
+        double l01 = Math.sqrt(x0 * x0 + high2);
+        double numerator = height * area;
+        double across = x0 * x1 + y0 * y1 + zz;
+        double diagonal = l00 * l11;
+        double lower = (x0 * x1 + low2) * l11 + (right2 + y0 * y1) * l00 + (across + diagonal) * l10;
+        double upper = (left2 + y0 * y1) * l11 + (x0 * x1 + high2) * l00 + (across + diagonal) * l01;
+        solidAngle = 2 * Angles.atan2(numerator * (lower + upper), lower * upper - numerator * numerator);
+    }
+
+    /** Prepares {@link #choose}; after {@link #measure}. */
     void prepare() {
-        double zz = height * height;
-        double low2 = y0 * y0 + zz;
-        double right2 = x1 * x1 + zz;
-        double high2 = y1 * y1 + zz;
-        double left2 = x0 * x0 + zz;
         // The components of the side planes' normals along the axis, and the squares of what is left of them.
         b0 = -y0 / Math.sqrt(low2);
         a0 = zz / low2;
         b1 = y1 / Math.sqrt(high2);
-        double right = x1 / Math.sqrt(right2);
+        double a1 = zz / high2;
         double left = -x0 / Math.sqrt(left2);
-        start = 2 * Math.PI - angle(b1, zz / high2, left, zz / left2) - angle(left, zz / left2, b0, a0);
-    }
-
-    /** The angle between two side planes: acos(−pq), where 1 − p² and 1 − q² are known without cancellation. */
-    private static double angle(double p, double oneMinusPp, double q, double oneMinusQq) {
-        return Angles.atan2(Math.sqrt(oneMinusPp + p * p * oneMinusQq), -p * q);
+        double leftRest = zz / left2;
+        // The angles between the left plane and the others, whose cosines are -b1 left and -left b0; of a turn less
+        // both.
+        double cosine1 = -b1 * left;
+        double sine1 = Math.sqrt(a1 + b1 * b1 * leftRest);
+        double cosine0 = -left * b0;
+        double sine0 = Math.sqrt(leftRest + left * left * a0);
+        startCosine = cosine1 * cosine0 - sine1 * sine0;
+        startSine = -(sine1 * cosine0 + cosine1 * sine0);
     }
 
     /** Chooses the point for (u, v) in the unit square. */
     void choose(double u, double v) {
-        double au = Math.fma(u, solidAngle, start);
-        double f = Math.fma(StrictMath.cos(au), b0, -b1) / StrictMath.sin(au);
+        double turn = u * solidAngle;
+        double sine = Arcs.sine(turn);
+        double cosine = Arcs.cosine(turn);
+        double f =
+                Math.fma(cosine * startCosine - sine * startSine, b0, -b1) / (sine * startCosine + cosine * startSine);
         double edge = Math.sqrt(a0);
         double rest = (Math.abs(f) - edge) * (Math.abs(f) + edge);
         // Rounding may leave nothing, or NaN, where the point is at infinity but for the rectangle's edge.
         double along = rest > 0 ? Math.copySign(height / Math.sqrt(rest), f) : Math.copySign(Double.MAX_VALUE, f);
         x = Math.min(Math.max(along, x0), x1);
-        double dd = x * x + height * height;
-        double less = (1 - v) * complement(y0, dd) + v * complement(y1, dd);
-        double more = (1 - v) * complement(-y0, dd) + v * complement(-y1, dd);
+        double dd = x * x + zz;
+        double low = complement(y0, dd);
+        double high = complement(y1, dd);
+        // 1 - h and 1 + h of h = y/sqrt(d² + y²), between those of the edges: the smaller one of each is at hand.
+        double less = (1 - v) * (y0 > 0 ? low : 2 - low) + v * (y1 > 0 ? high : 2 - high);
+        double more = (1 - v) * (y0 > 0 ? 2 - low : low) + v * (y1 > 0 ? 2 - high : high);
         y = Math.min(Math.max(0.5 * (more - less) * Math.sqrt(dd / (less * more)), y0), y1);
     }
 
-    /** 1 − y/√(d² + y²), without cancellation. */
+    /** 1 − |y|/√(d² + y²), without cancellation. */
     private static double complement(double y, double dd) {
         double hypotenuse = Math.sqrt(dd + y * y);
-        return y > 0 ? dd / (hypotenuse * (hypotenuse + y)) : 1 - y / hypotenuse;
+        return dd / (hypotenuse * (hypotenuse + Math.abs(y)));
     }
 }

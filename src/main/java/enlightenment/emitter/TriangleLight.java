@@ -109,6 +109,22 @@ public final class TriangleLight extends FlatLight {
     }
 
     @Override
+    public boolean reaches(LightSample s, double nx, double ny, double nz) {
+        if (!faces(s)) {
+            return false;
+        }
+        double base = nx * (a.x() - s.cone.x) + ny * (a.y() - s.cone.y) + nz * (a.z() - s.cone.z);
+        double ofB = nx * toB.x() + ny * toB.y() + nz * toB.z();
+        double ofC = nx * toC.x() + ny * toC.y() + nz * toC.z();
+        return base + Math.max(Math.max(ofB, ofC), 0) > 0;
+    }
+
+    @Override
+    public boolean hasClosedForm() {
+        return true;
+    }
+
+    @Override
     public void samplePoint(double u, double v, SurfacePoint point) {
         double root = Math.sqrt(u);
         double p = root * (1 - v);

@@ -8,38 +8,34 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
 /**
- * The light that the eye has straight from lights, or by way of one mirror or reflection at glass, where their images are smaller than a pixel. Samples of a
- * pixel may all miss such an image, and then nothing tells of it; however bright the lamp is, it is missing. So every sample takes a second
- * place on the film, in a box around what of the image is in the pixel, and what the first place sees of the image does not count: all
- * light is found exactly once, whatever the box is. See docs/path-tracing.md. A mutable work object, one per thread.
+ * The light that the eye has straight from lights, or by way of one mirror or reflection at glass, in pixels that their images do not cover entirely.
+ * Samples of a pixel may all miss an image, or what of it is in the pixel, and then nothing tells of it; however bright the lamp is, it is missing. So every
+ * sample takes a second place on the film, within what of the image is in the pixel, and what the first place sees of the image there does not count: all
+ * light is found exactly once, whatever polygon the image is taken for. See docs/path-tracing.md. A mutable work object, one per thread.
  */
 final class EyeImages {
-    private static final int NONE = -1;
-    private static final int NUMBERS = 4;
+    /** So many columns and rows of pixels are remembered, by what is left of their numbers: blocks are smaller. */
+    private static final int REMEMBERED = 16;
 
     private final CompiledScene scene;
     private final PathFollower path;
     private final EyeProjection eye;
     private final MirroredLight light;
-    private final SmallImage[] all;
+    private final LightImage[] all;
     private final Ray ray = new Ray();
     private final double[] pair = new double[2];
+    private final ClippedPolygon work = new ClippedPolygon();
 
     /** Those of the tile. */
-    private final SmallImage[] near;
+    private final LightImage[] near;
 
     private int nearCount;
 
-    /** Those of the pixel, and their boxes. */
-    private final SmallImage[] here;
+    /** What pixels show of images: it depends on the pixel alone. */
+    private final PixelImages[] pixels;
 
-    private final double[] boxes;
-    private int hereCount;
-
-    /** The pixel, which the last path began in. */
-    private int column;
-
-    private int row;
+    /** The pixel that the path began in, if it shows images that count for the path. */
+    private PixelImages here;
 
     /** Where on the film the path began, in pixels. */
     private double x;
@@ -66,10 +62,9 @@ final class EyeImages {
         this.path = path;
         eye = new EyeProjection(scene.camera);
         light = new MirroredLight(scene, counters, path.tracer);
-        all = isWanted ? SmallImages.of(scene) : new SmallImage[0];
-        near = new SmallImage[all.length];
-        here = new SmallImage[all.length];
-        boxes = new double[NUMBERS * all.length];
+        all = isWanted ? LightImages.of(scene) : new LightImage[0];
+        near = new LightImage[all.length];
+        pixels = new PixelImages[all.length == 0 ? 0 : REMEMBERED * REMEMBERED];
     }
 
     /** Sets the tile of the paths to come, as {@link Shader#beginTile}. */
@@ -77,12 +72,11 @@ final class EyeImages {
         double columns = scene.camera.columns;
         double rows = scene.camera.rows;
         nearCount = 0;
-        for (SmallImage image : all) {
+        for (LightImage image : all) {
             if (image.reaches(x0 * columns - 1, y0 * rows - 1, x1 * columns + 1, y1 * rows + 1)) {
                 near[nearCount++] = image;
             }
         }
-        column = NONE;
     }
 
     /** Begins with a camera ray of the tile, which the path has begun with. */
@@ -92,25 +86,22 @@ final class EyeImages {
         if (nearCount == 0 || path.medium() != null) {
             return;
         }
-        mirror = NONE;
+        mirror = LightImage.STRAIGHT;
         eye.place(camera.ox + camera.dx, camera.oy + camera.dy, camera.oz + camera.dz);
         x = eye.x * scene.camera.columns;
         y = eye.y * scene.camera.rows;
-        if ((int) x != column || (int) y != row) {
-            column = (int) x;
-            row = (int) y;
-            enterPixel();
-        }
-        count = hereCount;
+        here = pixel((int) x, (int) y);
+        count = here.parts.length;
     }
 
-    private void enterPixel() {
-        hereCount = 0;
-        for (int k = 0; k < nearCount; k++) {
-            if (near[k].clip(column, row, boxes, NUMBERS * hereCount)) {
-                here[hereCount++] = near[k];
-            }
+    private PixelImages pixel(int column, int row) {
+        int at = row % REMEMBERED * REMEMBERED + column % REMEMBERED;
+        PixelImages known = pixels[at];
+        if (known == null || known.column != column || known.row != row) {
+            known = PixelImages.of(column, row, near, nearCount, work);
+            pixels[at] = known;
         }
+        return known;
     }
 
     /** Adds the light of one of the pixel's images to a path that has just begun. */
@@ -126,26 +117,19 @@ final class EyeImages {
             return false;
         }
         sampler.pair(0, Sampler.Purpose.MIRROR, pair);
-        double place = pair[0] * count;
-        int k = Math.min((int) place, count - 1);
-        SmallImage image = here[k];
-        int at = NUMBERS * k;
-        double width = boxes[at + 2] - boxes[at];
-        double height = boxes[at + 3] - boxes[at + 1];
-        scene.camera.ray(
-                Math.fma(place - k, width, boxes[at]) / scene.camera.columns,
-                Math.fma(pair[1], height, boxes[at + 1]) / scene.camera.rows,
-                ray);
-        boolean isStraight = image.mirror == SmallImage.STRAIGHT;
+        here.choose(pair[0], pair[1]);
+        ImagePart part = here.chosen;
+        LightImage image = part.image;
+        scene.camera.ray(part.placeX / scene.camera.columns, part.placeY / scene.camera.rows, ray);
+        boolean isStraight = image.mirror == LightImage.STRAIGHT;
         boolean isMet = isStraight
                 ? light.isMetBy(ray, image.light)
                 : light.isMetBy(ray, image.mirror, image.face, image.light);
         if (isMet) {
             PhysicalLight l = scene.physical.lights[image.light];
-            double share = count * width * height;
-            red = share * l.r * (isStraight ? 1 : light.red);
-            green = share * l.g * (isStraight ? 1 : light.green);
-            blue = share * l.b * (isStraight ? 1 : light.blue);
+            red = here.share * l.r * (isStraight ? 1 : light.red);
+            green = here.share * l.g * (isStraight ? 1 : light.green);
+            blue = here.share * l.b * (isStraight ? 1 : light.blue);
         }
         return isMet;
     }
@@ -169,10 +153,10 @@ final class EyeImages {
 
     /** The weight, 0 or 1, of what the surface that the path is at emits, if the eye sees it straight or by way of mirrors and glass. */
     double weight() {
-        if (count > 0 && (path.surfaces == 0 || path.surfaces == 1 && mirror != NONE)) {
+        if (count > 0 && (path.surfaces == 0 || path.surfaces == 1 && mirror != LightImage.STRAIGHT)) {
             int met = scene.physical.lightOf(path.id, path.hit.face);
-            for (int k = 0; k < count; k++) {
-                if (here[k].light == met && isSeenIn(here[k]) && contains(NUMBERS * k)) {
+            for (ImagePart part : here.parts) {
+                if (part.image.light == met && isSeenIn(part.image) && part.contains(x, y)) {
                     return 0;
                 }
             }
@@ -180,13 +164,9 @@ final class EyeImages {
         return 1;
     }
 
-    private boolean isSeenIn(SmallImage image) {
+    private boolean isSeenIn(LightImage image) {
         return path.surfaces == 0
-                ? image.mirror == SmallImage.STRAIGHT
-                : image.mirror == mirror && (image.face == SmallImage.ANY_FACE || image.face == face);
-    }
-
-    private boolean contains(int at) {
-        return x >= boxes[at] && x <= boxes[at + 2] && y >= boxes[at + 1] && y <= boxes[at + 3];
+                ? image.mirror == LightImage.STRAIGHT
+                : image.mirror == mirror && (image.face == LightImage.ANY_FACE || image.face == face);
     }
 }

@@ -15,7 +15,7 @@ abstract class EyePathTracer implements Shader {
     final PathFollower path;
     final PathValue value;
 
-    /** What the eye sees of lamps that are smaller than a pixel. */
+    /** What the eye sees of lamps in pixels that they do not cover entirely. */
     final EyeImages images;
 
     /** The colour of the surface that the path is at, then the weight of what happened there. */

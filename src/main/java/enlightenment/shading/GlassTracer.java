@@ -135,6 +135,9 @@ final class GlassTracer {
             return false;
         }
         coincident.find(ray, struck, hit);
+        if (!glass && inside.size() == 0 && coincident.size() == 1) {
+            return false;
+        }
         int opaque = coincident.seen(true);
         boolean leaving = false;
         for (int k = 0; k < coincident.size(); k++) {

@@ -4,6 +4,7 @@ import enlightenment.compiled.LightCone;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.LightSample;
+import enlightenment.emitter.ParallelogramLight;
 import enlightenment.emitter.SphereLight;
 import enlightenment.sampling.Sampler;
 
@@ -20,6 +21,8 @@ final class LightView {
     void aim(PhysicalLight l, double x, double y, double z) {
         if (l.form instanceof SphereLight ball) {
             ball.aim(sample, x, y, z);
+        } else if (l.form instanceof ParallelogramLight p) {
+            p.aim(sample, x, y, z);
         } else {
             l.form.aim(sample, x, y, z);
         }
@@ -54,20 +57,22 @@ final class LightView {
 
     /** The closed form of the irradiance of a light of radiance 1; not a number if there is none. */
     double irradiance(AreaLight form, double nx, double ny, double nz) {
-        return form instanceof SphereLight ball
-                ? ball.irradiance(sample, nx, ny, nz)
+        return form instanceof ParallelogramLight p
+                ? p.irradiance(sample, nx, ny, nz)
                 : form.irradiance(sample, nx, ny, nz);
     }
 
-    /** Whether all of the light certainly is above the horizon, and its closed form positive if there is one. */
-    boolean isWhole(AreaLight form, double nx, double ny, double nz) {
-        return !cone.inside && nx * cone.wx + ny * cone.wy + nz * cone.wz >= cone.sine && form.shinesOn(sample);
+    /** Whether light may reach a surface with this normal, if nothing is in the way. */
+    boolean reaches(AreaLight form, double nx, double ny, double nz) {
+        return form instanceof ParallelogramLight p ? p.reaches(sample, nx, ny, nz) : form.reaches(sample, nx, ny, nz);
     }
 
     /** Samples the point of the light that was drawn. */
     void sample(AreaLight form) {
         if (form instanceof SphereLight ball) {
             ball.sample(sample, pair[0], pair[1]);
+        } else if (form instanceof ParallelogramLight p) {
+            p.sample(sample, pair[0], pair[1]);
         } else {
             form.sample(sample, pair[0], pair[1]);
         }

@@ -194,22 +194,21 @@ final class PathLight {
             return ofBall(l, index, probability, sampler, address);
         }
         view.aim(l, x, y, z);
-        // A closed form costs more than to know that it is of no use here.
-        double e = view.isWhole(l.form, nx, ny, nz) ? 1 : view.irradiance(l.form, nx, ny, nz);
-        if (e == 0) {
+        // Where a closed form is of no use it is not computed.
+        if (!view.reaches(l.form, nx, ny, nz)) {
             counters.lightSamplesWithoutRay++;
             return 0;
         }
         Tracer.Visibility known = shadow.visibility(l);
         if (known == Tracer.Visibility.NONE) {
-            counters.lightSamplesWithoutRay += e == e ? 1 : 0;
+            counters.lightSamplesWithoutRay++;
             return 0;
         }
-        if (known == Tracer.Visibility.UNKNOWN || e != e) {
-            return sampled(l, index, probability, sampler, address, known);
+        if (known == Tracer.Visibility.ALL && l.form.hasClosedForm()) {
+            counters.lightSamplesWithoutRay++;
+            return view.irradiance(l.form, nx, ny, nz);
         }
-        counters.lightSamplesWithoutRay++;
-        return view.irradiance(l.form, nx, ny, nz);
+        return sampled(l, index, probability, sampler, address, known);
     }
 
     /**
@@ -359,8 +358,12 @@ final class PathLight {
 
     /** Whether the vertex, a matte one, has all of the light from its closed form. */
     private boolean isClosed(PhysicalLight l) {
-        return (l.isBall || shadow.visibility(l) != Tracer.Visibility.UNKNOWN)
-                && view.irradiance(l.form, nx, ny, nz) > 0;
+        if (l.isBall) {
+            return l.form.irradiance(sample, nx, ny, nz) > 0;
+        }
+        return l.form.hasClosedForm()
+                && view.reaches(l.form, nx, ny, nz)
+                && shadow.visibility(l) != Tracer.Visibility.UNKNOWN;
     }
 
     private boolean isVisible(PhysicalLight l) {

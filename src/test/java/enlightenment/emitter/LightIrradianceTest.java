@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.math.Vec3;
+import enlightenment.sampling.Hash;
 import enlightenment.sampling.Quadrature;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -136,6 +137,54 @@ class LightIrradianceTest {
         double halves = irradiance(new TriangleLight(corner, corner.plus(right), far, true), p, n)
                 + irradiance(new TriangleLight(corner, corner.plus(up), far, true), p, n);
         assertEquals(expected, halves, 3e-12 * expected);
+    }
+
+    /** Rectangles have a form of their own where the horizon does not cut them; near ones also where an edge covers more than 60° or 120°. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.05, 0.2, 0.3, 0.6, 1, 3, 10, 100, 500, 520, 1000, 1e6})
+    void rectanglesNearAndFarGiveTheIntegralOverTheirAreaOrTheSumOfTheirHalves(double distance) {
+        Vec3 right = new Vec3(0.7, 0.1, 0.2);
+        Vec3 up = right.cross(new Vec3(0.2, 0.3, -0.9)).normalized().times(0.9);
+        Vec3 normal = right.cross(up).normalized();
+        for (int k = 0; k < 40; k++) {
+            Vec3 to = new Vec3(Hash.unit(Hash.of(1, k)) - 0.5, Hash.unit(Hash.of(2, k)) - 0.5, -1);
+            Vec3 p = right.times(to.x()).plus(up.times(to.y())).plus(normal.times(to.z() * distance));
+            Vec3 n = normal.plus(right.times(0.2 * to.y())).normalized();
+            Vec3 corner = right.plus(up).times(-0.5);
+            ParallelogramLight light = new ParallelogramLight(corner, right, up, true);
+            Vec3 far = right.plus(up).times(0.5);
+            double found = irradiance(light, p, n);
+            if (distance > 0.5) {
+                double expected = byArea(corner, right, up, p, n, 0);
+                assertEquals(expected, found, 3e-12 * expected);
+            } else {
+                double halves = irradiance(new TriangleLight(corner, corner.plus(right), far, true), p, n)
+                        + irradiance(new TriangleLight(corner, corner.plus(up), far, true), p, n);
+                assertEquals(halves, found, 1e-13 * halves);
+            }
+        }
+    }
+
+    /** A rectangle is found to shine on a receiver exactly where it does. */
+    @Test
+    void lightReachesReceiversThatItIrradiates() {
+        ParallelogramLight square = new ParallelogramLight(new Vec3(-0.5, -0.5, 0), Vec3.X, Vec3.Y, false);
+        TriangleLight triangle = new TriangleLight(Vec3.ZERO, new Vec3(0, 1, 0), new Vec3(1, 0, 0), false);
+        for (int k = 0; k < 2000; k++) {
+            Vec3 p = new Vec3(signed(1, k), signed(2, k), signed(3, k)).times(2);
+            Vec3 n = new Vec3(signed(4, k), signed(5, k), signed(6, k)).normalized();
+            for (AreaLight light : new AreaLight[] {square, triangle}) {
+                boolean shines = irradiance(light, p, n) > 0;
+                assertEquals(
+                        shines,
+                        light.reaches(sample, n.x(), n.y(), n.z()),
+                        light.getClass().getSimpleName());
+            }
+        }
+    }
+
+    private static double signed(int key, int k) {
+        return 2 * Hash.unit(Hash.of(key, k)) - 1;
     }
 
     @ParameterizedTest

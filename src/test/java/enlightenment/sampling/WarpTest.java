@@ -6,15 +6,6 @@ import org.junit.jupiter.api.Test;
 
 class WarpTest {
     @Test
-    void sineAndCosineAgreeWithTheExactOnesToAnUlp() {
-        for (int i = -1000; i <= 1000; i++) {
-            double x = Math.PI / 4 * i / 1000;
-            assertEquals(StrictMath.sin(x), Warp.sine(x), 2 * Math.ulp(x));
-            assertEquals(StrictMath.cos(x), Warp.cosine(x), 2 * Math.ulp(1.0));
-        }
-    }
-
-    @Test
     void theDiskMapKeepsAreas() {
         // Rings of equal area and sectors of equal angle must each get their share of a fine grid.
         int n = 600;

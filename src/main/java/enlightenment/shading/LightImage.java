@@ -1,0 +1,74 @@
+package enlightenment.shading;
+
+import enlightenment.compiled.PhysicalLight;
+import java.util.Arrays;
+
+/**
+ * Where the eye sees a light straight or in one mirror: a convex polygon around it, in pixels from the picture's upper left corner. Immutable.
+ */
+final class LightImage {
+    /** Instead of a mirror's id: the light is seen straight. */
+    static final int STRAIGHT = -1;
+
+    /** Instead of a mirror's face: any. */
+    static final int ANY_FACE = -1;
+
+    /** The light's index. */
+    final int light;
+
+    /** The mirror's id, or {@link #STRAIGHT}. */
+    final int mirror;
+
+    /** The mirror's face, or {@link #ANY_FACE}. */
+    final int face;
+
+    /** The light's radiance in the band that it is brightest in; greater than 0. */
+    final double brightness;
+
+    /** The corners, in order; not to be changed. */
+    final double[] x;
+
+    final double[] y;
+    private final double left;
+    private final double right;
+    private final double top;
+    private final double bottom;
+
+    /**
+     * @param light the light's index
+     * @param from the light
+     * @param x the corners, in order, with the inside to the left of each side where x points to the right and y upwards
+     * @param y as many
+     */
+    LightImage(int light, PhysicalLight from, int mirror, int face, double[] x, double[] y) {
+        this.light = light;
+        this.mirror = mirror;
+        this.face = face;
+        this.x = x;
+        this.y = y;
+        brightness = brightness(from);
+        left = Arrays.stream(x).min().orElseThrow();
+        right = Arrays.stream(x).max().orElseThrow();
+        top = Arrays.stream(y).min().orElseThrow();
+        bottom = Arrays.stream(y).max().orElseThrow();
+    }
+
+    /** A light's radiance in the band that it is brightest in. */
+    static double brightness(PhysicalLight l) {
+        return Math.max(l.r, Math.max(l.g, l.b));
+    }
+
+    /** The polygon's area in pixels. */
+    double area() {
+        double twice = 0;
+        for (int k = 2; k < x.length; k++) {
+            twice += (x[k - 1] - x[0]) * (y[k] - y[0]) - (x[k] - x[0]) * (y[k - 1] - y[0]);
+        }
+        return Math.abs(twice) / 2;
+    }
+
+    /** Whether the polygon's own box reaches into a box. */
+    boolean reaches(double x0, double y0, double x1, double y1) {
+        return left < x1 && right > x0 && top < y1 && bottom > y0;
+    }
+}

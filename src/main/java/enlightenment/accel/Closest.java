@@ -32,6 +32,9 @@ public final class Closest {
     /** The same as bits of a float. */
     final int[] floatEntries = new int[Bvh.MAX_DEPTH + BoxFront.MAX];
 
+    /** Where the ray meets the plane of the wall that {@link RoomWalls} asks: several threads ask the same walls. */
+    double met;
+
     private Closest inner;
 
     /**

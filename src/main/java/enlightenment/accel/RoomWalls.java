@@ -40,9 +40,6 @@ final class RoomWalls {
 
     private boolean isRoom;
 
-    /** Where the ray meets the plane of the wall that {@link #nearest} told. */
-    private double met;
-
     /** Sets the walls: rectangles, of which those across each axis begin where the array says. */
     void set(RectanglePrimitive[] rectangles, int[] rectangleIds, int[] firstAcross) {
         isRoom = firstAcross[3] >= FEWEST;
@@ -66,7 +63,8 @@ final class RoomWalls {
                 put(wall, rectangles[k], rectangleIds[k], axis);
                 byDigits[isLower ? 2 * unit : unit] = rectangles[k];
             }
-            isRoom = n <= 2 && at[2 * axis] > at[2 * axis + 1];
+            // Of two in one plane a ray may meet either.
+            isRoom = n < 2 || n == 2 && coordinate(rectangles[first], axis) != coordinate(rectangles[first + 1], axis);
             unit *= 3;
         }
     }
@@ -123,21 +121,21 @@ final class RoomWalls {
         if (near != 0 && (ray.start == null || byDigits[near] != ray.start)) {
             return false;
         }
-        int wall = nearest(ray, x, 2 + y, 4 + z, ix, iy, iz, slack);
+        int wall = nearest(ray, state, x, 2 + y, 4 + z, ix, iy, iz, slack);
         if (wall < 0 || walls[wall] == ray.start) {
             return false;
         }
-        return met > state.t() + slack
+        return state.met > state.t() + slack
                 || meets(ray, state, wall, slack)
-                || leaves(ray, x, 2 + y, 4 + z, ix, iy, iz, slack);
+                || leaves(ray, state.met, x, 2 + y, 4 + z, ix, iy, iz, slack);
     }
 
     /**
-     * The wall whose plane the ray meets first, of three that are ahead.
+     * The wall whose plane the ray meets first, of three that are ahead; the state is told where.
      *
      * @return -1 if that may be another one, or before the ray begins
      */
-    private int nearest(Ray ray, int x, int y, int z, double ix, double iy, double iz, double slack) {
+    private int nearest(Ray ray, Closest state, int x, int y, int z, double ix, double iy, double iz, double slack) {
         long gapX = bits(at[x] - ray.ox);
         long gapY = bits(at[y] - ray.oy);
         long gapZ = bits(at[z] - ray.oz);
@@ -159,7 +157,7 @@ final class RoomWalls {
         }
         long gap = choose(choose(gapX, gapY, isY), gapZ, isZ);
         long slope = choose(choose(bits(ray.dx), bits(ray.dy), isY), bits(ray.dz), isZ);
-        met = Double.longBitsToDouble(gap) / Double.longBitsToDouble(slope);
+        state.met = Double.longBitsToDouble(gap) / Double.longBitsToDouble(slope);
         return (int) choose(choose(x, y, isY), z, isZ);
     }
 
@@ -170,6 +168,7 @@ final class RoomWalls {
 
     /** Takes the wall if the ray meets its plane well within it. */
     private boolean meets(Ray ray, Closest state, int wall, double slack) {
+        double met = state.met;
         double x = Math.fma(met, ray.dx, ray.ox);
         double y = Math.fma(met, ray.dy, ray.oy);
         double z = Math.fma(met, ray.dz, ray.oz);
@@ -190,7 +189,7 @@ final class RoomWalls {
     }
 
     /** Whether the ray is beyond all walls by then, on its way away from them: through the open side of the room. */
-    private boolean leaves(Ray ray, int x, int y, int z, double ix, double iy, double iz, double slack) {
+    private boolean leaves(Ray ray, double met, int x, int y, int z, double ix, double iy, double iz, double slack) {
         double margin = slack * (Math.abs(ray.dx) + Math.abs(ray.dy) + Math.abs(ray.dz));
         double gapX = (ends[x] - Math.fma(met, ray.dx, ray.ox)) * ix;
         double gapY = (ends[y] - Math.fma(met, ray.dy, ray.oy)) * iy;

@@ -113,7 +113,7 @@ public final class BidirectionalTracer implements Shader {
         eye.begin(ray, sampler);
         images.begin(ray);
         if (images.gather(sampler)) {
-            add(1, images.red, images.green, images.blue, 0);
+            add(watched(0, images.vertices(), 1), images.red, images.green, images.blue, 0);
         }
         while (step(sampler)) {}
         out[0] = red;

@@ -134,6 +134,11 @@ final class EyeImages {
         return isMet;
     }
 
+    /** The number of vertices of the path that was gathered, from the eye to the lamp. */
+    int vertices() {
+        return here.chosen.image.mirror == LightImage.STRAIGHT ? 2 : 3;
+    }
+
     /** Tells that the surface that the path is at reflects it as a mirror. */
     void reflected() {
         noteReflection(0);

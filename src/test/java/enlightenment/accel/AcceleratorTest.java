@@ -22,6 +22,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -128,32 +129,105 @@ class AcceleratorTest {
     @Test
     void aListOfARoomFindsWhatTheLoopFindsAtEdgesAndFromSurfaces() {
         RandomPrimitives random = new RandomPrimitives(8);
-        Hit hit = new Hit();
         int starts = 0;
         for (int k = 0; k < 40; k++) {
-            Primitive[] all = room(random, 1 + k % 2, k < 20 ? Integer.MAX_VALUE : 7);
-            PrimitiveList list = PrimitiveList.of(all, new int[all.length]);
-            Ray ray = new Ray();
-            for (int i = 0; i < 2_000; i++) {
-                Vec3 o = i % 2 == 0 ? nearEdge(random) : random.vector(4);
-                Vec3 d = i % 3 == 0 ? random.vector(1) : nearEdge(random).minus(o);
-                if (d.maxAbs() == 0) {
-                    continue;
-                }
-                double scale = Math.scalb(1.0, random.index(60) - 30);
-                double from = i % 5 == 0 ? random.uniform() / scale : i % 7 == 0 ? -random.uniform() / scale : 0;
-                ray.set(o.x(), o.y(), o.z(), scale * d.x(), scale * d.y(), scale * d.z(), from);
-                compare(all, list, list, ray);
-                if (loop.id() >= 0 && all[loop.id()].intersect(ray, hit)) {
-                    starts++;
-                    Vec3 on = nearEdge(random).minus(hit.point());
-                    ray.set(hit.px, hit.py, hit.pz, on.x(), on.y(), on.z(), 0);
-                    double out = on.x() * hit.nx + on.y() * hit.ny + on.z() * hit.nz;
-                    compare(all, list, list, ray.from(all[loop.id()], out > 0 ? Ray.OUTSIDE : Ray.INSIDE));
-                }
-            }
+            starts += compareInRoom(random, room(random, 1 + k % 2, k < 20 ? Integer.MAX_VALUE : 7));
         }
         assertTrue(starts > 20_000, starts + " rays from surfaces");
+    }
+
+    @Test
+    void wallsThatLieOnEachOtherInOnePlaneAreToldApartAsInALoop() {
+        RandomPrimitives random = new RandomPrimitives(9);
+        int starts = 0;
+        for (int k = 0; k < 6; k++) {
+            Primitive[] all = new Primitive[6];
+            // A shelf and a cloth on it have any places in the order; there is no floor.
+            all[k] = rectangle(1, 0, -1, 2);
+            all[(k + 1 + k % 5) % 6] = rectangle(1, 0, -4, 4);
+            int wall = 0;
+            for (int i = 0; i < 6; i++) {
+                if (all[i] == null) {
+                    all[i] = rectangle(wall < 2 ? 0 : 2, wall % 2 == 0 ? -4 : 4, -4, 4);
+                    wall++;
+                }
+            }
+            starts += compareInRoom(random, all);
+        }
+        assertTrue(starts > 3_000, starts + " rays from surfaces");
+    }
+
+    /** A square across an axis, between the same coordinates on both of the others. */
+    private static Primitive rectangle(int axis, double at, double least, double most) {
+        double[][] c = {{least, least}, {least, most}, {most, most}, {most, least}};
+        ExactPoint[] p = new ExactPoint[4];
+        for (int i = 0; i < 4; i++) {
+            p[i] = axis == 0
+                    ? ExactPoint.of(at, c[i][0], c[i][1])
+                    : axis == 1 ? ExactPoint.of(c[i][0], at, c[i][1]) : ExactPoint.of(c[i][0], c[i][1], at);
+        }
+        return Primitives.place(new Rectangle(p[0], p[1], p[2], p[3]), SceneFrame.WORLD);
+    }
+
+    /** Compares a list with a loop, for rays in a room; returns how many started on what others had met. */
+    private int compareInRoom(RandomPrimitives random, Primitive[] all) {
+        Hit hit = new Hit();
+        PrimitiveList list = PrimitiveList.of(all, new int[all.length]);
+        Ray ray = new Ray();
+        int starts = 0;
+        for (int i = 0; i < 2_000; i++) {
+            Vec3 o = i % 2 == 0 ? nearEdge(random) : random.vector(4);
+            Vec3 d = i % 3 == 0 ? random.vector(1) : nearEdge(random).minus(o);
+            if (d.maxAbs() == 0) {
+                continue;
+            }
+            double scale = Math.scalb(1.0, random.index(60) - 30);
+            double from = i % 5 == 0 ? random.uniform() / scale : i % 7 == 0 ? -random.uniform() / scale : 0;
+            ray.set(o.x(), o.y(), o.z(), scale * d.x(), scale * d.y(), scale * d.z(), from);
+            compare(all, list, list, ray);
+            if (loop.id() >= 0 && all[loop.id()].intersect(ray, hit)) {
+                starts++;
+                Vec3 on = nearEdge(random).minus(hit.point());
+                ray.set(hit.px, hit.py, hit.pz, on.x(), on.y(), on.z(), 0);
+                double out = on.x() * hit.nx + on.y() * hit.ny + on.z() * hit.nz;
+                compare(all, list, list, ray.from(all[loop.id()], out > 0 ? Ray.OUTSIDE : Ray.INSIDE));
+            }
+        }
+        return starts;
+    }
+
+    /** The threads of a render share one list; what they keep of a search is their own. */
+    @Test
+    void threadsThatSearchOneListTogetherFindWhatEachFindsAlone() {
+        Primitive[] all = room(new RandomPrimitives(10), 1, Integer.MAX_VALUE);
+        PrimitiveList list = PrimitiveList.of(all, new int[all.length]);
+        List<Long> alone = new ArrayList<>();
+        for (int k = 0; k < 4; k++) {
+            alone.add(sumOfSearches(list, k));
+        }
+        List<CompletableFuture<Long>> together = new ArrayList<>();
+        for (int k = 0; k < 4; k++) {
+            int seed = k;
+            together.add(CompletableFuture.supplyAsync(() -> sumOfSearches(list, seed)));
+        }
+        assertEquals(alone, together.stream().map(CompletableFuture::join).toList());
+    }
+
+    /** A number that depends on all bits of what many rays find. */
+    private static long sumOfSearches(PrimitiveList list, int seed) {
+        RandomPrimitives random = new RandomPrimitives(seed);
+        Closest state = new Closest(new int[N], new long[1]);
+        Ray ray = new Ray();
+        long sum = 0;
+        for (int i = 0; i < 100_000; i++) {
+            Vec3 o = random.vector(3.5);
+            Vec3 d = random.vector(1);
+            ray.set(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), 0);
+            state.reset(Double.MAX_VALUE);
+            list.search(ray, state);
+            sum = 31 * sum + Double.doubleToRawLongBits(state.t()) + state.id();
+        }
+        return sum;
     }
 
     /** Spheres around (x, 0, 0) within a distance of 200 times their radius. */

@@ -107,12 +107,20 @@ def reference(folder, scene, chosen, scratch):
             file.write(f"PF\n{width} {height}\n-1.0\n".encode() + values.astype("<f4").tobytes())
 
 
+def student(level, degrees):
+    """What the size of Student's t with so many degrees of freedom exceeds with this probability."""
+    # In t = tan(a) sqrt(degrees) the density is a power of the cosine, on a finite range.
+    angles = numpy.linspace(0, math.pi / 2, 200_001)
+    density = numpy.cos(angles) ** (degrees - 1)
+    tails = numpy.cumsum(density[::-1])[::-1]
+    return math.tan(angles[numpy.searchsorted(-tails, -level * tails[0])]) * math.sqrt(degrees)
+
+
 def same(label, folder, pictures):
     """Whether the mean of pictures is the reference, by the rule of docs/physical-light.md."""
     reference, own = read_pfm(folder / "reference.pfm"), read_pfm(folder / "variance.pfm")
     seeds = len(pictures)
     mean = numpy.mean(pictures, axis=0)
-    variance = numpy.var(pictures, axis=0, ddof=1) / seeds
     difference = mean - reference
     height, width, bands = reference.shape
     rows, columns = height // BLOCK, width // BLOCK
@@ -121,19 +129,23 @@ def same(label, folder, pictures):
         cut = values[: rows * BLOCK, : columns * BLOCK].reshape(rows, BLOCK, columns, BLOCK, bands)
         return cut.sum(axis=(1, 3)) / BLOCK ** (2 * power)
 
-    deviation = numpy.sqrt(blocks(variance, 2) + blocks(own, 2))
+    # Pixels of one picture may share paths (cluster): only pictures are independent of each other.
+    variance = numpy.var([blocks(picture, 1) for picture in pictures], axis=0, ddof=1) / seeds
+    deviation = numpy.sqrt(variance + blocks(own, 2))
     # Floats of the other renderer: no block is known to better than a ten-thousandth of the picture.
     floor = 1e-4 * reference.mean()
     z = numpy.abs(blocks(difference, 1)) / numpy.maximum(deviation, floor)
     tests = z.size
-    # Šidák's level for all tests together at 1 %, two-sided, Student's distribution of few seeds left out of account.
-    level = 1 - (1 - 0.01) ** (1 / tests)
-    limit = statistics.NormalDist().inv_cdf(1 - level / 2)
+    # Šidák's level for all tests together at 1 %, two-sided.
+    limit = student(1 - (1 - 0.01) ** (1 / tests), seeds - 1)
     share = float((z <= limit).mean())
     total = difference.mean(axis=(0, 1))
-    sigma = numpy.sqrt((variance + own).sum(axis=(0, 1))) / (height * width)
+    means = numpy.var([picture.mean(axis=(0, 1)) for picture in pictures], axis=0, ddof=1) / seeds
+    sigma = numpy.sqrt(means + own.sum(axis=(0, 1)) / (height * width) ** 2)
     relative = float(numpy.abs(total).max() / reference.mean())
-    passed = share >= 0.9975 and (relative <= 1e-3 or bool((numpy.abs(total) <= 4 * sigma).all()))
+    # As seldom as 4 standard deviations that are known.
+    far = student(2 - 2 * statistics.NormalDist().cdf(4), seeds - 1)
+    passed = share >= 0.9975 and (relative <= 1e-3 or bool((numpy.abs(total) <= far * sigma).all()))
     print(
         f"{label}: {share:.4%} of {tests} block means within {limit:.2f} sigma (99.75 % needed), largest {z.max():.1f}; "
         f"picture mean off by {relative:.4%} ({numpy.abs(total / sigma).max():.1f} sigma): {'agrees' if passed else 'DIFFERS'}"

@@ -15,7 +15,7 @@ run torus torus --size 400x225 --antialias 6
 run cylinders cylinders --size 400x200
 run cone cone --size 400x200
 run cube cube --size 212x300
-run cornell-box cornell-box --size 300x300 --samples 128
+run cornell-box cornell-box --size 300x300 --samples 128 --method cluster
 run caustics caustics --size 400x267 --samples 256
 run sky sky --size 400x267 --samples 200 --method cluster
 run prism prism --size 400x267 --samples 1024

@@ -61,9 +61,8 @@ final class SetupCommand extends Subcommand {
         Process training = new ProcessBuilder(List.of(
                         java.toString(),
                         "-XX:ArchiveClassesAtExit=" + archive,
-                        // Before version 21 Java archives that a method waits for the compiler, and whoever starts from
-                        // that archive never
-                        // compiles it (JDK-8306460). So nothing may wait.
+                        // Before version 21 Java archives that a method waits for the compiler, and whoever
+                        // starts from that never compiles it (JDK-8306460). So nothing may wait.
                         "-Xint",
                         // What cannot be archived is nobody's business.
                         "-Xlog:disable",

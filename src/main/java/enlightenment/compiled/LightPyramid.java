@@ -101,6 +101,7 @@ final class LightPyramid {
 
         /** Sets the point. */
         void set(LightPyramid from, double px, double py, double pz) {
+            // Mostly it is the same, and the collector of garbage has work with each reference that is stored.
             if (light != from) {
                 light = from;
             }

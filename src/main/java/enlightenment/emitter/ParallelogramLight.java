@@ -83,7 +83,7 @@ public final class ParallelogramLight extends FlatLight {
 
     private SamplingChoice decideRectangle(LightSample s) {
         SphericalRectangle r = s.rectangle;
-        r.set(left(s), width, low(s), length, Math.abs(s.height));
+        r.set(least(unitRight, s), width, least(unitUp, s), length, Math.abs(s.height));
         double nearest = r.nearest();
         double farthest = r.farthest();
         if (farthest <= EVEN * nearest) {
@@ -98,23 +98,12 @@ public final class ParallelogramLight extends FlatLight {
         return SamplingChoice.SOLID_ANGLE;
     }
 
-    /** The least coordinate of the rectangle along the edge to its right, from the receiver. */
-    private double left(LightSample s) {
+    /** The least coordinate of the rectangle along one of its edges, from the receiver. */
+    private double least(Vec3 unitEdge, LightSample s) {
         return Products.dot(
-                unitRight.x(),
-                unitRight.y(),
-                unitRight.z(),
-                corner.x() - s.cone.x,
-                corner.y() - s.cone.y,
-                corner.z() - s.cone.z);
-    }
-
-    /** The same along the edge that leads up. */
-    private double low(LightSample s) {
-        return Products.dot(
-                unitUp.x(),
-                unitUp.y(),
-                unitUp.z(),
+                unitEdge.x(),
+                unitEdge.y(),
+                unitEdge.z(),
                 corner.x() - s.cone.x,
                 corner.y() - s.cone.y,
                 corner.z() - s.cone.z);
@@ -210,9 +199,9 @@ public final class ParallelogramLight extends FlatLight {
     /** The same of a rectangle above the horizon; else NaN. */
     private double whole(LightSample s, double nx, double ny, double nz) {
         return LambertRectangle.irradiance(
-                left(s),
+                least(unitRight, s),
                 width,
-                low(s),
+                least(unitUp, s),
                 length,
                 -s.height,
                 Products.dot(unitRight.x(), unitRight.y(), unitRight.z(), nx, ny, nz),

@@ -72,6 +72,11 @@ final class ClippedPolygon {
 
     /** The area of what is left; 0 if nothing is. */
     double area() {
+        return area(x, y, size);
+    }
+
+    /** The area of a convex polygon: x and y of its corners, in order, the first of arrays. */
+    static double area(double[] x, double[] y, int size) {
         double twice = 0;
         for (int k = 2; k < size; k++) {
             twice += (x[k - 1] - x[0]) * (y[k] - y[0]) - (x[k] - x[0]) * (y[k - 1] - y[0]);

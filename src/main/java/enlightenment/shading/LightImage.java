@@ -60,11 +60,7 @@ final class LightImage {
 
     /** The polygon's area in pixels. */
     double area() {
-        double twice = 0;
-        for (int k = 2; k < x.length; k++) {
-            twice += (x[k - 1] - x[0]) * (y[k] - y[0]) - (x[k] - x[0]) * (y[k - 1] - y[0]);
-        }
-        return Math.abs(twice) / 2;
+        return ClippedPolygon.area(x, y, x.length);
     }
 
     /** Whether the polygon's own box reaches into a box. */

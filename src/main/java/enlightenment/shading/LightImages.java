@@ -138,19 +138,7 @@ final class LightImages {
     /** Parallel rays have no eye that a mirror's image could be sought from. */
     private void addInBall(int id, SpherePrimitive ball, int light, double share) {
         PhysicalLight l = scene.physical.lights[light];
-        if (isParallel
-                || !mirrorImage.aim(
-                        ball.x(),
-                        ball.y(),
-                        ball.z(),
-                        ball.radius(),
-                        l.ballX,
-                        l.ballY,
-                        l.ballZ,
-                        l.ballRadius,
-                        middle.ox,
-                        middle.oy,
-                        middle.oz)) {
+        if (isParallel || !mirrorImage.aim(ball, l, middle.ox, middle.oy, middle.oz)) {
             return;
         }
         for (int k = 0; k < MIRRORED_CORNERS; k++) {

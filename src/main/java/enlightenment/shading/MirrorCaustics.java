@@ -115,18 +115,7 @@ final class MirrorCaustics {
         SpherePrimitive ball = balls.mirror[k];
         PhysicalLight l = physical.lights[balls.light[k]];
         Hit at = path.hit;
-        return images[k].aim(
-                ball.x(),
-                ball.y(),
-                ball.z(),
-                ball.radius(),
-                l.ballX,
-                l.ballY,
-                l.ballZ,
-                l.ballRadius,
-                at.px,
-                at.py,
-                at.pz);
+        return images[k].aim(ball, l, at.px, at.py, at.pz);
     }
 
     /** Whether the direction sampled leads to the mirror of the pair, and from there to the light. */

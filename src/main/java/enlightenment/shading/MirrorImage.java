@@ -1,6 +1,8 @@
 package enlightenment.shading;
 
+import enlightenment.compiled.PhysicalLight;
 import enlightenment.frame.Basis;
+import enlightenment.primitive.SpherePrimitive;
 
 /**
  * The image of a ball in a mirror that is a sphere, as seen from a point outside of the mirror: a sector of directions around the axis
@@ -79,6 +81,12 @@ final class MirrorImage {
 
     /** How far along the line its point is that is nearest to the ball's centre. */
     private double on;
+
+    /** Finds the image of the ball around a light in a mirror, as the other {@code aim}. */
+    boolean aim(SpherePrimitive mirror, PhysicalLight l, double x, double y, double z) {
+        return aim(
+                mirror.x(), mirror.y(), mirror.z(), mirror.radius(), l.ballX, l.ballY, l.ballZ, l.ballRadius, x, y, z);
+    }
 
     /**
      * Finds the image. There is none from inside the mirror, nor if the ball's centre is in it.

@@ -83,9 +83,9 @@ public final class PathCut {
         System.arraycopy(own, 0, out, 0, 3);
     }
 
-    /** What a share of what another path's second vertex gives brings: of component 0, 1 or 2. */
-    public double brings(PathCut other, double share, int c) {
-        return albedo[c] * share * other.given[c];
+    /** What the second vertex brings the path if nothing is shared: component 0, 1 or 2; 0 if it gives nothing. */
+    public double bringsAlone(int c) {
+        return gives ? albedo[c] * given[c] : 0;
     }
 
     /** Whether the second vertex can give light to the first ones of other paths. */

@@ -50,11 +50,11 @@ class PathCutTest {
                 double[][] taken = new double[1][3];
                 tracer.connections().share(new PathCut[] {cut}, 1, taken);
                 for (int c = 0; c < 3; c++) {
-                    assertEquals(cut.brings(cut, 1, c), taken[0][c], 1e-15 * taken[0][c]);
+                    assertEquals(cut.bringsAlone(c), taken[0][c], 1e-15 * taken[0][c]);
                 }
             }
             for (int c = 0; c < 3; c++) {
-                double value = own[c] + (cut.gives() ? cut.brings(cut, 1, c) : 0);
+                double value = own[c] + cut.bringsAlone(c);
                 sum += value;
                 sumOfWhole += whole[c];
                 // Roulette sees a throughput without the first albedo, so that faint paths end elsewhere.

@@ -37,7 +37,7 @@ final class SharingGain {
     void before(int field, PathCut[] paths, double[][] colors, int size) {
         for (int k = 0; isTrying && k < size; k++) {
             for (int c = 0; c < 3; c++) {
-                double alone = colors[k][c] + (paths[k].gives() ? paths[k].brings(paths[k], 1, c) : 0);
+                double alone = colors[k][c] + paths[k].bringsAlone(c);
                 gain[field] += alone * alone;
             }
         }

@@ -176,6 +176,11 @@ public final class CoincidentHits {
         return ids[k];
     }
 
+    /** The material of surface k. */
+    public SurfaceMaterial material(int k) {
+        return scene.material(ids[k], hits[k].face);
+    }
+
     /** Where the ray meets surface k; its side is the one that the ray arrives on. */
     public Hit hit(int k) {
         return hits[k];

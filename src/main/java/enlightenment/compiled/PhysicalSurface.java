@@ -11,7 +11,6 @@ import enlightenment.bsdf.RoughDiffuse;
 import enlightenment.bsdf.SmoothConductor;
 import enlightenment.bsdf.SmoothDielectric;
 import enlightenment.bsdf.SpecularReflection;
-import enlightenment.bsdf.ThinDielectric;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
@@ -22,7 +21,6 @@ import enlightenment.numeric.Scale;
  * What physical shading knows of a material beyond its colour.
  *
  * @param bsdf how it scatters light
- * @param pane how a pane of it does; null unless it is glass
  * @param glow the radiance that it emits
  * @param glowsInside whether it emits from the inside as well
  * @param absorption how much of light a solid of it takes away on a straight way, per unit of length of the frame
@@ -34,7 +32,6 @@ import enlightenment.numeric.Scale;
  */
 record PhysicalSurface(
         Bsdf bsdf,
-        ThinDielectric pane,
         Rgb glow,
         boolean glowsInside,
         Rgb absorption,
@@ -44,18 +41,15 @@ record PhysicalSurface(
         HomogeneousMedium medium,
         String look) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE =
-            new PhysicalSurface(null, null, Rgb.BLACK, false, Rgb.BLACK, 0, 0, null, null, "");
+    static final PhysicalSurface NONE = new PhysicalSurface(null, Rgb.BLACK, false, Rgb.BLACK, 0, 0, null, null, "");
 
     static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes) {
         Rgb absorption = Rgb.BLACK;
-        ThinDielectric pane = null;
         double dispersion = 0;
         Reradiation reradiation = null;
         HomogeneousMedium medium = null;
         String look = text(material.radiance(), material.ultraviolet());
         if (material instanceof Material.Glass glass) {
-            pane = new ThinDielectric(glass.indexOfRefraction());
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
             if (glass.dispersion().isPresent()) {
@@ -64,7 +58,6 @@ record PhysicalSurface(
                 look += " " + dispersion;
             }
         } else if (material instanceof Material.Scattering scattering) {
-            pane = new ThinDielectric(scattering.indexOfRefraction());
             medium = HomogeneousMedium.of(scattering.medium(), frame);
             absorption = medium.extinction();
             look += " " + scattering.roughness() + " " + medium.look();
@@ -79,7 +72,6 @@ record PhysicalSurface(
         }
         return new PhysicalSurface(
                 bsdf(material),
-                pane,
                 material.radiance(),
                 true,
                 absorption,
@@ -93,8 +85,7 @@ record PhysicalSurface(
     /** The surface of a light: black, and opaque. */
     static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
         String look = text(radiance, ultraviolet) + " " + isTwoSided;
-        return new PhysicalSurface(
-                Lambert.INSTANCE, null, radiance, isTwoSided, Rgb.BLACK, 0, ultraviolet, null, null, look);
+        return new PhysicalSurface(Lambert.INSTANCE, radiance, isTwoSided, Rgb.BLACK, 0, ultraviolet, null, null, look);
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */

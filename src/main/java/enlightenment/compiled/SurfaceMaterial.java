@@ -5,7 +5,6 @@ import enlightenment.bsdf.ClassicDielectric;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.SpecularReflection;
-import enlightenment.bsdf.ThinDielectric;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
@@ -69,9 +68,6 @@ public final class SurfaceMaterial {
 
     private final double absorptionG;
     private final double absorptionB;
-
-    /** What a pane of it, which encloses no volume, does with light; null unless it is glass of physical shading. */
-    public final ThinDielectric pane;
 
     /** What fills a solid of it, if that scatters light; else null. */
     public final HomogeneousMedium medium;
@@ -144,7 +140,6 @@ public final class SurfaceMaterial {
         reradiation = p.reradiation();
         isBlack = texture instanceof Texture.Solid && r == 0 && g == 0 && b == 0 && reradiation == null;
         look = physical == null ? "" : p.look() + " ";
-        pane = p.pane();
         medium = p.medium();
         glowR = p.glow().r();
         glowG = p.glow().g();

@@ -2,6 +2,7 @@ package enlightenment.shading;
 
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
+import enlightenment.bsdf.ThinDielectric;
 import enlightenment.compiled.CoincidentHits;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
@@ -222,9 +223,7 @@ final class GlassTracer {
         double share = 1;
         if (pane != NONE) {
             double cosine = (ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz) / Math.sqrt(ray.dd);
-            share = scene.material(coincident.id(pane), coincident.hit(pane).face)
-                    .pane
-                    .transmittance(cosine);
+            share = ThinDielectric.transmittance(cosine, inside.over(coincident.material(pane)));
         }
         Optics.pass(ray, hit);
         coincident.startOn(ray, -1);
@@ -243,7 +242,8 @@ final class GlassTracer {
             return false;
         }
         Optics.arrive(border, ray, hit);
-        scene.material(coincident.id(k), coincident.hit(k).face).pane.sample(border, 0, 0, choice);
+        border.eta = inside.over(coincident.material(k));
+        ThinDielectric.INSTANCE.sample(border, 0, 0, choice);
         if (border.transmitted) {
             return false;
         }

@@ -92,12 +92,17 @@ final class MediumStack {
 
     /** The index of refraction of the medium; 1 in empty space. */
     double indexOfRefraction() {
-        int id = current();
-        if (id < 0) {
+        SurfaceMaterial material = material();
+        if (material == null) {
             return 1;
         }
-        SurfaceMaterial material = scene.material(id, 0);
         return wavelength == null ? material.indexOfRefraction : wavelength.index(material);
+    }
+
+    /** The index of refraction of the medium over that of a pane in it, both as the scene states them: panes do not disperse. */
+    double over(SurfaceMaterial pane) {
+        SurfaceMaterial material = material();
+        return (material == null ? 1 : material.indexOfRefraction) / pane.indexOfRefraction;
     }
 
     /** The same before a border, of which the wavelength is told. */

@@ -157,6 +157,48 @@ final class ClosedForms {
         return new Known("slab", scene, through, 2 * through, 3 * through);
     }
 
+    private static final Material WATER = Material.Glass.of(linear(1, 1, 1), 4.0 / 3);
+
+    /** What the faces of a pane of index 2 in water reflect straight on, as glass of index 3/2 does in empty space. */
+    private static final double FACE_IN_WATER = 0.2 * 0.2;
+
+    private static final double THROUGH_PANE_IN_WATER = (1 - FACE_IN_WATER) / (1 + FACE_IN_WATER);
+
+    private static SceneBuilder inWater(double degrees) {
+        return Scene.builder()
+                .size(4, 4)
+                .camera(new Camera.Perspective(at(0, 0, -2), at(0, 0, 0), Vec3.Y, degrees))
+                .object(new Box(at(-60, -60, -10), at(60, 60, 10)), WATER);
+    }
+
+    private static Shape across(double z) {
+        return TestScenes.rectangle(-50, -50, z, -50, 50, z, 50, 50, z, 50, -50, z);
+    }
+
+    /** A pane in water, before something that glows; what it reflects is black. */
+    static Known paneInWater() {
+        Scene scene = inWater(0.5)
+                .shading(shading(0))
+                .object(across(-3), matte(0, 0, 0))
+                .object(across(-0.5), Material.Glass.of(linear(1, 0.5, 1), 2))
+                .object(across(1), matte(0, 0, 0).withRadiance(new Rgb(1, 2, 3)))
+                .build();
+        double through = THROUGH_PANE_IN_WATER;
+        return new Known("pane in water", scene, through, through, 3 * through);
+    }
+
+    /** {@link #pointLight} in water, behind a pane. */
+    static Known pointLightInWater() {
+        Scene scene = inWater(0.02)
+                .shading(PhysicalScenes.atMost(1, 0))
+                .object(across(0), matte(0.5, 0.5, 0.5))
+                .object(across(-2.5), Material.Glass.of(linear(1, 0.5, 1), 2))
+                .light(new Light.Point(at(0, 0, -3), Rgb.WHITE, Emission.power(new Rgb(4 * Math.PI, 8 * Math.PI, 0))))
+                .build();
+        double one = 0.5 / Math.PI / 9 * THROUGH_PANE_IN_WATER;
+        return new Known("point light behind a pane in water", scene, one, one, 0);
+    }
+
     /** The eye within glass: what comes in is brighter by the square of the index. */
     static Known withinGlass() {
         double n = 1.5;
@@ -332,6 +374,8 @@ final class ClosedForms {
         all.add(glowingBall(0.9));
         all.add(glowingBox(0.8));
         all.add(slab());
+        all.add(paneInWater());
+        all.add(pointLightInWater());
         all.add(withinGlass());
         all.add(checkered());
         all.add(pointLight());

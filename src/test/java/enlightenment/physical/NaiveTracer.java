@@ -319,9 +319,10 @@ final class NaiveTracer {
                 }
                 left = before == after ? left : NaiveColors.product(left, color(hit));
             } else {
+                double around = NaiveScene.index(scene.medium(hit, 1));
                 double index = ((Material.Glass) hit.surface().material()).indexOfRefraction();
                 left = NaiveColors.product(
-                        left, scaled(color(hit), 1 - NaiveFresnel.pane(-d.dot(hit.normal()), 1, index)));
+                        left, scaled(color(hit), 1 - NaiveFresnel.pane(-d.dot(hit.normal()), around, index)));
             }
             o = hit.point();
             rest -= hit.distance();

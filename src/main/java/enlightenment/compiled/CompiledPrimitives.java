@@ -4,7 +4,6 @@ import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.material.Material;
 import enlightenment.math.InvalidValueException;
-import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.scene.SceneObject;
@@ -108,17 +107,12 @@ record CompiledPrimitives(
         Arrays.sort(
                 order,
                 Comparator.<Integer>comparingInt(i -> -materials.of(i, 0).priority)
-                        .thenComparingDouble(i -> size(primitives[i]))
+                        .thenComparingDouble(i -> primitives[i].volume())
                         .thenComparingInt(i -> i));
         int[] rank = new int[primitives.length];
         for (int k = 0; k < order.length; k++) {
             rank[order[k]] = k;
         }
         return rank;
-    }
-
-    private static double size(Primitive p) {
-        Vec3 extent = p.bounds().extent();
-        return extent.x() * extent.y() * extent.z();
     }
 }

@@ -201,7 +201,7 @@ public sealed interface Material
      * @param color multiplied onto what is seen through the surface, each time a ray crosses it; not onto what it reflects
      * @param indexOfRefraction relative to the surrounding medium (1), greater than 0
      * @param transparency the share of what is seen that comes through: 0 (a matte surface) to 1 (clear)
-     * @param priority where solids overlap, the one of higher priority fills the overlap; at equal priorities, the smaller one
+     * @param priority where solids overlap, the one of higher priority fills the overlap; at equal priorities, the one of less volume
      *     (Schmidt and Budge, "Simple nested dielectrics in ray traced images", 2002)
      * @param receivesShadows whether shadows show on the opaque share
      * @param roughness of the surface, 0 (smooth) to 1; the parameter alpha of the distribution GGX is its square

@@ -282,6 +282,13 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     }
 
     @Override
+    public double volume() {
+        return capped
+                ? Math.PI / 3 * axis.length() * (wideRadius * (wideRadius + narrowRadius) + narrowRadius * narrowRadius)
+                : 0;
+    }
+
+    @Override
     public boolean contains(double x, double y, double z) {
         double px = x - cx;
         double py = y - cy;

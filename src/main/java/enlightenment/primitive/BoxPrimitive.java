@@ -125,6 +125,11 @@ public final class BoxPrimitive extends Primitive {
     }
 
     @Override
+    public double volume() {
+        return (x1 - x0) * (y1 - y0) * (z1 - z0);
+    }
+
+    @Override
     public boolean contains(double x, double y, double z) {
         return x >= x0 && x <= x1 && y >= y0 && y <= y1 && z >= z0 && z <= z1;
     }

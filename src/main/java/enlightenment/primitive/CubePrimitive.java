@@ -207,6 +207,11 @@ public final class CubePrimitive extends Primitive {
     }
 
     @Override
+    public double volume() {
+        return 8 * half * half * half;
+    }
+
+    @Override
     public boolean contains(double x, double y, double z) {
         if (box != null) {
             return box.contains(x, y, z);

@@ -108,6 +108,14 @@ public abstract sealed class Primitive
         return false;
     }
 
+    /**
+     * The volume that the primitive encloses, however it is turned: 0 if none. Rounded, and 0 or infinite where it is no ordinary number;
+     * equal for equal lengths.
+     */
+    public double volume() {
+        return 0;
+    }
+
     /** Whether a ray that leaves the outside of the surface can never meet it again. */
     public boolean isConvex() {
         return true;

@@ -154,6 +154,11 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
+    public double volume() {
+        return 4 * Math.PI / 3 * radius * radius * radius;
+    }
+
+    @Override
     public boolean isWhole() {
         return true;
     }

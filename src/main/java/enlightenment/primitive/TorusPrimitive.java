@@ -223,6 +223,11 @@ public final class TorusPrimitive extends Primitive {
     }
 
     @Override
+    public double volume() {
+        return 2 * Math.PI * Math.PI * majorRadius * minorRadius * minorRadius;
+    }
+
+    @Override
     public boolean isWhole() {
         return true;
     }

@@ -192,6 +192,23 @@ class PathTracerTest {
         assertEquals(Math.exp(-0.25 * 6), render(scene, 1).value, 1e-12);
     }
 
+    /** The cube encloses less than the ball, although the box around it may be larger; it sticks out, but not here. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 45})
+    void theSolidOfLessVolumeFillsAnOverlapHoweverItIsTurned(double degrees) {
+        Scene scene = scene().camera(
+                        new Camera.Orthographic(ExactPoint.of(0, 0, -8), ExactPoint.of(0, 0, 0), Vec3.Y, 1e-6))
+                .shading(IN_WHITE)
+                .object(
+                        new Sphere(ExactPoint.of(0, 0, 0), 1, 0),
+                        Material.Glass.of(grey(1), 1).withAbsorption(new Rgb(0.25, 0, 0)))
+                .object(
+                        new Cube(ExactPoint.of(0, 0, 0), 0.8 * Math.sqrt(3), new Vec3(0, 0, degrees)),
+                        Material.Glass.of(grey(1), 1).withAbsorption(new Rgb(1, 0, 0)))
+                .build();
+        assertEquals(Math.exp(-1.6 - 0.25 * 0.4), render(scene, 1).value, 1e-12);
+    }
+
     /** Direct light only, of a lamp whose upper half a screen hides from the floor or not, found by light sampling or by chance. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2})

@@ -38,6 +38,16 @@ final class NaiveBorder {
         through = flux / (meanHere * from * from);
     }
 
+    /** What single scattering loses of light that comes on the side of {@code from} with this cosine: about 0 to 1. */
+    double lost(double mu) {
+        return loss(here, mu);
+    }
+
+    /** The share of what is lost there that comes through. */
+    double through() {
+        return through;
+    }
+
     /** The value for importance of two directions with these cosines, not negative. */
     double value(double out, double in, boolean isThrough) {
         double[] other = isThrough ? there : here;

@@ -43,11 +43,6 @@ record NaiveMedium(double[] scattering, double[] extinction, double anisotropy) 
         return scattering[0] + scattering[1] + scattering[2] > 0;
     }
 
-    /** The rate of collisions of all bands together; for each band some of them are none. */
-    double majorant() {
-        return Math.max(extinction[0], Math.max(extinction[1], extinction[2]));
-    }
-
     /** What is left of light after a way. */
     double[] transmittance(double length) {
         double[] left = new double[3];
@@ -63,11 +58,19 @@ record NaiveMedium(double[] scattering, double[] extinction, double anisotropy) 
         return (1 - g * g) / (4 * Math.PI * Math.pow(1 + g * g - 2 * g * cosine, 1.5));
     }
 
-    /** A direction of equal density on all sides: whoever uses it multiplies by phase times 4 pi. */
-    static Vec3 anywhere(SplittableRandom random) {
-        double z = 2 * random.nextDouble() - 1;
+    /** A direction with the density of the phase function, by its inverse in the form of the textbooks, after light came along d. */
+    Vec3 turned(Vec3 d, SplittableRandom random) {
+        double g = anisotropy;
+        double u = random.nextDouble();
+        double square = (1 - g * g) / (1 - g + 2 * g * u);
+        double z = g == 0 ? 2 * u - 1 : (1 + g * g - square * square) / (2 * g);
         double angle = 2 * Math.PI * random.nextDouble();
-        double r = Math.sqrt(1 - z * z);
-        return new Vec3(r * Math.cos(angle), r * Math.sin(angle), z);
+        double r = Math.sqrt(Math.max(0, 1 - z * z));
+        Vec3 x = (Math.abs(d.x()) < 0.6 ? Vec3.X : Vec3.Y).cross(d).normalized();
+        Vec3 y = d.cross(x);
+        return x.times(r * Math.cos(angle))
+                .plus(y.times(r * Math.sin(angle)))
+                .plus(d.times(z))
+                .normalized();
     }
 }

@@ -49,6 +49,9 @@ final class NaiveTracer {
         final SplittableRandom random;
         Sight sight = Sight.STRAIGHT;
 
+        /** The only band that the path tells of, since a medium scattered it or let it pass; -1 before. */
+        int band = -1;
+
         Path(SplittableRandom random) {
             this.random = random;
         }
@@ -133,6 +136,7 @@ final class NaiveTracer {
             double y = top + (bottom - top) * path.random.nextDouble();
             Vec3[] ray = scene.ray(x / scene.width(), y / scene.height());
             path.sight = Sight.STRAIGHT;
+            path.band = -1;
             add(sum, 1.0 / paths, radiance(ray[0], ray[1], 0, 0, path));
         }
         return sum;
@@ -178,30 +182,25 @@ final class NaiveTracer {
     }
 
     /**
-     * Flies through a medium by E. Woodcock's method: collisions come at the rate of the band with most of them, and for the others some are
-     * none.
+     * Flies through a medium as light of one band does, which the path keeps: what is left of it never grows. If one path told of all
+     * bands, each collision would be worth more than 1 in the densest of them (and so would directions of another density than the phase
+     * function's). After tens of collisions few paths would be worth nearly all, and a million of them would mostly miss these: of rough
+     * jade they lost a quarter of the red light behind it, and their spread did not tell.
      */
     private double[] fly(NaiveMedium medium, NaiveScene.Hit hit, Vec3 o, Vec3 d, int scattered, int events, Path path) {
-        double rate = medium.majorant();
-        double end = hit == null ? Double.POSITIVE_INFINITY : hit.distance();
-        double real = (medium.extinction()[0] + medium.extinction()[1] + medium.extinction()[2]) / (3 * rate);
-        double[] kept = {1, 1, 1};
-        double t = 0;
-        while (true) {
-            t -= Math.log(1 - path.random.nextDouble()) / rate;
-            if (t >= end) {
-                return arrive(hit, kept, d, scattered, events, path);
-            }
-            boolean isReal = path.random.nextDouble() < real;
-            for (int band = 0; band < 3; band++) {
-                kept[band] *= isReal
-                        ? medium.scattering()[band] / rate / real
-                        : (1 - medium.extinction()[band] / rate) / (1 - real);
-            }
-            if (isReal) {
-                return NaiveColors.product(kept, turned(medium, o.plus(d.times(t)), d, scattered, events + 1, path));
-            }
+        double[] kept = new double[3];
+        if (path.band < 0) {
+            path.band = path.random.nextInt(3);
+            kept[path.band] = 3;
+        } else {
+            kept[path.band] = 1;
         }
+        double t = -Math.log(1 - path.random.nextDouble()) / medium.extinction()[path.band];
+        if (!(t < (hit == null ? Double.POSITIVE_INFINITY : hit.distance()))) {
+            return arrive(hit, kept, d, scattered, events, path);
+        }
+        kept[path.band] *= medium.scattering()[path.band] / medium.extinction()[path.band];
+        return NaiveColors.product(kept, turned(medium, o.plus(d.times(t)), d, scattered, events + 1, path));
     }
 
     /** What comes to a point of a medium and is scattered there. */
@@ -218,9 +217,7 @@ final class NaiveTracer {
         }
         double survival = events < CERTAIN_EVENTS ? 1 : lateSurvival;
         if (survival == 1 || path.random.nextDouble() < survival) {
-            Vec3 on = NaiveMedium.anywhere(path.random);
-            double weight = 4 * Math.PI * medium.phase(d.dot(on)) / survival;
-            add(sum, weight, radiance(at, on, scattered + 1, events, path));
+            add(sum, 1 / survival, radiance(at, medium.turned(d, path.random), scattered + 1, events, path));
         }
         return sum;
     }
@@ -396,14 +393,15 @@ final class NaiveTracer {
         NaiveFacets facets = new NaiveFacets(alpha);
         Vec3[] axes = axes(hit.normal());
         Vec3 out = local(axes, d.negated());
-        double share = glass.multipleScattering() ? 0.5 : 1;
-        if (path.random.nextDouble() >= share) {
-            boolean through = path.random.nextBoolean();
-            Vec3 in = NaiveReflector.byCosine(path.random);
-            double f = border(alpha, from, to).value(out.z(), in.z(), through);
-            double[] arriving = amongFacets(hit, axes, through ? mirror(in) : in, scattered, events, path);
-            double square = through ? from * from / (to * to) : 1;
-            return scaled(through ? NaiveColors.product(color(hit), arriving) : arriving, 4 * Math.PI * f * square);
+        double share = 1;
+        if (glass.multipleScattering()) {
+            NaiveBorder border = border(alpha, from, to);
+            // By halves each event of single scattering would be worth twice as much: see fly.
+            double lost = Math.min(0.9, Math.max(0.01, border.lost(out.z())));
+            if (path.random.nextDouble() < lost) {
+                return throughBorder(border, lost, hit, axes, out.z(), from / to, scattered, events, path);
+            }
+            share = 1 - lost;
         }
         Vec3 m = facets.sample(path.random);
         double cosine = out.dot(m);
@@ -425,6 +423,27 @@ final class NaiveTracer {
                         ? mirrored(hit, facet, d, scattered, events, path)
                         : refracted(hit, facet, d, from, to, scattered, events, path),
                 weight / share);
+    }
+
+    /** What single scattering loses; that it is asked for has this probability. */
+    private double[] throughBorder(
+            NaiveBorder border,
+            double probability,
+            NaiveScene.Hit hit,
+            Vec3[] axes,
+            double out,
+            double eta,
+            int scattered,
+            int events,
+            Path path) {
+        boolean through = path.random.nextDouble() < border.through();
+        double side = through ? border.through() : 1 - border.through();
+        Vec3 in = NaiveReflector.byCosine(path.random);
+        double weight = Math.PI * border.value(out, in.z(), through) / (probability * side);
+        double[] arriving = amongFacets(hit, axes, through ? mirror(in) : in, scattered, events, path);
+        return through
+                ? scaled(NaiveColors.product(color(hit), arriving), weight * eta * eta)
+                : scaled(arriving, weight);
     }
 
     private static Vec3 mirror(Vec3 v) {

@@ -61,19 +61,61 @@ public final class Fresnel {
         }
     }
 
+    /** The same of many points, at the cosines of their microfacets. */
+    void at(ScatteringBatch b, int from, int to) {
+        if (eta == null) {
+            schlick(b.facet, b.red, b.valueR, from, to);
+            schlick(b.facet, b.green, b.valueG, from, to);
+            schlick(b.facet, b.blue, b.valueB, from, to);
+        } else {
+            conductor(b.facet, eta.r(), k.r(), b.red, b.valueR, from, to);
+            conductor(b.facet, eta.g(), k.g(), b.green, b.valueG, from, to);
+            conductor(b.facet, eta.b(), k.b(), b.blue, b.valueB, from, to);
+        }
+    }
+
+    private static void schlick(double[] c, double[] color, double[] out, int from, int to) {
+        for (int n = from; n < to; n++) {
+            double m = Math.max(1 - c[n], 0);
+            double m2 = m * m;
+            out[n] = Math.fma(1 - color[n], m2 * m2 * m, color[n]);
+        }
+    }
+
+    private static void conductor(double[] c, double eta, double k, double[] color, double[] out, int from, int to) {
+        if (!(k >= eta && eta * k > 0)) {
+            for (int n = from; n < to; n++) {
+                out[n] = color[n] * conductor(c[n], eta, k);
+            }
+            return;
+        }
+        // A true metal: of a and b the latter is always the greater one, and a = ηk/b.
+        double twice = 2 * eta * k;
+        for (int n = from; n < to; n++) {
+            double c2 = c[n] * c[n];
+            double s2 = Math.max((1 - c[n]) * (1 + c[n]), 0);
+            double t = s2 - (eta - k) * (eta + k);
+            double sum = Math.sqrt(Math.fma(t, t, twice * twice));
+            double ac = twice * Math.sqrt(2 / (sum + t)) * c[n];
+            double perpendicular = (sum + c2 - ac) / (sum + c2 + ac);
+            double whole = Math.fma(c2, sum, s2 * s2);
+            out[n] = 0.5 * color[n] * perpendicular * (1 + (whole - ac * s2) / (whole + ac * s2));
+        }
+    }
+
     /** The mean 2∫F c dc over directions by their cosine, of the red component. */
-    double meanR(Scattering s) {
-        return eta == null ? schlickMean(s.red) : s.red * meanR;
+    double meanR(double color) {
+        return eta == null ? schlickMean(color) : color * meanR;
     }
 
     /** The same, green. */
-    double meanG(Scattering s) {
-        return eta == null ? schlickMean(s.green) : s.green * meanG;
+    double meanG(double color) {
+        return eta == null ? schlickMean(color) : color * meanG;
     }
 
     /** The same, blue. */
-    double meanB(Scattering s) {
-        return eta == null ? schlickMean(s.blue) : s.blue * meanB;
+    double meanB(double color) {
+        return eta == null ? schlickMean(color) : color * meanB;
     }
 
     /** 2∫(1 − c)⁵ c dc is 1/21. */

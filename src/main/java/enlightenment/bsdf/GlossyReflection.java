@@ -54,6 +54,50 @@ public final class GlossyReflection implements Bsdf {
         }
     }
 
+    /** The same of many points. */
+    void evaluate(ScatteringBatch b, int from, int to) {
+        facets.evaluate(b, from, to);
+        fresnel.at(b, from, to);
+        if (table == null) {
+            multiply(b.valueR, b.single, from, to);
+            multiply(b.valueG, b.single, from, to);
+            multiply(b.valueB, b.single, from, to);
+        }
+        for (int n = from; n < to; n++) {
+            if (!(b.in[n] > 0)) {
+                b.valueR[n] = 0;
+                b.valueG[n] = 0;
+                b.valueB[n] = 0;
+                b.pdf[n] = 0;
+            } else if (table != null) {
+                compensate(b, n);
+            }
+        }
+    }
+
+    private static void multiply(double[] value, double[] by, int from, int to) {
+        for (int n = from; n < to; n++) {
+            value[n] *= by[n];
+        }
+    }
+
+    private void compensate(ScatteringBatch b, int n) {
+        double lost = table.loss(b.out[n]);
+        double r = fresnel.meanR(b.red[n]);
+        double g = fresnel.meanG(b.green[n]);
+        double bl = fresnel.meanB(b.blue[n]);
+        double moreR = multiple(r);
+        double moreG = multiple(g);
+        double moreB = multiple(bl);
+        double share = share(r + g + bl, moreR + moreG + moreB, lost);
+        double in = b.in[n];
+        b.pdf[n] = Math.fma(share, b.pdf[n], (1 - share) * table.density(in));
+        double more = lost * table.loss(in) * in / (Math.PI * table.meanLoss);
+        b.valueR[n] = Math.fma(b.valueR[n], b.single[n], moreR * more);
+        b.valueG[n] = Math.fma(b.valueG[n], b.single[n], moreG * more);
+        b.valueB[n] = Math.fma(b.valueB[n], b.single[n], moreB * more);
+    }
+
     /** Sets the value to the reflectance of a microfacet at normal incidence. */
     public void reflectAtNormal(Scattering s) {
         fresnel.at(1, s);
@@ -71,9 +115,9 @@ public final class GlossyReflection implements Bsdf {
 
     private void evaluateBoth(Scattering s, double in, double out, double single) {
         double lost = table.loss(out);
-        double r = fresnel.meanR(s);
-        double g = fresnel.meanG(s);
-        double b = fresnel.meanB(s);
+        double r = fresnel.meanR(s.red);
+        double g = fresnel.meanG(s.green);
+        double b = fresnel.meanB(s.blue);
         double moreR = multiple(r);
         double moreG = multiple(g);
         double moreB = multiple(b);
@@ -114,9 +158,9 @@ public final class GlossyReflection implements Bsdf {
     }
 
     private double share(Scattering s, double out) {
-        double r = fresnel.meanR(s);
-        double g = fresnel.meanG(s);
-        double b = fresnel.meanB(s);
+        double r = fresnel.meanR(s.red);
+        double g = fresnel.meanG(s.green);
+        double b = fresnel.meanB(s.blue);
         return share(r + g + b, multiple(r) + multiple(g) + multiple(b), table.loss(out));
     }
 

@@ -83,6 +83,38 @@ public final class Microfacets {
     }
 
     /**
+     * What {@link #at}, {@link #visible} and {@link #masking} say of many points: the densities of visible normals, as directions of i, what a
+     * surface of white microfacets reflects, and the cosines with these. It is of use only where i is above the surface.
+     */
+    void evaluate(ScatteringBatch b, int from, int to) {
+        for (int n = from; n < to; n++) {
+            double hx = b.ox[n] + b.ix[n];
+            double hy = b.oy[n] + b.iy[n];
+            double hz = b.oz[n] + b.iz[n];
+            double z = hx * b.nx[n] + hy * b.ny[n] + hz * b.nz[n];
+            double px = b.ny[n] * hz - b.nz[n] * hy;
+            double py = b.nz[n] * hx - b.nx[n] * hz;
+            double pz = b.nx[n] * hy - b.ny[n] * hx;
+            double z2 = z * z;
+            double p2 = px * px + py * py + pz * pz;
+            double length2 = z2 + p2;
+            double ratio = alpha * (length2 / Math.fma(alpha2, z2, p2));
+            b.single[n] = ratio * ratio * (0.5 / Math.PI);
+            // Half of the sum of two unit vectors is as long as its cosine with each of them.
+            b.facet[n] = Math.min(0.5 * Math.sqrt(length2), 1);
+        }
+        for (int n = from; n < to; n++) {
+            double in = Math.max(b.in[n], 0);
+            double out = b.out[n];
+            double half = b.single[n];
+            double reachIn = Math.sqrt(Math.fma(rest * in, in, alpha2));
+            double reachOut = Math.sqrt(Math.fma(rest * out, out, alpha2));
+            b.pdf[n] = half / (out + reachOut);
+            b.single[n] = half * in / Math.fma(out, reachIn, in * reachOut);
+        }
+    }
+
+    /**
      * Samples a normal that is visible from o, uniformly on a spherical cap (J. Dupuy and A. Benyoub, "Sampling visible GGX normals with
      * spherical caps", 2023), and leaves it in i. The cap's heights come from the disk without a subtraction of like numbers.
      *

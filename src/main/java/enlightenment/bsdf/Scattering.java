@@ -75,6 +75,21 @@ public final class Scattering {
     /** A point without a direction yet. */
     public Scattering() {}
 
+    /** Makes it the same point with the same colour and direction o. */
+    public void arriveAs(Scattering from) {
+        ox = from.ox;
+        oy = from.oy;
+        oz = from.oz;
+        nx = from.nx;
+        ny = from.ny;
+        nz = from.nz;
+        red = from.red;
+        green = from.green;
+        blue = from.blue;
+        eta = from.eta;
+        radiance = from.radiance;
+    }
+
     /** The cosine between normal and o. */
     double cosineOut() {
         return ox * nx + oy * ny + oz * nz;
@@ -90,8 +105,16 @@ public final class Scattering {
         return ix * nx + iy * ny + iz * nz;
     }
 
+    /** Sets the direction o to that of a vector. */
+    public void arriveFrom(double x, double y, double z) {
+        double scale = 1 / Math.sqrt(x * x + y * y + z * z);
+        ox = x * scale;
+        oy = y * scale;
+        oz = z * scale;
+    }
+
     /** Sets the direction i to that of a vector. */
-    void direct(double x, double y, double z) {
+    public void direct(double x, double y, double z) {
         double scale = 1 / Math.sqrt(x * x + y * y + z * z);
         ix = x * scale;
         iy = y * scale;

@@ -51,6 +51,8 @@ public final class PathConnections {
     private double[] gainedG;
     private double[] gainedB;
 
+    private final LobeShares lobes = new LobeShares();
+
     PathConnections(Tracer tracer) {
         this.tracer = tracer;
         Arrays.setAll(segments, k -> new SegmentEnds());
@@ -74,12 +76,28 @@ public final class PathConnections {
                 give(paths[q], q, paths);
             }
         }
+        lobes.finish(pathOf, out);
         for (int k = 0; k < count; k++) {
             double[] rgb = out[pathOf[k]];
             rgb[0] += red[k] * gainedR[k];
             rgb[1] += green[k] * gainedG[k];
             rgb[2] += blue[k] * gainedB[k];
         }
+    }
+
+    /** How often a rough surface was asked what it makes of light between two directions when paths shared last. */
+    public int evaluations() {
+        return surfaceCount == 0 ? 0 : lobes.evaluations();
+    }
+
+    /** How often light was divided then by what rough surfaces make of it. */
+    public int divisions() {
+        return surfaceCount == 0 ? 0 : lobes.divisions();
+    }
+
+    /** The sum over these of the squares of the shares: 1 each where all went to one path, less where many took a part. */
+    public double squares() {
+        return surfaceCount == 0 ? 0 : lobes.squares();
     }
 
     private void findSurfaces(PathCut[] paths, int size) {
@@ -134,6 +152,7 @@ public final class PathConnections {
         green = new double[size];
         blue = new double[size];
         shares = new double[size];
+        lobes.makeRoom(size);
         gainedR = new double[size];
         gainedG = new double[size];
         gainedB = new double[size];
@@ -141,6 +160,7 @@ public final class PathConnections {
 
     /** Puts first vertices in the order of their surfaces, of which each has its end moved behind them. */
     private void order(PathCut[] paths, int size) {
+        lobes.begin(ends[surfaceCount - 1] + sizes[surfaceCount - 1]);
         for (int p = 0; p < size; p++) {
             if (paths[p].takes) {
                 int k = ends[surfaceOf[p]]++;
@@ -152,9 +172,11 @@ public final class PathConnections {
                 nx[k] = at.nx * at.side;
                 ny[k] = at.ny * at.side;
                 nz[k] = at.nz * at.side;
-                red[k] = paths[p].albedo[0];
-                green[k] = paths[p].albedo[1];
-                blue[k] = paths[p].albedo[2];
+                boolean isMatte = paths[p].firstLobes == null;
+                red[k] = isMatte ? paths[p].albedo[0] : 0;
+                green[k] = isMatte ? paths[p].albedo[1] : 0;
+                blue[k] = isMatte ? paths[p].albedo[2] : 0;
+                lobes.set(k, paths[p]);
                 gainedR[k] = 0;
                 gainedG[k] = 0;
                 gainedB[k] = 0;
@@ -166,6 +188,9 @@ public final class PathConnections {
     private void give(PathCut giver, int number, PathCut[] paths) {
         Hit at = giver.second;
         findShares(at.px, at.py, at.pz, at.nx * at.side, at.ny * at.side, at.nz * at.side);
+        if (lobes.hasRough()) {
+            lobes.find(at, x, y, z, shares);
+        }
         double sum = 0;
         int from = 0;
         for (int k = 0; k < surfaceCount; k++) {
@@ -179,7 +204,14 @@ public final class PathConnections {
             }
             from = ends[k];
         }
-        if (sum > 0) {
+        if (!(sum > 0)) {
+            return;
+        }
+        if (giver.secondLobes != null) {
+            lobes.giveRough(giver, x, y, z, shares);
+        } else if (lobes.hasRough()) {
+            lobes.giveMatte(shares, sum, giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
+        } else {
             gain(giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
         }
     }

@@ -1,5 +1,8 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -8,10 +11,14 @@ import enlightenment.primitive.Ray;
  * A path that is cut at its second vertex, so that what comes from there can be shared: by all paths whose first vertices see it
  * (P. Bekaert, M. Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002).
  *
- * <p>It can be if both vertices are matte surfaces that a ray which leaves them cannot meet again: flat, or convex from outside. Then the
- * light that leaves the second is the same in all directions, and whatever sees its front is lit by it.
+ * <p>It can be if both vertices are opaque, no mirrors, and surfaces that a ray which leaves them cannot meet again: flat, or convex from
+ * outside. If the second is matte, the light that leaves it is the same in all directions. If it is rough, what arrives there is shared
+ * with the directions that it comes from: a light that was sampled, and what was met in the direction that the path went on.
  */
 public final class PathCut {
+    /** How many events the path has had when it comes from the vertex that it was cut at. */
+    private static final int EVENTS = 2;
+
     /** Whether the first vertex can take light from the second ones of other paths. */
     boolean takes;
 
@@ -22,13 +29,40 @@ public final class PathCut {
     int firstId;
     final Hit second = new Hit();
     int secondId;
+
+    /** The colour of the first vertex if it is matte. */
     final double[] albedo = new double[3];
+
+    /** How the first vertex scatters, and where; null if it is matte. */
+    Bsdf firstLobes;
+
+    final Scattering atFirst = new Scattering();
+
+    /** The same of the second. */
+    Bsdf secondLobes;
+
+    final Scattering atSecond = new Scattering();
 
     /** What the path brings without what leaves the second vertex. */
     final double[] own = new double[3];
 
-    /** Radiance that leaves the second vertex, but for its own emission. */
+    /** Radiance that leaves a matte second vertex, but for its own emission; or that arrives at a rough one, but for {@link #lamp} and {@link #met}. */
     final double[] given = new double[3];
+
+    /** The light that was sampled at a rough second vertex. */
+    final IncidentLight lamp = new IncidentLight();
+
+    /** Whether the path went on from there; and in which direction. */
+    boolean wentOn;
+
+    double onX;
+    double onY;
+    double onZ;
+
+    /** Radiance of a light that it met straight, and the density with which this would have been sampled at the vertex; 0 if it met none. */
+    final double[] met = new double[3];
+
+    double metDensity;
 
     /** A path that is yet to be followed. */
     public PathCut() {}
@@ -58,13 +92,46 @@ public final class PathCut {
         if (path.surfaces == 0) {
             takes = isOpen(path) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
             if (takes) {
-                first.set(path.hit);
-                firstId = path.id;
+                begin(path, null);
                 System.arraycopy(color, 0, albedo, 0, 3);
             }
         } else {
             noteLater(path, value);
         }
+    }
+
+    private void begin(PathFollower path, Bsdf lobes) {
+        first.set(path.hit);
+        firstId = path.id;
+        firstLobes = lobes;
+    }
+
+    /**
+     * The same for a rough vertex, where paths that may be cut go on without roulette.
+     *
+     * @param s what is known of it
+     * @param mayGive whether light can be shared there
+     * @return whether the path is cut here
+     */
+    boolean noteRough(PathFollower path, Bsdf lobes, Scattering s, PathValue value, boolean mayGive) {
+        if (path.surfaces == 0) {
+            takes = isOpen(path);
+            if (takes) {
+                begin(path, lobes);
+                atFirst.arriveAs(s);
+            }
+            return false;
+        }
+        if (mayGive) {
+            noteLater(path, value);
+        }
+        if (gives) {
+            secondLobes = lobes;
+            atSecond.arriveAs(s);
+            wentOn = false;
+            metDensity = 0;
+        }
+        return gives;
     }
 
     /** The same for a vertex that cannot take light from others: what it makes of light is more than its colour says. */
@@ -73,9 +140,29 @@ public final class PathCut {
         if (gives) {
             second.set(path.hit);
             secondId = path.id;
+            secondLobes = null;
             value.get(own);
             value.beginPart();
         }
+    }
+
+    /** The path goes on from a rough second vertex. */
+    void leave(Scattering s) {
+        wentOn = true;
+        onX = s.ix;
+        onY = s.iy;
+        onZ = s.iz;
+    }
+
+    /** Whether the path has come straight from a rough vertex that it was cut at. */
+    boolean isLeft(PathHistory history) {
+        return gives && secondLobes != null && history.events == EVENTS;
+    }
+
+    /** It meets a light then. */
+    void meet(SurfaceMaterial light, PathValue value, double density) {
+        metDensity = density;
+        value.getEmission(light, met);
     }
 
     /** Writes what the path brings without what leaves the second vertex. */
@@ -83,9 +170,9 @@ public final class PathCut {
         System.arraycopy(own, 0, out, 0, 3);
     }
 
-    /** What the second vertex brings the path if nothing is shared: component 0, 1 or 2; 0 if it gives nothing. */
-    public double bringsAlone(int c) {
-        return gives ? albedo[c] * given[c] : 0;
+    /** Writes what the second vertex brings the path if nothing is shared; 0 if it gives nothing. */
+    public void bringsAlone(double[] out) {
+        LobeShares.alone(this, out);
     }
 
     /** Whether the second vertex can give light to the first ones of other paths. */

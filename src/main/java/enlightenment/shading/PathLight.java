@@ -294,21 +294,7 @@ final class PathLight {
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
-            return;
-        }
-        shadow.isFiltered = false;
-        counters.lightSamples++;
-        double density;
-        if (l.isPoint) {
-            view.aimAtPoint(l, x, y, z);
-            density = cone.distance * cone.distance;
-        } else {
-            view.aim(l, x, y, z);
-            view.draw(tookAll ? index : -1, sampler, address);
-            view.sample(l.form);
-            density = sample.pdf;
-        }
+        double density = sample(l, index, sampler, address);
         if (!(density > 0)) {
             return;
         }
@@ -328,19 +314,61 @@ final class PathLight {
         }
     }
 
-    /** The weight of what the surface that the path is at emits: it ran into it after it left the vertex. */
-    double weight(Ray ray) {
-        int index = physical.lightOf(path.id, hit.face);
-        if (index < 0) {
-            return 1;
+    /** Samples a point of a light; returns its density, of a point light the squared distance, and 0 if there is none. */
+    private double sample(PhysicalLight l, int index, Sampler sampler, int address) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
+            return 0;
         }
-        PhysicalLight l = lights[index];
-        if (l.isBallOf(vertexId)) {
-            return 1;
+        shadow.isFiltered = false;
+        counters.lightSamples++;
+        if (l.isPoint) {
+            view.aimAtPoint(l, x, y, z);
+            return cone.distance * cone.distance;
         }
         view.aim(l, x, y, z);
-        if (isMatte && isClosed(l)) {
+        view.draw(tookAll ? index : -1, sampler, address);
+        view.sample(l.form);
+        return sample.pdf;
+    }
+
+    /**
+     * Samples one of the lights at the surface that the path is at, not its first, whatever becomes of it there.
+     *
+     * @param out receives what arrives from it
+     */
+    void sample(Sampler sampler, int address, IncidentLight out) {
+        begin(false, false);
+        out.clear();
+        if (tookAll ? lights.length == 0 : !choose(sampler, address)) {
+            return;
+        }
+        PhysicalLight l = lights[tookAll ? 0 : choice.light];
+        double density = sample(l, 0, sampler, address);
+        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        if (density > 0 && cosine > 0 && isVisible(l)) {
+            add(l, 1, 1, 1);
+            out.set(sample, tookAll ? density : choice.probability * density, !l.isPoint, gathered);
+        }
+    }
+
+    /** The weight of what the surface that the path is at emits: it ran into it after it left the vertex. */
+    double weight(Ray ray) {
+        return PowerHeuristic.weight(density(ray), pdf);
+    }
+
+    /**
+     * The density per solid angle with which the vertex would have sampled the place that the path ran into: 0 if that is no light which it
+     * samples, infinite if it has all of its light from a closed form.
+     */
+    double density(Ray ray) {
+        int index = physical.lightOf(path.id, hit.face);
+        if (index < 0 || lights[index].isBallOf(vertexId)) {
             return 0;
+        }
+        PhysicalLight l = lights[index];
+        view.aim(l, x, y, z);
+        if (isMatte && isClosed(l)) {
+            return Double.POSITIVE_INFINITY;
         }
         double dx = hit.px - x;
         double dy = hit.py - y;
@@ -350,10 +378,9 @@ final class PathLight {
         double cosine = -(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz) * scale;
         double density = l.form.pdf(sample, ray.dx * scale, ray.dy * scale, ray.dz * scale, distance, cosine);
         if (!(density > 0)) {
-            return 1;
+            return 0;
         }
-        double probability = tookAll ? 1 : picker.probability(index, x, y, z, nx, ny, nz, choice);
-        return PowerHeuristic.weight(probability * density, pdf);
+        return tookAll ? density : picker.probability(index, x, y, z, nx, ny, nz, choice) * density;
     }
 
     /** Whether the vertex, a matte one, has all of the light from its closed form. */

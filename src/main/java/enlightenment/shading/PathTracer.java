@@ -214,10 +214,22 @@ public final class PathTracer extends EyePathTracer {
 
     /** Adds what the surface emits. */
     private void glow(Ray ray, SurfaceMaterial material) {
+        if (cut != null && cut.isLeft(history) && glowAtCut(ray, material)) {
+            return;
+        }
         double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : images.weight();
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             value.addEmission(material, weight);
         }
+    }
+
+    /** The same where the path has come straight from where it was cut: whether light that is sampled there might find it, too. */
+    private boolean glowAtCut(Ray ray, SurfaceMaterial material) {
+        double density = light.density(ray);
+        if (density > 0 && material.glowsTo(path.hit.side)) {
+            cut.meet(material, value, density);
+        }
+        return density > 0;
     }
 
     /** Of light that was reflected by a mirror or refracted on its way to a matte surface. */
@@ -285,6 +297,9 @@ public final class PathTracer extends EyePathTracer {
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
+        if (cut != null && path.surfaces < 2 && cut.noteRough(path, material.bsdf, s, value, physical.isEvenBeyond())) {
+            return leaveCut(ray, material.bsdf, s, sampler);
+        }
         light.gather(material.bsdf, s, sampler, address, !history.scattered);
         value.add(light.gathered);
         boolean seen = gatherMirrored(material.bsdf, ray, sampler);
@@ -299,6 +314,19 @@ public final class PathTracer extends EyePathTracer {
         path.leave(ray, s);
         history.leave(s.delta);
         return survives(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
+    }
+
+    /** Leaves the vertex that the path is cut at, where others share what arrives: what that becomes of is left to them. */
+    private boolean leaveCut(Ray ray, Bsdf bsdf, Scattering s, Sampler sampler) {
+        light.sample(sampler, address, cut.lamp);
+        sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
+        if (!bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
+            return false;
+        }
+        cut.leave(s);
+        path.leave(ray, s);
+        history.leave(false);
+        return path.goesOn();
     }
 
     /** At a border of glass, or at a pane. */
@@ -364,7 +392,7 @@ public final class PathTracer extends EyePathTracer {
     /** Multiplies by the weight of an event, and plays roulette where it is due. */
     private boolean survives(double r, double g, double b, Sampler sampler) {
         value.filter(r, g, b);
-        if (value.isSafe(history.events + 1)) {
+        if (value.isSafe(history.events + 1) || cut != null && cut.takes && path.surfaces == 0) {
             return true;
         }
         value.leaveToChance(path.key);

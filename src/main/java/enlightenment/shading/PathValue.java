@@ -136,6 +136,13 @@ final class PathValue {
         addCertain(material.glowR, material.glowG, material.glowB, material.glowUltraviolet);
     }
 
+    /** Writes what a surface's emission is worth, in place of {@link #addEmission}. */
+    void getEmission(SurfaceMaterial material, double[] out) {
+        out[0] = throughputR * compression * material.glowR;
+        out[1] = throughputG * compression * material.glowG;
+        out[2] = throughputB * compression * material.glowB;
+    }
+
     /** Adds the light that was gathered where the path is. */
     void add(GatheredLight light) {
         add(light.red, light.green, light.blue, light.ultraviolet);

@@ -96,7 +96,7 @@ final class GroupPaths {
         if (shares) {
             sharing.before(group.field, paths, colors, size);
             connections.share(paths, size, colors);
-            sharing.after(group.field, colors, size);
+            sharing.after(group.field, colors, events, size, connections);
         }
     }
 

@@ -1,25 +1,50 @@
 package enlightenment.method.cluster;
 
+import enlightenment.shading.PathConnections;
 import enlightenment.shading.PathCut;
+import java.util.Arrays;
 
 /**
  * Whether it pays that the paths of a block share what they bring: where all bring about the same, as in a furnace, they only become
- * different by it.
+ * different by it; and where lobes are narrow no path is of much use to another, but all are asked.
  *
  * <p>Of a path's value alone and of what sharing makes of it the mean is the same, so that the difference of the mean squares is that of the
  * variances. What is told of black fields decides about white ones, and the other way round, as in {@link PathNoise}; so what is decided
  * does not depend on what it is decided about.
  */
 final class SharingGain {
-    private final double[] gain = new double[2];
+    /**
+     * What it costs to ask a rough surface what it makes of light between two directions, by what a scattering event of a path costs: measured
+     * in rooms with metals and with rough walls, 1/45 to 1/22 (docs/cluster-sampler.md).
+     */
+    private static final double COST = 1 / 32.0;
+
+    private static final int FIELDS = 2;
+
+    /** By field colour: the sum over paths of by how much less their variance is. */
+    private final double[] gain = new double[FIELDS];
+
+    /** How often rough vertices divided light, and the sums of the squares of the shares: 1 where a path kept all. */
+    private final long[] divisions = new long[FIELDS];
+
+    private final double[] squares = new double[FIELDS];
+
+    /** How often rough surfaces were asked, and how many events the paths had. */
+    private final long[] evaluations = new long[FIELDS];
+
+    private final long[] events = new long[FIELDS];
+    private final double[] brought = new double[3];
     private boolean isTrying;
 
     SharingGain() {}
 
     /** Starts over: from here on paths tell, and share. */
     void begin() {
-        gain[0] = 0;
-        gain[1] = 0;
+        Arrays.fill(gain, 0);
+        Arrays.fill(divisions, 0);
+        Arrays.fill(squares, 0);
+        Arrays.fill(evaluations, 0);
+        Arrays.fill(events, 0);
         isTrying = true;
     }
 
@@ -30,25 +55,47 @@ final class SharingGain {
 
     /** Whether paths through the pixels of a field colour are to share. */
     boolean isWorthIt(int field) {
-        return isTrying || gain[1 - field] >= 0;
+        return isTrying || gain[1 - field] >= 0 && pays(1 - field);
+    }
+
+    /**
+     * Whether variance times time may be less with sharing between rough surfaces. What light there is has no part in that: the first few
+     * paths may have missed what is bright and rare.
+     */
+    private boolean pays(int field) {
+        return squares[field] * (events[field] + COST * evaluations[field])
+                <= (double) divisions[field] * events[field];
     }
 
     /** Tells of paths that are going to share, the first of an array: what each would bring alone. */
     void before(int field, PathCut[] paths, double[][] colors, int size) {
         for (int k = 0; isTrying && k < size; k++) {
+            paths[k].bringsAlone(brought);
             for (int c = 0; c < 3; c++) {
-                double alone = colors[k][c] + paths[k].bringsAlone(c);
+                double alone = colors[k][c] + brought[c];
                 gain[field] += alone * alone;
             }
         }
     }
 
-    /** Tells of the same paths, after they have shared. */
-    void after(int field, double[][] colors, int size) {
-        for (int k = 0; isTrying && k < size; k++) {
+    /**
+     * Tells of the same paths, after they have shared.
+     *
+     * @param eventsOf the paths: how many events each has had
+     * @param shared what connected them
+     */
+    void after(int field, double[][] colors, int[] eventsOf, int size, PathConnections shared) {
+        if (!isTrying) {
+            return;
+        }
+        for (int k = 0; k < size; k++) {
             for (int c = 0; c < 3; c++) {
                 gain[field] -= colors[k][c] * colors[k][c];
             }
+            events[field] += 1 + eventsOf[k];
         }
+        evaluations[field] += shared.evaluations();
+        divisions[field] += shared.divisions();
+        squares[field] += shared.squares();
     }
 }

@@ -1,0 +1,131 @@
+package enlightenment.bsdf;
+
+/**
+ * Many points at which light is scattered: what {@link Bsdf#evaluate} says of each, at once. Coordinates lie side by side, for loops that
+ * the compiler makes vector instructions of. A mutable work object, one per thread.
+ */
+public final class ScatteringBatch {
+    /** Towards where paths came from: unit vectors. */
+    public final double[] ox;
+
+    public final double[] oy;
+    public final double[] oz;
+
+    /** The surfaces' normals on the side of o. */
+    public final double[] nx;
+
+    public final double[] ny;
+    public final double[] nz;
+
+    /** Towards where paths go on: unit vectors. */
+    public final double[] ix;
+
+    public final double[] iy;
+    public final double[] iz;
+
+    /** The surfaces' colours. */
+    public final double[] red;
+
+    public final double[] green;
+    public final double[] blue;
+
+    /** What was found, f·|cosθ|. */
+    public final double[] valueR;
+
+    public final double[] valueG;
+    public final double[] valueB;
+
+    /** The densities per solid angle of the directions i. */
+    public final double[] pdf;
+
+    /** Cosines of i and of o with the normal; and of o with that of the microfacet. */
+    final double[] in;
+
+    final double[] out;
+    final double[] facet;
+
+    /** What a surface of white microfacets reflects. */
+    final double[] single;
+
+    private final Scattering one = new Scattering();
+
+    /** Room for so many points. */
+    public ScatteringBatch(int size) {
+        ox = new double[size];
+        oy = new double[size];
+        oz = new double[size];
+        nx = new double[size];
+        ny = new double[size];
+        nz = new double[size];
+        ix = new double[size];
+        iy = new double[size];
+        iz = new double[size];
+        red = new double[size];
+        green = new double[size];
+        blue = new double[size];
+        valueR = new double[size];
+        valueG = new double[size];
+        valueB = new double[size];
+        pdf = new double[size];
+        in = new double[size];
+        out = new double[size];
+        facet = new double[size];
+        single = new double[size];
+    }
+
+    /** Sets surface and direction o of a point. */
+    public void set(int n, Scattering s) {
+        ox[n] = s.ox;
+        oy[n] = s.oy;
+        oz[n] = s.oz;
+        nx[n] = s.nx;
+        ny[n] = s.ny;
+        nz[n] = s.nz;
+        red[n] = s.red;
+        green[n] = s.green;
+        blue[n] = s.blue;
+    }
+
+    /** Finds values and densities of some points of surfaces of one kind. */
+    public void evaluate(Bsdf bsdf, int from, int to) {
+        if (bsdf instanceof GlossyReflection glossy) {
+            cosines(from, to);
+            glossy.evaluate(this, from, to);
+        } else {
+            for (int n = from; n < to; n++) {
+                get(n, one);
+                bsdf.evaluate(one);
+                valueR[n] = one.valueR;
+                valueG[n] = one.valueG;
+                valueB[n] = one.valueB;
+                pdf[n] = one.pdf;
+            }
+        }
+    }
+
+    /** Writes a point. */
+    void get(int n, Scattering s) {
+        s.ox = ox[n];
+        s.oy = oy[n];
+        s.oz = oz[n];
+        s.nx = nx[n];
+        s.ny = ny[n];
+        s.nz = nz[n];
+        s.ix = ix[n];
+        s.iy = iy[n];
+        s.iz = iz[n];
+        s.red = red[n];
+        s.green = green[n];
+        s.blue = blue[n];
+    }
+
+    // Long loops become no vector instructions.
+    private void cosines(int from, int to) {
+        for (int n = from; n < to; n++) {
+            in[n] = ix[n] * nx[n] + iy[n] * ny[n] + iz[n] * nz[n];
+        }
+        for (int n = from; n < to; n++) {
+            out[n] = Math.min(Math.max(ox[n] * nx[n] + oy[n] * ny[n] + oz[n] * nz[n], 0), 1);
+        }
+    }
+}

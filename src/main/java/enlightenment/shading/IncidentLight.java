@@ -1,0 +1,43 @@
+package enlightenment.shading;
+
+import enlightenment.emitter.LightSample;
+
+/** Light that was sampled at a vertex, before the surface there does anything to it. Mutable. */
+final class IncidentLight {
+    /** The unit vector towards where it comes from. */
+    double dx;
+
+    double dy;
+    double dz;
+
+    /** The density per solid angle with which it was sampled; of a point light with respect to squared distance; 0 if nothing arrives. */
+    double density;
+
+    /** Whether directions that the surface samples may meet it, too. */
+    boolean hasExtent;
+
+    /** Its radiance, of a point light its intensity: what arrives of it. */
+    double red;
+
+    double green;
+    double blue;
+
+    IncidentLight() {}
+
+    /** Nothing arrives. */
+    void clear() {
+        density = 0;
+    }
+
+    /** Sets all of it; the direction is that of a sample. */
+    void set(LightSample from, double sampledWith, boolean extends_, GatheredLight arriving) {
+        dx = from.dx;
+        dy = from.dy;
+        dz = from.dz;
+        density = sampledWith;
+        hasExtent = extends_;
+        red = arriving.red;
+        green = arriving.green;
+        blue = arriving.blue;
+    }
+}

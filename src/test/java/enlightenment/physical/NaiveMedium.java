@@ -43,6 +43,11 @@ record NaiveMedium(double[] scattering, double[] extinction, double anisotropy) 
         return scattering[0] + scattering[1] + scattering[2] > 0;
     }
 
+    /** The share of extinction that is scattered. */
+    double albedo(int band) {
+        return scattering[band] / extinction[band];
+    }
+
     /** What is left of light after a way. */
     double[] transmittance(double length) {
         double[] left = new double[3];

@@ -199,7 +199,7 @@ final class NaiveTracer {
         if (!(t < (hit == null ? Double.POSITIVE_INFINITY : hit.distance()))) {
             return arrive(hit, kept, d, scattered, events, path);
         }
-        kept[path.band] *= medium.scattering()[path.band] / medium.extinction()[path.band];
+        kept[path.band] *= medium.albedo(path.band);
         return NaiveColors.product(kept, turned(medium, o.plus(d.times(t)), d, scattered, events + 1, path));
     }
 
@@ -215,7 +215,8 @@ final class NaiveTracer {
             double share = medium.phase(d.dot(way.normalized())) / way.dot(way);
             add(sum, share, NaiveColors.product(visible, p.intensity()));
         }
-        double survival = events < CERTAIN_EVENTS ? 1 : lateSurvival;
+        // By the albedo, what is left of the path stays the same.
+        double survival = events < CERTAIN_EVENTS ? 1 : Math.min(medium.albedo(path.band), lateSurvival);
         if (survival == 1 || path.random.nextDouble() < survival) {
             add(sum, 1 / survival, radiance(at, medium.turned(d, path.random), scattered + 1, events, path));
         }

@@ -62,17 +62,12 @@ public final class GlossyReflection implements Bsdf {
             multiply(b.valueR, b.single, from, to);
             multiply(b.valueG, b.single, from, to);
             multiply(b.valueB, b.single, from, to);
-        }
-        for (int n = from; n < to; n++) {
-            if (!(b.in[n] > 0)) {
-                b.valueR[n] = 0;
-                b.valueG[n] = 0;
-                b.valueB[n] = 0;
-                b.pdf[n] = 0;
-            } else if (table != null) {
+        } else {
+            for (int n = from; n < to; n++) {
                 compensate(b, n);
             }
         }
+        b.clearBelow(from, to);
     }
 
     private static void multiply(double[] value, double[] by, int from, int to) {
@@ -90,7 +85,7 @@ public final class GlossyReflection implements Bsdf {
         double moreG = multiple(g);
         double moreB = multiple(bl);
         double share = share(r + g + bl, moreR + moreG + moreB, lost);
-        double in = b.in[n];
+        double in = Math.max(b.in[n], 0);
         b.pdf[n] = Math.fma(share, b.pdf[n], (1 - share) * table.density(in));
         double more = lost * table.loss(in) * in / (Math.PI * table.meanLoss);
         b.valueR[n] = Math.fma(b.valueR[n], b.single[n], moreR * more);

@@ -61,6 +61,39 @@ public final class RoughDiffuse implements Bsdf {
         s.value(value(s.red, single, more), value(s.green, single, more), value(s.blue, single, more));
     }
 
+    /** The same of many points. */
+    void evaluate(ScatteringBatch b, int from, int to) {
+        lost(b.in, b.valueR, from, to);
+        lost(b.out, b.valueG, from, to);
+        for (int n = from; n < to; n++) {
+            double in = b.in[n];
+            double out = b.out[n];
+            double cosine = b.ox[n] * b.ix[n] + b.oy[n] * b.iy[n] + b.oz[n] * b.iz[n] - in * out;
+            double retro = Math.fma(Math.max(cosine, 0), in / Math.max(in, out), Math.min(cosine, 0) * in);
+            b.single[n] = scale * Math.max(Math.fma(r, retro, in), 0);
+            b.facet[n] = multiple * b.valueG[n] * b.valueR[n] * in;
+        }
+        for (int n = from; n < to; n++) {
+            b.pdf[n] = density(b.in[n], b.out[n]);
+        }
+        values(b.red, b.single, b.facet, b.valueR, from, to);
+        values(b.green, b.single, b.facet, b.valueG, from, to);
+        values(b.blue, b.single, b.facet, b.valueB, from, to);
+        b.clearBelow(from, to);
+    }
+
+    private static void lost(double[] cosines, double[] out, int from, int to) {
+        for (int n = from; n < to; n++) {
+            out[n] = lost(Math.max(cosines[n], 0));
+        }
+    }
+
+    private void values(double[] color, double[] single, double[] more, double[] out, int from, int to) {
+        for (int n = from; n < to; n++) {
+            out[n] = value(color[n], single[n], more[n]);
+        }
+    }
+
     private double value(double color, double single, double more) {
         return color * Math.fma(color * mean / (1 - color * (1 - mean)), more, single);
     }

@@ -91,6 +91,9 @@ public final class ScatteringBatch {
         if (bsdf instanceof GlossyReflection glossy) {
             cosines(from, to);
             glossy.evaluate(this, from, to);
+        } else if (bsdf instanceof RoughDiffuse plaster) {
+            cosines(from, to);
+            plaster.evaluate(this, from, to);
         } else {
             for (int n = from; n < to; n++) {
                 get(n, one);
@@ -117,6 +120,18 @@ public final class ScatteringBatch {
         s.red = red[n];
         s.green = green[n];
         s.blue = blue[n];
+    }
+
+    /** Makes it nothing where i is below the surface. */
+    void clearBelow(int from, int to) {
+        for (int n = from; n < to; n++) {
+            if (!(in[n] > 0)) {
+                valueR[n] = 0;
+                valueG[n] = 0;
+                valueB[n] = 0;
+                pdf[n] = 0;
+            }
+        }
     }
 
     // Long loops become no vector instructions.

@@ -2,13 +2,13 @@
 
     python3 src/bench/scripts/physical_light.py agree FOLDER... [--jar JAR] [--seeds K] [--samples N] [--options "..."]
     python3 src/bench/scripts/physical_light.py kept FOLDER... [--jar JAR] [--seeds K] [--error E] [--options "..."]
-    python3 src/bench/scripts/physical_light.py reference FOLDER --scene SCENE [--jar JAR] [--seeds K] [--samples N] [--options "..."]
-    python3 src/bench/scripts/physical_light.py race FOLDER... [--jar JAR] [--runs K] [--pictures K] [--samples N] [--size WxH] [--methods ...]
+    python3 src/bench/scripts/physical_light.py reference FOLDER --scene SCENE [--jar JAR] [--seeds K] [--samples N] [--size WxH] [--options "..."]
+    python3 src/bench/scripts/physical_light.py race FOLDER... [--jar JAR] [--runs K] [--pictures K] [--samples N] [--size WxH] [--methods ...] [--peers ...]
 
 FOLDER has scene.json, reference.pfm, variance.pfm (linear, rows from the bottom) and, for `race`, scene.xml of Mitsuba 3.
 `agree` renders K seeds and compares the means of blocks of 8 x 8 pixels with the reference: docs/physical-light.md says by which rule.
 `kept` renders K seeds with `--error E` and counts in how many the displayed error against the reference is no larger.
-`reference` makes a folder: the mean of K seeds by ours.
+`reference` makes a folder: the mean of K seeds by ours; a scene.xml beside SCENE comes with it, at that size.
 `race` gives CPU-seconds of whole processes, in turns, and errors against the reference, its own variance subtracted, as a table; with --runs 0 the
 times are those of the small pictures.
 Where scene.xml names the metal of hcconductor.py, Mitsuba's time is that of the faster of this plug-in and its own `roughconductor`.
@@ -63,6 +63,12 @@ def ours(jar, folder, seed, out, samples, options, size=None):
     )
 
 
+def resized(xml, size):
+    width, height = size.split("x")
+    xml = re.sub(r'(name="width" value=)"\d+"', rf'\1"{width}"', xml)
+    return re.sub(r'(name="height" value=)"\d+"', rf'\1"{height}"', xml)
+
+
 def mitsuba(variant, folder, seed, out, samples, size, scratch, built_in=False):
     """Mitsuba's path tracer with roulette from the fifth bounce, as is its default; on request with its own rough metal instead of our plug-in."""
     text = (folder / "scene.xml").read_text()
@@ -73,9 +79,7 @@ def mitsuba(variant, folder, seed, out, samples, size, scratch, built_in=False):
     text = re.sub(r'(name="spp" value=)"\d+"', rf'\1"{samples}"', text)
     text = re.sub(r'(name="seed" value=)"\d+"', rf'\1"{seed}"', text, count=1)
     if size:
-        width, height = size.split("x")
-        text = re.sub(r'(name="width" value=)"\d+"', rf'\1"{width}"', text)
-        text = re.sub(r'(name="height" value=)"\d+"', rf'\1"{height}"', text)
+        text = resized(text, size)
     scene = scratch / "scene.xml"
     scene.write_text(text)
     return run([sys.executable, HERE / "peer_mitsuba.py", variant, scene, out])
@@ -93,7 +97,16 @@ def agree(folder, jar, seeds, samples, options, scratch):
 def reference(folder, scene, chosen, scratch):
     """Makes a folder with the mean of pictures by ours, and the variance of that mean."""
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "scene.json").write_text(scene.read_text())
+    text = scene.read_text()
+    if chosen.size:
+        described = json.loads(text)
+        described["image"] = dict(zip(("width", "height"), map(int, chosen.size.split("x"))))
+        text = json.dumps(described, indent=1)
+    (folder / "scene.json").write_text(text)
+    partner = scene.with_name("scene.xml")
+    if partner.exists():
+        xml = partner.read_text()
+        (folder / "scene.xml").write_text(resized(xml, chosen.size) if chosen.size else xml)
     count, total, squares = chosen.seeds, 0, 0
     for seed in range(1001, 1001 + count):
         out = scratch / "r.pfm"
@@ -209,12 +222,14 @@ def racers(folder, chosen, scratch):
         return lambda seed, out, size: mitsuba(variant, folder, seed, out, chosen.samples, size, scratch, built_in)
 
     timed = {m: (own_program(folder, chosen, f"--method {m} {chosen.options}"), m, False) for m in chosen.methods.split(",")}
-    timed["mitsuba scalar"] = peer("scalar_rgb"), "mitsuba scalar", True
+    if "scalar" in chosen.peers:
+        timed["mitsuba scalar"] = peer("scalar_rgb"), "mitsuba scalar", True
     timed["mitsuba llvm"] = peer("llvm_ad_rgb"), "mitsuba llvm", True
     if METAL in (folder / "scene.xml").read_text():
         # Mitsuba's own metal masks otherwise: its errors mean nothing here, its time does. Python's calls for each bounce make the plug-in hopeless
         # in the scalar variant, whose errors are therefore taken with it and whose time without.
-        timed["mitsuba scalar, its own metal"] = peer("scalar_rgb", True), "mitsuba scalar", True
+        if "scalar" in chosen.peers:
+            timed["mitsuba scalar, its own metal"] = peer("scalar_rgb", True), "mitsuba scalar", True
         timed["mitsuba llvm, its own metal"] = peer("llvm_ad_rgb", True), None, True
     return timed
 
@@ -287,7 +302,8 @@ def main():
     parser.add_argument("--scene", type=pathlib.Path)
     parser.add_argument("--pictures", type=int, default=6)
     parser.add_argument("--methods", default="raytrace,cluster")
-    parser.add_argument("--size", help="of the timed pictures: 512x512, for a window camera 800x400")
+    parser.add_argument("--peers", default="scalar,llvm", help="variants of Mitsuba; llvm always is")
+    parser.add_argument("--size", help="of the timed pictures: 512x512, for a window camera 800x400; of a reference that is made: the scene's")
     parser.add_argument("--options", default="")
     chosen = parser.parse_args()
     ok = True

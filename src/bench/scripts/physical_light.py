@@ -64,6 +64,9 @@ def ours(jar, folder, seed, out, samples, options, size=None):
 
 
 def resized(xml, size):
+    """A scene of Mitsuba's at this size; None is its own."""
+    if not size:
+        return xml
     width, height = size.split("x")
     xml = re.sub(r'(name="width" value=)"\d+"', rf'\1"{width}"', xml)
     return re.sub(r'(name="height" value=)"\d+"', rf'\1"{height}"', xml)
@@ -78,10 +81,8 @@ def mitsuba(variant, folder, seed, out, samples, size, scratch, built_in=False):
     text = re.sub(r'(name="rr_depth" value=)"\d+"', r'\1"5"', text)
     text = re.sub(r'(name="spp" value=)"\d+"', rf'\1"{samples}"', text)
     text = re.sub(r'(name="seed" value=)"\d+"', rf'\1"{seed}"', text, count=1)
-    if size:
-        text = resized(text, size)
     scene = scratch / "scene.xml"
-    scene.write_text(text)
+    scene.write_text(resized(text, size))
     return run([sys.executable, HERE / "peer_mitsuba.py", variant, scene, out])
 
 
@@ -105,8 +106,7 @@ def reference(folder, scene, chosen, scratch):
     (folder / "scene.json").write_text(text)
     partner = scene.with_name("scene.xml")
     if partner.exists():
-        xml = partner.read_text()
-        (folder / "scene.xml").write_text(resized(xml, chosen.size) if chosen.size else xml)
+        (folder / "scene.xml").write_text(resized(partner.read_text(), chosen.size))
     count, total, squares = chosen.seeds, 0, 0
     for seed in range(1001, 1001 + count):
         out = scratch / "r.pfm"

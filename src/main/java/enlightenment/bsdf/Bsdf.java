@@ -22,6 +22,15 @@ public sealed interface Bsdf
      */
     void evaluate(Scattering s);
 
+    /** Sets the same of some points of a batch, which are all of surfaces of this kind; no delta lobes. */
+    default void evaluate(ScatteringBatch batch, int from, int to) {
+        for (int n = from; n < to; n++) {
+            Scattering s = batch.get(n);
+            evaluate(s);
+            batch.find(n, s);
+        }
+    }
+
     /** The density per solid angle with which {@link #sample} chooses the direction i; delta lobes do not count. */
     double pdf(Scattering s);
 

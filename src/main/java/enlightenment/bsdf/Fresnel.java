@@ -49,9 +49,7 @@ public final class Fresnel {
     /** Sets the value to the reflectance at the cosine c, 0..1, of arrival. */
     void at(double c, Scattering s) {
         if (eta == null) {
-            double m = Math.max(1 - c, 0);
-            double m2 = m * m;
-            double w = m2 * m2 * m;
+            double w = towardsWhite(c);
             s.value(Math.fma(1 - s.red, w, s.red), Math.fma(1 - s.green, w, s.green), Math.fma(1 - s.blue, w, s.blue));
         } else {
             s.value(
@@ -76,10 +74,15 @@ public final class Fresnel {
 
     private static void schlick(double[] c, double[] color, double[] out, int from, int to) {
         for (int n = from; n < to; n++) {
-            double m = Math.max(1 - c[n], 0);
-            double m2 = m * m;
-            out[n] = Math.fma(1 - color[n], m2 * m2 * m, color[n]);
+            out[n] = Math.fma(1 - color[n], towardsWhite(c[n]), color[n]);
         }
+    }
+
+    /** (1 − c)⁵. */
+    private static double towardsWhite(double c) {
+        double m = Math.max(1 - c, 0);
+        double m2 = m * m;
+        return m2 * m2 * m;
     }
 
     private static void conductor(double[] c, double eta, double k, double[] color, double[] out, int from, int to) {
@@ -104,18 +107,18 @@ public final class Fresnel {
     }
 
     /** The mean 2∫F c dc over directions by their cosine, of the red component. */
-    double meanR(double color) {
-        return eta == null ? schlickMean(color) : color * meanR;
+    double meanR(Scattering s) {
+        return eta == null ? schlickMean(s.red) : s.red * meanR;
     }
 
     /** The same, green. */
-    double meanG(double color) {
-        return eta == null ? schlickMean(color) : color * meanG;
+    double meanG(Scattering s) {
+        return eta == null ? schlickMean(s.green) : s.green * meanG;
     }
 
     /** The same, blue. */
-    double meanB(double color) {
-        return eta == null ? schlickMean(color) : color * meanB;
+    double meanB(Scattering s) {
+        return eta == null ? schlickMean(s.blue) : s.blue * meanB;
     }
 
     /** 2∫(1 − c)⁵ c dc is 1/21. */

@@ -45,17 +45,18 @@ public final class GlossyReflection implements Bsdf {
         }
         double out = s.cosineOutClamped();
         double single = single(s, in, out);
+        s.pdf = visible(s, out);
+        fresnel.at(s.cosineFacet, s);
         if (table == null) {
-            s.pdf = visible(s, out);
-            fresnel.at(s.cosineFacet, s);
             s.value(s.valueR * single, s.valueG * single, s.valueB * single);
         } else {
-            evaluateBoth(s, in, out, single);
+            compensate(s, in, out, single);
         }
     }
 
-    /** The same of many points. */
-    void evaluate(ScatteringBatch b, int from, int to) {
+    @Override
+    public void evaluate(ScatteringBatch b, int from, int to) {
+        b.findCosines(from, to);
         facets.evaluate(b, from, to);
         fresnel.at(b, from, to);
         if (table == null) {
@@ -64,7 +65,9 @@ public final class GlossyReflection implements Bsdf {
             multiply(b.valueB, b.single, from, to);
         } else {
             for (int n = from; n < to; n++) {
-                compensate(b, n);
+                Scattering s = b.found(n);
+                compensate(s, Math.max(b.in[n], 0), b.out[n], b.single[n]);
+                b.find(n, s);
             }
         }
         b.clearBelow(from, to);
@@ -74,23 +77,6 @@ public final class GlossyReflection implements Bsdf {
         for (int n = from; n < to; n++) {
             value[n] *= by[n];
         }
-    }
-
-    private void compensate(ScatteringBatch b, int n) {
-        double lost = table.loss(b.out[n]);
-        double r = fresnel.meanR(b.red[n]);
-        double g = fresnel.meanG(b.green[n]);
-        double bl = fresnel.meanB(b.blue[n]);
-        double moreR = multiple(r);
-        double moreG = multiple(g);
-        double moreB = multiple(bl);
-        double share = share(r + g + bl, moreR + moreG + moreB, lost);
-        double in = Math.max(b.in[n], 0);
-        b.pdf[n] = Math.fma(share, b.pdf[n], (1 - share) * table.density(in));
-        double more = lost * table.loss(in) * in / (Math.PI * table.meanLoss);
-        b.valueR[n] = Math.fma(b.valueR[n], b.single[n], moreR * more);
-        b.valueG[n] = Math.fma(b.valueG[n], b.single[n], moreG * more);
-        b.valueB[n] = Math.fma(b.valueB[n], b.single[n], moreB * more);
     }
 
     /** Sets the value to the reflectance of a microfacet at normal incidence. */
@@ -108,17 +94,17 @@ public final class GlossyReflection implements Bsdf {
         return 0.5 * s.facets * facets.visible(out);
     }
 
-    private void evaluateBoth(Scattering s, double in, double out, double single) {
+    /** Adds the broad lobe to the density of visible normals and to what single reflection is, the reflectance of a facet times {@code single}. */
+    private void compensate(Scattering s, double in, double out, double single) {
         double lost = table.loss(out);
-        double r = fresnel.meanR(s.red);
-        double g = fresnel.meanG(s.green);
-        double b = fresnel.meanB(s.blue);
+        double r = fresnel.meanR(s);
+        double g = fresnel.meanG(s);
+        double b = fresnel.meanB(s);
         double moreR = multiple(r);
         double moreG = multiple(g);
         double moreB = multiple(b);
-        s.pdf = mixed(s, share(r + g + b, moreR + moreG + moreB, lost), out, in);
+        s.pdf = mixed(s.pdf, share(r + g + b, moreR + moreG + moreB, lost), in);
         double more = lost * table.loss(in) * in / (Math.PI * table.meanLoss);
-        fresnel.at(s.cosineFacet, s);
         s.value(
                 Math.fma(s.valueR, single, moreR * more),
                 Math.fma(s.valueG, single, moreG * more),
@@ -137,8 +123,8 @@ public final class GlossyReflection implements Bsdf {
         return both > 0 ? Math.max(single / both, LEAST_SHARE) : 1;
     }
 
-    private double mixed(Scattering s, double share, double out, double in) {
-        return Math.fma(share, visible(s, out), (1 - share) * table.density(in));
+    private double mixed(double visible, double share, double in) {
+        return Math.fma(share, visible, (1 - share) * table.density(in));
     }
 
     @Override
@@ -149,13 +135,13 @@ public final class GlossyReflection implements Bsdf {
         }
         double out = s.cosineOutClamped();
         facets.at(s, s.ox + s.ix, s.oy + s.iy, s.oz + s.iz);
-        return table == null ? visible(s, out) : mixed(s, share(s, out), out, in);
+        return table == null ? visible(s, out) : mixed(visible(s, out), share(s, out), in);
     }
 
     private double share(Scattering s, double out) {
-        double r = fresnel.meanR(s.red);
-        double g = fresnel.meanG(s.green);
-        double b = fresnel.meanB(s.blue);
+        double r = fresnel.meanR(s);
+        double g = fresnel.meanG(s);
+        double b = fresnel.meanB(s);
         return share(r + g + b, multiple(r) + multiple(g) + multiple(b), table.loss(out));
     }
 

@@ -107,10 +107,9 @@ public final class Microfacets {
             double in = Math.max(b.in[n], 0);
             double out = b.out[n];
             double half = b.single[n];
-            double reachIn = Math.sqrt(Math.fma(rest * in, in, alpha2));
-            double reachOut = Math.sqrt(Math.fma(rest * out, out, alpha2));
+            double reachOut = reach(out);
             b.pdf[n] = half / (out + reachOut);
-            b.single[n] = half * in / Math.fma(out, reachIn, in * reachOut);
+            b.single[n] = half * in / Math.fma(out, reach(in), in * reachOut);
         }
     }
 

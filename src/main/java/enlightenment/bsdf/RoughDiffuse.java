@@ -61,8 +61,9 @@ public final class RoughDiffuse implements Bsdf {
         s.value(value(s.red, single, more), value(s.green, single, more), value(s.blue, single, more));
     }
 
-    /** The same of many points. */
-    void evaluate(ScatteringBatch b, int from, int to) {
+    @Override
+    public void evaluate(ScatteringBatch b, int from, int to) {
+        b.findCosines(from, to);
         lost(b.in, b.valueR, from, to);
         lost(b.out, b.valueG, from, to);
         for (int n = from; n < to; n++) {

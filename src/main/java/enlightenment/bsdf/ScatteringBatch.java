@@ -1,7 +1,7 @@
 package enlightenment.bsdf;
 
 /**
- * Many points at which light is scattered: what {@link Bsdf#evaluate} says of each, at once. Coordinates lie side by side, for loops that
+ * Many points at which light is scattered: what a {@link Bsdf} says of each, at once. Coordinates lie side by side, for loops that
  * the compiler makes vector instructions of. A mutable work object, one per thread.
  */
 public final class ScatteringBatch {
@@ -86,24 +86,10 @@ public final class ScatteringBatch {
         blue[n] = s.blue;
     }
 
-    /** Finds values and densities of some points of surfaces of one kind. */
-    public void evaluate(Bsdf bsdf, int from, int to) {
-        if (bsdf instanceof GlossyReflection glossy) {
-            cosines(from, to);
-            glossy.evaluate(this, from, to);
-        } else if (bsdf instanceof RoughDiffuse plaster) {
-            cosines(from, to);
-            plaster.evaluate(this, from, to);
-        } else {
-            for (int n = from; n < to; n++) {
-                get(n, one);
-                bsdf.evaluate(one);
-                valueR[n] = one.valueR;
-                valueG[n] = one.valueG;
-                valueB[n] = one.valueB;
-                pdf[n] = one.pdf;
-            }
-        }
+    /** A point alone, until another is asked for. */
+    Scattering get(int n) {
+        get(n, one);
+        return one;
     }
 
     /** Writes a point. */
@@ -122,6 +108,24 @@ public final class ScatteringBatch {
         s.blue = blue[n];
     }
 
+    /** The colour of a point alone, and what was found there, until another is asked for. */
+    Scattering found(int n) {
+        one.red = red[n];
+        one.green = green[n];
+        one.blue = blue[n];
+        one.value(valueR[n], valueG[n], valueB[n]);
+        one.pdf = pdf[n];
+        return one;
+    }
+
+    /** Sets what was found at a point. */
+    void find(int n, Scattering s) {
+        valueR[n] = s.valueR;
+        valueG[n] = s.valueG;
+        valueB[n] = s.valueB;
+        pdf[n] = s.pdf;
+    }
+
     /** Makes it nothing where i is below the surface. */
     void clearBelow(int from, int to) {
         for (int n = from; n < to; n++) {
@@ -134,8 +138,8 @@ public final class ScatteringBatch {
         }
     }
 
-    // Long loops become no vector instructions.
-    private void cosines(int from, int to) {
+    /** Finds the cosines with the normal; in two loops, since long ones become no vector instructions. */
+    void findCosines(int from, int to) {
         for (int n = from; n < to; n++) {
             in[n] = ix[n] * nx[n] + iy[n] * ny[n] + iz[n] * nz[n];
         }

@@ -263,7 +263,7 @@ final class GlassTracer {
         double left = number;
         for (int k = 0; k < coincident.size(); k++) {
             if (filters(k, true)) {
-                double clear = scene.material(coincident.id(k), coincident.hit(k).face).transparency;
+                double clear = coincident.material(k).transparency;
                 if (left >= clear) {
                     next = NONE;
                     return k;
@@ -287,7 +287,7 @@ final class GlassTracer {
         if (boundary == NONE || from == to || next != NONE) {
             return null;
         }
-        Bsdf bsdf = scene.material(coincident.id(boundary), coincident.hit(boundary).face).bsdf;
+        Bsdf bsdf = coincident.material(boundary).bsdf;
         Optics.arrive(s, ray, hit);
         s.eta = from / to;
         return bsdf.isDelta() ? null : bsdf;

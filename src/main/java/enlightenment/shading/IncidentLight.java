@@ -30,12 +30,12 @@ final class IncidentLight {
     }
 
     /** Sets all of it; the direction is that of a sample. */
-    void set(LightSample from, double sampledWith, boolean extends_, GatheredLight arriving) {
+    void set(LightSample from, double sampledWith, boolean isMet, GatheredLight arriving) {
         dx = from.dx;
         dy = from.dy;
         dz = from.dz;
         density = sampledWith;
-        hasExtent = extends_;
+        hasExtent = isMet;
         red = arriving.red;
         green = arriving.green;
         blue = arriving.blue;

@@ -107,7 +107,7 @@ final class LobeShares {
 
     private void find(Hit second, double[] x, double[] y, double[] z, int begin, int end, double[] shares) {
         aim(at.ix, at.iy, at.iz, second, -1, x, y, z, begin, end);
-        at.evaluate(lobes[begin], begin, end);
+        lobes[begin].evaluate(at, begin, end);
         evaluations += end - begin;
         double px = second.px;
         double py = second.py;
@@ -192,7 +192,7 @@ final class LobeShares {
     }
 
     private void evaluate(Bsdf bsdf) {
-        from.evaluate(bsdf, 0, count);
+        bsdf.evaluate(from, 0, count);
         evaluations += count;
     }
 

@@ -87,17 +87,17 @@ public final class PathConnections {
 
     /** How often a rough surface was asked what it makes of light between two directions when paths shared last. */
     public int evaluations() {
-        return surfaceCount == 0 ? 0 : lobes.evaluations();
+        return lobes.evaluations();
     }
 
     /** How often light was divided then by what rough surfaces make of it. */
     public int divisions() {
-        return surfaceCount == 0 ? 0 : lobes.divisions();
+        return lobes.divisions();
     }
 
     /** The sum over these of the squares of the shares: 1 each where all went to one path, less where many took a part. */
     public double squares() {
-        return surfaceCount == 0 ? 0 : lobes.squares();
+        return lobes.squares();
     }
 
     private void findSurfaces(PathCut[] paths, int size) {
@@ -120,6 +120,8 @@ public final class PathConnections {
             ends[k] = end;
             end += sizes[k];
         }
+        count = end;
+        lobes.begin(count);
     }
 
     /** The index of a surface. */
@@ -160,7 +162,6 @@ public final class PathConnections {
 
     /** Puts first vertices in the order of their surfaces, of which each has its end moved behind them. */
     private void order(PathCut[] paths, int size) {
-        lobes.begin(ends[surfaceCount - 1] + sizes[surfaceCount - 1]);
         for (int p = 0; p < size; p++) {
             if (paths[p].takes) {
                 int k = ends[surfaceOf[p]]++;
@@ -172,17 +173,15 @@ public final class PathConnections {
                 nx[k] = at.nx * at.side;
                 ny[k] = at.ny * at.side;
                 nz[k] = at.nz * at.side;
-                boolean isMatte = paths[p].firstLobes == null;
-                red[k] = isMatte ? paths[p].albedo[0] : 0;
-                green[k] = isMatte ? paths[p].albedo[1] : 0;
-                blue[k] = isMatte ? paths[p].albedo[2] : 0;
+                red[k] = paths[p].albedo[0];
+                green[k] = paths[p].albedo[1];
+                blue[k] = paths[p].albedo[2];
                 lobes.set(k, paths[p]);
                 gainedR[k] = 0;
                 gainedG[k] = 0;
                 gainedB[k] = 0;
             }
         }
-        count = ends[surfaceCount - 1];
     }
 
     private void give(PathCut giver, int number, PathCut[] paths) {

@@ -174,9 +174,9 @@ class FresnelTest {
                         1,
                         20);
             }
-            assertEquals(mean[0], f.meanR(s.red), 1e-7);
-            assertEquals(mean[1], f.meanG(s.green), 1e-7);
-            assertEquals(mean[2], f.meanB(s.blue), 1e-7);
+            assertEquals(mean[0], f.meanR(s), 1e-7);
+            assertEquals(mean[1], f.meanG(s), 1e-7);
+            assertEquals(mean[2], f.meanB(s), 1e-7);
         }
     }
 

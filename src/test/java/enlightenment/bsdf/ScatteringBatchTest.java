@@ -52,7 +52,7 @@ class ScatteringBatchTest {
             bsdf.evaluate(alone[n]);
             batch.pdf[n] = -1;
         }
-        batch.evaluate(bsdf, 3, SIZE - 2);
+        bsdf.evaluate(batch, 3, SIZE - 2);
         for (int n = 0; n < SIZE; n++) {
             boolean isAsked = n >= 3 && n < SIZE - 2;
             String what = "point " + n;
@@ -71,7 +71,7 @@ class ScatteringBatchTest {
         ScatteringBatch batch = new ScatteringBatch(1);
         batch.oz[0] = 1;
         batch.nz[0] = 1;
-        batch.evaluate(bsdf, 0, 1);
+        bsdf.evaluate(batch, 0, 1);
         assertEquals(0, batch.pdf[0]);
         assertEquals(0, batch.valueR[0]);
         assertEquals(0, batch.valueG[0]);

@@ -5,6 +5,7 @@ import enlightenment.film.FilmTile;
 import enlightenment.method.cluster.ClusterCost;
 import enlightenment.method.cluster.EffortCost;
 import enlightenment.method.cluster.PhysicalClusterCost;
+import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.scene.RenderSettings;
 import java.util.HashMap;
 import java.util.Map;
@@ -18,7 +19,10 @@ final class EffortLevels implements Levels {
     /** Of physical light, where first paths are followed in them: a share of the picture, but at least so many. */
     private static final int PATH_SHARE = 32;
 
-    private static final int LEAST_PATH_BLOCKS = 32;
+    private static final int LEAST_PATH_BLOCKS = 24;
+
+    private static final double PIXELS_OF_PATH_BLOCK =
+            PhysicalClusterMethod.BLOCK_SIDE * PhysicalClusterMethod.BLOCK_SIDE;
 
     private static final double PIXELS_OF_BLOCK = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
@@ -65,7 +69,7 @@ final class EffortLevels implements Levels {
     }
 
     private int pathBlocks() {
-        double all = settings.width() / PIXELS_OF_BLOCK * settings.height();
+        double all = settings.width() / PIXELS_OF_PATH_BLOCK * settings.height();
         return (int) Math.min(Math.max(all / PATH_SHARE, LEAST_PATH_BLOCKS), COST_BLOCKS);
     }
 }

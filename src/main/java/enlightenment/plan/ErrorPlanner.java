@@ -36,8 +36,7 @@ final class ErrorPlanner {
 
     /** The number of samples for which the error is as asked; at most {@code most}, which it also is if it is stopped. */
     double samples(double most) {
-        ErrorTrials trials =
-                new ErrorTrials(settings, trial.display(), (n, blocks) -> trial.render(n, blocks, stop), stop);
+        ErrorTrials trials = new ErrorTrials(settings, trial.blocks(), (n, some) -> trial.render(n, some, stop), stop);
         if (trials.areTooFew()) {
             // The first round is the trial.
             return 1;

@@ -1,6 +1,5 @@
 package enlightenment.plan;
 
-import enlightenment.color.DisplayCurve;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
 import enlightenment.picture.Rounding;
@@ -57,15 +56,15 @@ final class ErrorTrials {
     private List<FilmTile> answered;
 
     /**
-     * @param display what pixels are, and how they become what a screen takes
+     * @param blocks of the same settings
      * @param stop once true, nothing more is tried
      */
-    ErrorTrials(RenderSettings settings, DisplayCurve display, Sampler sampler, BooleanSupplier stop) {
+    ErrorTrials(RenderSettings settings, TrialBlocks blocks, Sampler sampler, BooleanSupplier stop) {
         asked = settings.budget().error().orElseThrow();
         depth = settings.budget().depth();
         this.sampler = sampler;
         this.stop = stop;
-        blocks = new TrialBlocks(settings, display);
+        this.blocks = blocks;
         share = Math.max(SHARE, Math.min(MOST_SHARE, LEAST_BLOCKS / blocks.count()));
     }
 

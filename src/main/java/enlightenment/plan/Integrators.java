@@ -67,7 +67,7 @@ public final class Integrators {
 
     private Integrators() {}
 
-    /** What has to be known of a method before there is a scene. */
+    /** What has to be known of a method before there is a scene: of a side that depends on the scene's shading the larger one. */
     public static MethodTraits traits(Method method) {
         if (!(method instanceof BuiltInMethod own)) {
             return MethodTraits.ofAnySamples(
@@ -83,7 +83,7 @@ public final class Integrators {
                         FEWEST_OF_CLUSTER,
                         MOST_WITHOUT_SURVEY,
                         FIRST_OF_CLUSTER,
-                        FilmTile.BLOCK_SIDE);
+                        PhysicalClusterMethod.BLOCK_SIDE);
             case METROPOLIS ->
                 new MethodTraits(
                         false,
@@ -104,16 +104,17 @@ public final class Integrators {
     /** The same for scenes of a shading. */
     static MethodTraits traits(Method method, boolean isPhysical) {
         MethodTraits traits = traits(method);
-        return method == BuiltInMethod.CLUSTER && isPhysical
-                ? new MethodTraits(
-                        traits.areBatches(),
-                        traits.dividesIntoPasses(),
-                        traits.below(),
-                        FEWEST_OF_PHYSICAL_CLUSTER,
-                        MOST_WITHOUT_PHYSICAL_SURVEY,
-                        FIRST_OF_PHYSICAL_CLUSTER,
-                        traits.blockSide())
-                : traits;
+        if (method != BuiltInMethod.CLUSTER) {
+            return traits;
+        }
+        return new MethodTraits(
+                traits.areBatches(),
+                traits.dividesIntoPasses(),
+                traits.below(),
+                isPhysical ? FEWEST_OF_PHYSICAL_CLUSTER : traits.fewest(),
+                isPhysical ? MOST_WITHOUT_PHYSICAL_SURVEY : traits.mostBelow(),
+                isPhysical ? FIRST_OF_PHYSICAL_CLUSTER : traits.first(),
+                isPhysical ? PhysicalClusterMethod.BLOCK_SIDE : FilmTile.BLOCK_SIDE);
     }
 
     /** Whether a method can tell of its camera samples one by one. */

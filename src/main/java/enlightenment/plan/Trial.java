@@ -1,6 +1,5 @@
 package enlightenment.plan;
 
-import enlightenment.color.DisplayCurve;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
@@ -38,9 +37,9 @@ final class Trial {
         this.plans = plans;
     }
 
-    /** What pixels are, and how they become what a screen takes. */
-    DisplayCurve display() {
-        return scene.display;
+    /** The blocks that trials render some of. */
+    TrialBlocks blocks() {
+        return new TrialBlocks(settings, scene.display, plans.traits().blockSide());
     }
 
     /** Seconds of processor time that all trials so far have taken themselves; 0 where nobody can tell. */
@@ -74,7 +73,7 @@ final class Trial {
             double blocks = plans.tracedPixels() / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
             return new Paths(Math.max(share, Math.min(fewestBlocks / blocks, 1)) * plans.tracedPixels());
         }
-        TrialBlocks blocks = new TrialBlocks(settings, scene.display);
+        TrialBlocks blocks = blocks();
         return new Blocks(blocks, Math.max(share, fewestOf(blocks, fewestBlocks) / blocks.count()));
     }
 

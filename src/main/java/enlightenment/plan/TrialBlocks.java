@@ -27,9 +27,12 @@ final class TrialBlocks {
 
     private final DisplayCurve display;
 
-    /** @param display what pixels are, and how they become what a screen takes */
-    TrialBlocks(RenderSettings settings, DisplayCurve display) {
-        side = Integrators.traits(settings.method()).blockSide();
+    /**
+     * @param display what pixels are, and how they become what a screen takes
+     * @param blockSide of {@link MethodTraits}
+     */
+    TrialBlocks(RenderSettings settings, DisplayCurve display, int blockSide) {
+        side = blockSide;
         this.display = display;
         area = settings.region();
         left = area.x() / side;

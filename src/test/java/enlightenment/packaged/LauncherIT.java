@@ -143,6 +143,23 @@ class LauncherIT {
     }
 
     @Test
+    void rendersHaveACollectorOfTheLaunchersUnlessTheUserChoosesOne() throws Exception {
+        String collector = "-XX:+UseParallelGC";
+        assertTrue(
+                launch(launcher, showing("17.0.1"), "render", "x").out().lines().anyMatch(collector::equals));
+        assertFalse(launch(launcher, showing("17.0.1"), "validate", "x")
+                .out()
+                .lines()
+                .anyMatch(collector::equals));
+        for (String name : List.of("JAVA_OPTS", "ENLIGHTENMENT_OPTS", "JDK_JAVA_OPTIONS")) {
+            Map<String, String> environment = new HashMap<>(showing("17.0.1"));
+            environment.put(name, "-Xmx1g -XX:+UseSerialGC");
+            Packages.Run run = launch(launcher, environment, "render", "x");
+            assertFalse(run.out().lines().anyMatch(collector::equals), run::toString);
+        }
+    }
+
+    @Test
     void optionsForJavaComeFromTwoVariables() throws Exception {
         Map<String, String> environment = new HashMap<>(showing("17.0.1"));
         environment.put("JAVA_OPTS", "-Xmx1g  -Da=*");

@@ -11,6 +11,7 @@ import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -56,7 +57,7 @@ class ErrorTrialsTest {
     void theNumberFoundIsEnoughAndTheTrialsTakeLessThanTheRender(int width, int height) {
         for (double asked : new double[] {0.19, 0.09, 0.05, 0.03}) {
             RenderSettings settings = settings(width, height, Budget.NONE.withError(asked));
-            ErrorTrials trials = new ErrorTrials(settings, DisplayCurve.NONE, noise(0.2), () -> false);
+            ErrorTrials trials = trials(settings, noise(0.2), () -> false);
             double n = trials.search(1, 2, MOST, 0);
             // Doubled samples in some of the pixels make less of a difference than as many more in each: up to 1.06
             // times.
@@ -70,15 +71,15 @@ class ErrorTrialsTest {
     @Test
     void roundingIsSeenAndPlannedFor() {
         RenderSettings plain = settings(320, 200, Budget.NONE.withError(0.0016));
-        double n = new ErrorTrials(plain, DisplayCurve.NONE, noise(0.004), () -> false).search(1, 2, MOST, 0);
+        double n = trials(plain, noise(0.004), () -> false).search(1, 2, MOST, 0);
         RenderSettings bits = settings(320, 200, Budget.NONE.withError(0.0016).withDepth(8));
-        ErrorTrials trials = new ErrorTrials(bits, DisplayCurve.NONE, noise(0.004), () -> false);
+        ErrorTrials trials = trials(bits, noise(0.004), () -> false);
         double more = trials.search(1, 2, MOST, 0);
         assertEquals(1 / (255 * Math.sqrt(12)), trials.rounding(), 1e-4);
         double left = Math.sqrt(1 - Math.pow(trials.rounding() / 0.0016, 2));
         assertEquals(1 / (left * left), more / n, 0.5);
         RenderSettings few = settings(320, 200, Budget.NONE.withError(0.001).withDepth(8));
-        ErrorTrials hopeless = new ErrorTrials(few, DisplayCurve.NONE, noise(0.004), () -> false);
+        ErrorTrials hopeless = trials(few, noise(0.004), () -> false);
         assertEquals(Double.POSITIVE_INFINITY, hopeless.search(1, 2, MOST, 0));
         assertTrue(hopeless.isHopeless());
     }
@@ -88,7 +89,7 @@ class ErrorTrialsTest {
     void whatPlanningCostsCounts() {
         RenderSettings settings = settings(200, 100, Budget.NONE.withError(0.05));
         for (double planning : new double[] {0.1, 0.5, 1.3, 3}) {
-            ErrorTrials trials = new ErrorTrials(settings, DisplayCurve.NONE, noise(0.2), () -> false);
+            ErrorTrials trials = trials(settings, noise(0.2), () -> false);
             double n = trials.search(2.45, 4, MOST, planning);
             assertTrue(n > 10 && n < 64, n + " where about 20 are enough");
             assertTrue(trials.work() <= 0.75 * n, trials.work() + " for a render of " + n);
@@ -97,8 +98,7 @@ class ErrorTrialsTest {
 
     @Test
     void whatIsOutOfReachIsNotTriedForLong() {
-        ErrorTrials trials = new ErrorTrials(
-                settings(800, 400, Budget.NONE.withError(0.01)), DisplayCurve.NONE, noise(0.2), () -> false);
+        ErrorTrials trials = trials(settings(800, 400, Budget.NONE.withError(0.01)), noise(0.2), () -> false);
         assertEquals(Double.POSITIVE_INFINITY, trials.search(1, 1, 2.44, 0));
         assertTrue(trials.work() <= 1.0 / 16 + 0.01);
     }
@@ -107,16 +107,20 @@ class ErrorTrialsTest {
     @Test
     void aSecondPhaseIsLookedAtBeforeAnAnswer() {
         RenderSettings settings = settings(800, 400, Budget.NONE.withError(0.01));
-        List<FilmTile> first = new TrialBlocks(settings, DisplayCurve.NONE).phase(0, 1.0 / 16);
+        List<FilmTile> first = new TrialBlocks(settings, DisplayCurve.NONE, FilmTile.BLOCK_SIDE).phase(0, 1.0 / 16);
         SplittableRandom random = new SplittableRandom(2);
-        ErrorTrials trials = new ErrorTrials(
+        ErrorTrials trials = trials(
                 settings,
-                DisplayCurve.NONE,
                 (n, blocks) -> blocks.forEach(block -> {
                     boolean isSeen = first.stream().anyMatch(f -> f.x == block.x && f.y == block.y);
                     fill(block, n, isSeen ? 0 : 0.2, random);
                 }),
                 () -> false);
         assertTrue(trials.search(1, 2, MOST, 0) > 50);
+    }
+
+    private static ErrorTrials trials(RenderSettings settings, ErrorTrials.Sampler sampler, BooleanSupplier stop) {
+        return new ErrorTrials(
+                settings, new TrialBlocks(settings, DisplayCurve.NONE, FilmTile.BLOCK_SIDE), sampler, stop);
     }
 }

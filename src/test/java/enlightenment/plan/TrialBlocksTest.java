@@ -28,7 +28,7 @@ class TrialBlocksTest {
 
     @Test
     void phasesHaveNoBlockInCommonAndTogetherAreAll() {
-        TrialBlocks blocks = new TrialBlocks(SETTINGS.withSeed(7), DisplayCurve.NONE);
+        TrialBlocks blocks = new TrialBlocks(SETTINGS.withSeed(7), DisplayCurve.NONE, FilmTile.BLOCK_SIDE);
         Set<Integer> all = new HashSet<>();
         int sum = 0;
         for (int phase = 0; phase < 16; phase++) {
@@ -48,7 +48,8 @@ class TrialBlocksTest {
         for (int[] place : new int[][] {{10, 10}, {50, 20}, {83, 41}, {0, 0}, {97, 47}}) {
             int met = 0;
             for (int seed = 0; seed < seeds; seed++) {
-                List<FilmTile> blocks = new TrialBlocks(SETTINGS.withSeed(seed), DisplayCurve.NONE).phase(0, 1.0 / 16);
+                List<FilmTile> blocks = new TrialBlocks(SETTINGS.withSeed(seed), DisplayCurve.NONE, FilmTile.BLOCK_SIDE)
+                        .phase(0, 1.0 / 16);
                 met += blocks.stream()
                                 .anyMatch(b ->
                                         Math.abs(b.x / 8 - place[0] - 1) <= 1 && Math.abs(b.y / 8 - place[1] - 1) <= 1)
@@ -64,7 +65,7 @@ class TrialBlocksTest {
     @ValueSource(longs = {0, 1, -1, Long.MIN_VALUE, Long.MAX_VALUE})
     void ofACropThereAreOnlyItsOwnPixels(long seed) {
         RenderSettings settings = SETTINGS.withSeed(seed).withCrop(new RenderSettings.Crop(13, 21, 100, 3));
-        TrialBlocks blocks = new TrialBlocks(settings, DisplayCurve.NONE);
+        TrialBlocks blocks = new TrialBlocks(settings, DisplayCurve.NONE, FilmTile.BLOCK_SIDE);
         // Columns 1 to 14 of row 2.
         assertEquals(14, blocks.count());
         int pixels = 0;
@@ -83,7 +84,7 @@ class TrialBlocksTest {
         for (long seed = 0; seed < 20; seed++) {
             assertEquals(
                     1,
-                    new TrialBlocks(settings.withSeed(seed), DisplayCurve.NONE)
+                    new TrialBlocks(settings.withSeed(seed), DisplayCurve.NONE, FilmTile.BLOCK_SIDE)
                             .phase(0, 0.01)
                             .size());
         }

@@ -1,29 +1,37 @@
 package enlightenment.method.cluster;
 
-import enlightenment.film.FilmTile;
-
 /** What rays through the corners of a block's pixels have seen: a colour for each, and a key of what it met. */
 abstract class Corners {
-    static final int SIDE = FilmTile.BLOCK_SIDE + 1;
-
-    static final int NODES = SIDE * SIDE;
-
     /** No path's key, but for one in 2⁶⁴. */
     static final long DIFFERENT = Long.MIN_VALUE;
 
+    /** How many there are along a side of the block. */
+    final int side;
+
+    /** How many there are. */
+    final int nodes;
+
     /** Red, green and blue of each corner, row by row. */
-    final double[] rgb = new double[3 * NODES];
+    final double[] rgb;
 
-    final long[] keys = new long[NODES];
+    final long[] keys;
 
-    static int node(int i, int j) {
-        return SIDE * j + i;
+    /** @param blockSide of the largest block, in pixels */
+    Corners(int blockSide) {
+        side = blockSide + 1;
+        nodes = side * side;
+        rgb = new double[3 * nodes];
+        keys = new long[nodes];
+    }
+
+    final int node(int i, int j) {
+        return side * j + i;
     }
 
     /** What all corners of a pixel met, or {@link #DIFFERENT} if they did not meet the same. */
     final long commonKey(int i, int j) {
         int k = node(i, j);
-        int below = k + SIDE;
+        int below = k + side;
         long key = keys[k];
         return key == keys[k + 1] && key == keys[below] && key == keys[below + 1] ? key : DIFFERENT;
     }

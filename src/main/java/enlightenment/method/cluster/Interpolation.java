@@ -7,8 +7,8 @@ final class Interpolation {
 
     /** Turns to a pixel of the block. */
     void between(Corners survey, int i, int j) {
-        int upper = 3 * Corners.node(i, j);
-        int lower = upper + 3 * Corners.SIDE;
+        int upper = 3 * survey.node(i, j);
+        int lower = upper + 3 * survey.side;
         for (int c = 0; c < 3; c++) {
             double p = survey.rgb[upper + c];
             double q = survey.rgb[upper + 3 + c];

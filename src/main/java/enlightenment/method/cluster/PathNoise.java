@@ -1,7 +1,6 @@
 package enlightenment.method.cluster;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 import java.util.Arrays;
 
@@ -17,7 +16,9 @@ import java.util.Arrays;
  * where all is white.
  */
 final class PathNoise {
-    private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
+    private static final int SIDE = PhysicalClusterMethod.BLOCK_SIDE;
+
+    private static final int PIXELS = SIDE * SIDE;
 
     private static final int MOST_CLUSTERS = 32;
 
@@ -35,7 +36,7 @@ final class PathNoise {
 
     private final long[] keys = new long[MOST_CLUSTERS];
     private int clusters;
-    private final int[] clusterOfCorner = new int[Corners.NODES];
+    private final int[] clusterOfCorner = new int[(SIDE + 1) * (SIDE + 1)];
 
     /** The cluster of each pixel whose corners are of the same, or -1. */
     private final int[] clusterOfPixel = new int[PIXELS];
@@ -98,14 +99,14 @@ final class PathNoise {
         }
         for (int j = 0; j <= block.height(); j++) {
             for (int i = 0; i <= block.width(); i++) {
-                int k = Corners.node(i, j);
+                int k = corners.node(i, j);
                 clusterOfCorner[k] = cluster(corners.keys[k]);
             }
         }
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 boolean isQuiet = corners.commonKey(i, j) != Corners.DIFFERENT;
-                clusterOfPixel[pixel(i, j)] = isQuiet ? clusterOfCorner[Corners.node(i, j)] : -1;
+                clusterOfPixel[pixel(i, j)] = isQuiet ? clusterOfCorner[corners.node(i, j)] : -1;
             }
         }
     }
@@ -124,7 +125,7 @@ final class PathNoise {
     }
 
     private static int pixel(int i, int j) {
-        return FilmTile.BLOCK_SIDE * j + i;
+        return SIDE * j + i;
     }
 
     /** Whether all corners of a pixel met the same. */
@@ -264,7 +265,7 @@ final class PathNoise {
 
     /** Sets the light that is to be expected at a corner of a pixel. */
     private void toCorner(int i, int j, int which, int field) {
-        int node = Corners.node(i + (which & 1), j + (which >> 1));
+        int node = corners.node(i + (which & 1), j + (which >> 1));
         int k = MOST_CLUSTERS * field + clusterOfCorner[node];
         for (int c = 0; c < 3; c++) {
             corner[c] = corners.rgb[3 * node + c] + sums[3 * k + c];
@@ -283,7 +284,7 @@ final class PathNoise {
         if (own < 0) {
             double sum = 0;
             for (int k = 0; k < 4; k++) {
-                int cluster = clusterOfCorner[Corners.node(i + (k & 1), j + (k >> 1))];
+                int cluster = clusterOfCorner[corners.node(i + (k & 1), j + (k >> 1))];
                 sum += of(field, cluster, 0, 0);
             }
             return sum / 4;
@@ -313,7 +314,7 @@ final class PathNoise {
         int field = 1 - field(i, j);
         double sum = 0;
         for (int k = 0; k < 4; k++) {
-            int n = MOST_CLUSTERS * field + clusterOfCorner[Corners.node(i + (k & 1), j + (k >> 1))];
+            int n = MOST_CLUSTERS * field + clusterOfCorner[corners.node(i + (k & 1), j + (k >> 1))];
             sum += (costs[n] + OF_BLOCK * meanCost[field]) / (counts[n] + OF_BLOCK);
         }
         return sum / 4;

@@ -1,7 +1,6 @@
 package enlightenment.method.cluster;
 
 import enlightenment.compiled.CompiledScene;
-import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.sampling.Hash;
@@ -17,7 +16,7 @@ public final class PhysicalClusterCost implements EffortCost {
     /** Keeps the random numbers of what is tried apart from the picture's. */
     private static final long PURPOSE = 0x706879736963L;
 
-    private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
+    private static final int PIXELS = PhysicalClusterMethod.BLOCK_SIDE * PhysicalClusterMethod.BLOCK_SIDE;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
@@ -36,7 +35,7 @@ public final class PhysicalClusterCost implements EffortCost {
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
-        this.blocks = Block.spread(settings.width(), settings.height(), FilmTile.BLOCK_SIDE, blocks);
+        this.blocks = Block.spread(settings.width(), settings.height(), PhysicalClusterMethod.BLOCK_SIDE, blocks);
     }
 
     @Override

@@ -21,7 +21,13 @@ import java.util.function.BooleanSupplier;
  * <p>Unbiased, because a pixel's number of samples depends on the corners and on paths of other pixels only.
  */
 public final class PhysicalClusterMethod implements TileIntegrator {
-    private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
+    /**
+     * Side, in pixels, of the blocks whose pixels learn from each other: from larger ones than in classic shading, for what paths of a block
+     * share is the same in many pixels, and the eye sees that the less the more pixels lie between them (docs/cluster-sampler.md).
+     */
+    public static final int BLOCK_SIDE = 2 * FilmTile.BLOCK_SIDE;
+
+    private static final int PIXELS = BLOCK_SIDE * BLOCK_SIDE;
     private static final int MOST_MEMBERS = PixelGroup.MOST_MEMBERS;
 
     /** Samples of each pixel in which sharing is tried. */
@@ -111,7 +117,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     @Override
     public void render(FilmTile tile, int pass, int passes) {
         TilePasses.checkOne(pass, passes);
-        Block.forEach(tile, settings.width(), settings.height(), FilmTile.BLOCK_SIDE, block -> render(block, tile));
+        Block.forEach(tile, settings.width(), settings.height(), BLOCK_SIDE, block -> render(block, tile));
     }
 
     private void render(Block block, FilmTile tile) {

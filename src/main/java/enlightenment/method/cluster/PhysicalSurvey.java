@@ -25,6 +25,7 @@ final class PhysicalSurvey extends Corners {
     private boolean empty;
 
     PhysicalSurvey(CompiledScene scene, RenderSettings settings, PathTracer tracer) {
+        super(PhysicalClusterMethod.BLOCK_SIDE);
         this.scene = scene;
         this.settings = settings;
         this.tracer = tracer;
@@ -36,7 +37,7 @@ final class PhysicalSurvey extends Corners {
         if (empty) {
             // The background is the same everywhere.
             look(block, 0, 0);
-            for (int k = 1; k < NODES; k++) {
+            for (int k = 1; k < nodes; k++) {
                 System.arraycopy(rgb, 0, rgb, 3 * k, 3);
                 keys[k] = keys[0];
             }

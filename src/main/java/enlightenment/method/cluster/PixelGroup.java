@@ -3,13 +3,18 @@ package enlightenment.method.cluster;
 import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 
-/** The pixels of a block that are fields of one colour, were it a chessboard. Mutable, one per thread. */
+/**
+ * Some of the pixels of a block that are fields of one colour, were it a chessboard: every second pair of columns and rows, so that the
+ * groups lie between each other. Mutable, one per thread.
+ */
 final class PixelGroup {
-    /** How many groups a block has: the colours. */
-    static final int COUNT = 2;
+    /** How many groups a block has: two of each colour. */
+    static final int COUNT = 4;
+
+    private static final int COLOURS = 2;
 
     /** How many pixels a group has at most. */
-    static final int MOST_MEMBERS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE / COUNT;
+    static final int MOST_MEMBERS = PhysicalClusterMethod.BLOCK_SIDE * PhysicalClusterMethod.BLOCK_SIDE / COUNT;
 
     /** The colour, 0 or 1. */
     int field;
@@ -24,15 +29,18 @@ final class PixelGroup {
 
     private Block block;
 
-    /** Makes it the group of a block that has this colour. */
-    void gather(Block of, int colour) {
+    /** Makes it the group of a block with this number. */
+    void gather(Block of, int number) {
         block = of;
-        field = colour;
+        field = number % COLOURS;
+        int half = number / COLOURS;
         members = 0;
         for (int j = 0; j < block.height(); j++) {
-            for (int i = (j ^ colour) & 1; i < block.width(); i += COUNT) {
-                column[members] = i;
-                row[members++] = j;
+            for (int i = (j ^ field) & 1; i < block.width(); i += COLOURS) {
+                if (((i ^ j) >> 1 & 1) == half) {
+                    column[members] = i;
+                    row[members++] = j;
+                }
             }
         }
     }
@@ -49,7 +57,7 @@ final class PixelGroup {
 
     /** The index of a member among all pixels of a block. */
     int inBlock(int m) {
-        return FilmTile.BLOCK_SIDE * row[m] + column[m];
+        return PhysicalClusterMethod.BLOCK_SIDE * row[m] + column[m];
     }
 
     /** Whether any member belongs to the tile. */

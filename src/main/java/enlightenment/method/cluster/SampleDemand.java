@@ -32,7 +32,7 @@ final class SampleDemand {
     /** A second difference of three corners of variance v each has the variance (1 + 4 + 1) v. */
     private static final double NOISE_OF_SECOND_DIFFERENCE = 6;
 
-    private final double[] second = new double[Survey.SIDE * Survey.SIDE];
+    private final double[] second = new double[Survey.NODES];
 
     /** Per pixel of the block, row by row of 8. */
     final double[] film = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];
@@ -75,8 +75,8 @@ final class SampleDemand {
     }
 
     private void addCorners(Survey survey, int i, int j, int pixel) {
-        int k = Survey.node(i, j);
-        int below = k + Survey.SIDE;
+        int k = survey.node(i, j);
+        int below = k + survey.side;
         if (survey.commonKey(i, j) == Survey.DIFFERENT) {
             edge[pixel] = OF_EDGE * Math.max(cornerVariance(survey.rgb, 3 * k, 3 * below), LEAST_AT_EDGE);
         } else {
@@ -118,15 +118,15 @@ final class SampleDemand {
         double sum = 0;
         for (int j = 0; j < rows; j++) {
             for (int i = 0; i < columns; i++) {
-                int k = Survey.node(i, j);
+                int k = survey.node(i, j);
                 double s = 0;
                 if (columns >= 3) {
                     int inner = Math.min(Math.max(i, 1), columns - 2);
-                    s += squared(survey, Survey.node(inner, j), 1);
+                    s += squared(survey, survey.node(inner, j), 1);
                 }
                 if (rows >= 3) {
                     int inner = Math.min(Math.max(j, 1), rows - 2);
-                    s += squared(survey, Survey.node(i, inner), Survey.SIDE);
+                    s += squared(survey, survey.node(i, inner), survey.side);
                 }
                 second[k] = s;
                 sum += s;

@@ -1,6 +1,7 @@
 package enlightenment.method.cluster;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
@@ -17,6 +18,8 @@ import enlightenment.shading.PathReport;
  * <p>A corner's ray is a pure function of scene, seed and corner, so that neighbouring blocks see the same at their border.
  */
 final class Survey extends Corners {
+    static final int NODES = (FilmTile.BLOCK_SIDE + 1) * (FilmTile.BLOCK_SIDE + 1);
+
     /** Light points of a corner's ray at first, and where it turns out that a light is partly hidden. */
     private static final int FEW = 4;
 
@@ -52,6 +55,7 @@ final class Survey extends Corners {
     private int rays;
 
     Survey(CompiledScene scene, RenderSettings settings, ClassicShader shader, ClusterRecorder recorder) {
+        super(FilmTile.BLOCK_SIDE);
         this.recorder = recorder;
         this.scene = scene;
         this.settings = settings;

@@ -60,8 +60,8 @@ class SurveyTest {
                 Survey left = survey(scene, new Block(x, y, 8, 8));
                 Survey right = survey(scene, new Block(x + 8, y, 8, 8));
                 for (int j = 0; j <= 8; j++) {
-                    int a = Survey.node(8, j);
-                    int b = Survey.node(0, j);
+                    int a = left.node(8, j);
+                    int b = right.node(0, j);
                     for (int c = 0; c < 3; c++) {
                         assertEquals(
                                 left.rgb[3 * a + c], right.rgb[3 * b + c], "column " + (x + 8) + ", row " + (y + j));

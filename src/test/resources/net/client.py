@@ -197,23 +197,24 @@ def fetch(connection, content):
 # --- "Tiles" --------------------------------------------------------------------------------------------------------
 
 class Grid:
-    def __init__(self, region, samples):
+    def __init__(self, region, method, samples):
         self.x, self.y, self.width, self.height = region
-        self.first_column = self.x // 8
-        across = (self.x + self.width - 1) // 8 - self.first_column + 1
-        blocks_down = (self.y + self.height - 1) // 8 - self.y // 8 + 1
-        self.first_row = self.y // 8 * 8
+        self.side = s = {"cluster": 16, "metropolis": 64}.get(method, 8)
+        self.first_column = self.x // s
+        across = (self.x + self.width - 1) // s - self.first_column + 1
+        blocks_down = (self.y + self.height - 1) // s - self.y // s + 1
+        self.first_row = self.y // s * s
         wanted = max(4096, min(262144, int(self.width * self.height * samples / 2097152)))
         pieces = max(wanted // across, 1)
-        self.rows = min(-(-blocks_down // pieces) * 8, 2048)
-        self.down = -(-blocks_down * 8 // self.rows)
+        self.rows = min(-(-blocks_down // pieces) * s, 16384 // s)
+        self.down = -(-blocks_down * s // self.rows)
         self.tiles = across * self.down
 
     def place(self, tile):
         """First and last column, first and last row; the last ones do not belong to it."""
-        left = (self.first_column + tile // self.down) * 8
+        left = (self.first_column + tile // self.down) * self.side
         top = self.first_row + tile % self.down * self.rows
-        return (max(left, self.x), min(left + 8, self.x + self.width),
+        return (max(left, self.x), min(left + self.side, self.x + self.width),
                 max(top, self.y), min(top + self.rows, self.y + self.height))
 
 
@@ -292,7 +293,7 @@ def main(host, port, token_file, picture_file):
         raise IOError("the server says: %r" % (message,))
     _, job, tiles, contents = message
     document = Document(fetch(connection, job))
-    grid = Grid(document.region, document.samples)
+    grid = Grid(document.region, document.plan, document.samples)
     if grid.tiles != tiles:
         raise IOError("%d tiles here, %d there" % (grid.tiles, tiles))
     # Drawn anew, as this process is; a machine that works for longer keeps its secret.

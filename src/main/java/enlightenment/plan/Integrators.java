@@ -23,6 +23,7 @@ import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
@@ -183,6 +184,18 @@ public final class Integrators {
         return Optional.of(
                 method.word() + " cannot see surfaces in mirrors, in panes or through glass that bends light:"
                         + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
+    }
+
+    /** What no method sees of a scene, as a sentence without a full stop; empty if that is nothing. */
+    public static Optional<String> unseen(CompiledScene scene) {
+        if (scene.physical == null || !scene.physical.showsMirrored || !scene.physical.hasCausticPass()) {
+            return Optional.empty();
+        }
+        return Arrays.stream(scene.physical.lights).anyMatch(light -> light.isPoint)
+                ? Optional.of(
+                        "what mirrors, panes and smooth glass make of the light of points is not seen where the eye"
+                                + " sees it in such things: no path finds it; a small sphere in place of the point is seen")
+                : Optional.empty();
     }
 
     /**

@@ -73,6 +73,7 @@ public final class Planner {
 
     private void noteScene() {
         Integrators.blindSpot(settings.method(), scene).ifPresent(notes::add);
+        Integrators.unseen(scene).ifPresent(notes::add);
         noteCrop();
     }
 

@@ -15,7 +15,7 @@ class BidirectionalPartnerTest {
     private static final Map<String, Scene> SCENES = PartnerScenes.of(BuiltInMethod.BIDIRECTIONAL);
 
     static Stream<String> scenes() {
-        // The naive tracer never finds light that a pane reflects from a point.
+        // Only the naive tracer finds what a pane reflects of a point light onto what is seen through the pane.
         return SCENES.keySet().stream().filter(name -> !name.equals("point light behind a pane"));
     }
 

@@ -18,6 +18,8 @@ import enlightenment.color.TransferCurve;
 import enlightenment.engine.DividedRender;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.render.RenderProgress;
@@ -177,6 +179,22 @@ class LightMethodTest {
             RenderResult result = Renderer.render(scene, light(scene, 1), heard, () -> false);
             assertTrue(notes.stream().anyMatch(n -> n.contains("cannot see surfaces in mirrors")), notes::toString);
             assertTrue(result.report().features().stream().anyMatch(f -> f.contains("cannot see")));
+        }
+    }
+
+    @Test
+    void whatNoMethodSeesOfPointLightsIsTold() {
+        Material mirror = Material.Mirror.of(PhysicalScenes.linear(1, 1, 1));
+        Light point = new Light.Point(at(0, 1.5, -0.5), Rgb.WHITE, Emission.intensity(Rgb.WHITE));
+        Scene plain = room().light(point)
+                .object(ball(0, 1, 0, 0.3), matte(0.5, 0.5, 0.5))
+                .build();
+        Scene mirrored = room().light(point).object(ball(0, 1, 0, 0.3), mirror).build();
+        Scene withoutPoint = room().object(ball(0, 1, 0, 0.3), mirror).build();
+        for (Scene scene : List.of(plain, withoutPoint, mirrored)) {
+            boolean isTold = Renderer.inspect(scene, RenderSettings.of(scene)).hints().stream()
+                    .anyMatch(hint -> hint.contains("light of points"));
+            assertEquals(scene == mirrored, isTold);
         }
     }
 

@@ -39,6 +39,7 @@ class LightPartnerTest {
                 "background and lights",
                 "lights of all kinds",
                 "pane",
+                "point light behind a pane",
                 "rough glass",
                 "under water by a panel",
                 "within a light"

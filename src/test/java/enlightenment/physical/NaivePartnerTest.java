@@ -27,8 +27,9 @@ class NaivePartnerTest {
 
     private static final Map<String, Scene> SCENES = PartnerScenes.all();
 
+    /** Not that in which nobody else finds what a pane reflects of a point light onto what is seen through the pane. */
     static Stream<String> scenes() {
-        return SCENES.keySet().stream();
+        return SCENES.keySet().stream().filter(name -> !name.equals("point light behind a pane"));
     }
 
     /** The naive tracer's standard errors are 1 to 5 % here; what is wrong by a sixth of the light of a part is found. */
@@ -49,7 +50,6 @@ class NaivePartnerTest {
                 "milk in glass",
                 "nested glass",
                 "pane",
-                "point light behind a pane",
                 "rough glass",
                 "rough jade",
                 "fog that only absorbs",

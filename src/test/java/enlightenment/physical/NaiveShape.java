@@ -134,6 +134,12 @@ abstract class NaiveShape {
             return cross.length();
         }
 
+        /** The mirror image of a point. */
+        Vec3 mirrored(Vec3 p) {
+            Vec3 n = cross.normalized();
+            return p.minus(n.times(2 * p.minus(corner).dot(n)));
+        }
+
         @Override
         double hit(Vec3 o, Vec3 d, double from) {
             double t = corner.minus(o).dot(cross) / d.dot(cross);

@@ -17,7 +17,7 @@ import java.util.stream.IntStream;
 
 /**
  * The rendering equation solved the slow way: paths go back from the eye until they happen to meet a light. No light is aimed at
- * (but for lights without extent, which nobody can meet), nothing is known in closed form, no path is ended before its fiftieth
+ * (but for lights without extent, which nobody can meet, and their images in panes), nothing is known in closed form, no path is ended before its fiftieth
  * event, and nothing of the renderer is used but the description of the scene. So it makes the same picture only if both are right.
  *
  * <p>Scenes have a size of about 1, and no surfaces that coincide.
@@ -63,6 +63,7 @@ final class NaiveTracer {
     }
 
     private final NaiveScene scene;
+    private final NaivePoints points;
 
     private final double lateSurvival;
 
@@ -81,6 +82,7 @@ final class NaiveTracer {
     /** @param leavesOutMirrored whether what the eye sees in mirrors and through glass that turns rays is black, but for what glows */
     NaiveTracer(Scene scene, boolean leavesOutMirrored) {
         this.scene = new NaiveScene(scene);
+        points = new NaivePoints(this.scene);
         this.leavesOutMirrored = leavesOutMirrored;
         lateSurvival = this.scene.hasMedia() ? SURVIVAL_IN_MEDIA : SURVIVAL;
     }
@@ -148,7 +150,7 @@ final class NaiveTracer {
         }
     }
 
-    private static double[] scaled(double[] value, double factor) {
+    static double[] scaled(double[] value, double factor) {
         return new double[] {factor * value[0], factor * value[1], factor * value[2]};
     }
 
@@ -211,7 +213,7 @@ final class NaiveTracer {
         }
         for (NaiveScene.Point p : scene.points) {
             Vec3 way = p.position().minus(at);
-            double[] visible = visibility(at, way.normalized(), way.length());
+            double[] visible = points.visibility(at, way.normalized(), way.length());
             double share = medium.phase(d.dot(way.normalized())) / way.dot(way);
             add(sum, share, NaiveColors.product(visible, p.intensity()));
         }
@@ -244,7 +246,7 @@ final class NaiveTracer {
         return reflected(reflector(material, hit), hit, d, scattered + 1, events, path);
     }
 
-    private static double[] color(NaiveScene.Hit hit) {
+    static double[] color(NaiveScene.Hit hit) {
         return NaiveColors.of(hit.surface().material().color(), hit.surface().shape(), hit.point());
     }
 
@@ -266,20 +268,7 @@ final class NaiveTracer {
         Vec3[] axes = axes(hit.normal());
         Vec3 out = local(axes, d.negated());
         double[] sum = new double[3];
-        for (NaiveScene.Point p : scene.points) {
-            Vec3 way = p.position().minus(hit.point());
-            Vec3 in = local(axes, way.normalized());
-            if (in.z() > 0) {
-                double[] visible = visibility(hit.point(), way.normalized(), way.length());
-                for (int band = 0; band < 3; band++) {
-                    sum[band] += visible[band]
-                            * p.intensity()[band]
-                            * reflector.value(band, out, in)
-                            * in.z()
-                            / way.dot(way);
-                }
-            }
-        }
+        points.add(hit.point(), axes, reflector, out, scattered < scene.maxBounces, sum);
         Vec3 in = reflector.sample(out, path.random);
         if (in == null || in.z() <= 0) {
             return sum;
@@ -291,40 +280,6 @@ final class NaiveTracer {
             sum[band] += reflector.value(band, out, in) * in.z() / density * arriving[band];
         }
         return sum;
-    }
-
-    /** What a point light's light keeps on its straight way: all, or what panes let through, or nothing. */
-    private double[] visibility(Vec3 from, Vec3 d, double length) {
-        double[] left = {1, 1, 1};
-        Vec3 o = from;
-        double rest = length;
-        while (true) {
-            NaiveScene.Hit hit = scene.nearest(o, d);
-            double way = hit == null ? rest : Math.min(rest, hit.distance());
-            left = NaiveColors.product(
-                    left, scene.fills(o.plus(d.times(way / 2))).transmittance(way));
-            if (hit == null || hit.distance() >= rest) {
-                return left;
-            }
-            if (!hit.surface().isGlass()) {
-                return new double[3];
-            }
-            if (hit.surface().isSolid()) {
-                NaiveScene.Surface before = scene.medium(hit, 1);
-                NaiveScene.Surface after = scene.medium(hit, -1);
-                if (NaiveScene.index(before) != NaiveScene.index(after)) {
-                    return new double[3];
-                }
-                left = before == after ? left : NaiveColors.product(left, color(hit));
-            } else {
-                double around = NaiveScene.index(scene.medium(hit, 1));
-                double index = ((Material.Glass) hit.surface().material()).indexOfRefraction();
-                left = NaiveColors.product(
-                        left, scaled(color(hit), 1 - NaiveFresnel.pane(-d.dot(hit.normal()), around, index)));
-            }
-            o = hit.point();
-            rest -= hit.distance();
-        }
     }
 
     private double[] throughGlass(
@@ -461,7 +416,7 @@ final class NaiveTracer {
         return borders.computeIfAbsent(List.of(alpha, from, to), any -> new NaiveBorder(alpha, from, to));
     }
 
-    private static Vec3 local(Vec3[] axes, Vec3 v) {
+    static Vec3 local(Vec3[] axes, Vec3 v) {
         return new Vec3(axes[0].dot(v), axes[1].dot(v), axes[2].dot(v));
     }
 

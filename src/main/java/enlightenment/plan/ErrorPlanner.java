@@ -36,7 +36,9 @@ final class ErrorPlanner {
 
     /** The number of samples for which the error is as asked; at most {@code most}, which it also is if it is stopped. */
     double samples(double most) {
-        ErrorTrials trials = new ErrorTrials(settings, trial.blocks(), (n, some) -> trial.render(n, some, stop), stop);
+        TrialBlocks blocks =
+                new TrialBlocks(settings, trial.display(), plans.traits().blockSide());
+        ErrorTrials trials = new ErrorTrials(settings, blocks, (n, some) -> trial.render(n, some, stop), stop);
         if (trials.areTooFew()) {
             // The first round is the trial.
             return 1;

@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
@@ -37,9 +38,9 @@ final class Trial {
         this.plans = plans;
     }
 
-    /** The blocks that trials render some of. */
-    TrialBlocks blocks() {
-        return new TrialBlocks(settings, scene.display, plans.traits().blockSide());
+    /** What pixels are, and how they become what a screen takes. */
+    DisplayCurve display() {
+        return scene.display;
     }
 
     /** Seconds of processor time that all trials so far have taken themselves; 0 where nobody can tell. */
@@ -73,7 +74,8 @@ final class Trial {
             double blocks = plans.tracedPixels() / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
             return new Paths(Math.max(share, Math.min(fewestBlocks / blocks, 1)) * plans.tracedPixels());
         }
-        TrialBlocks blocks = blocks();
+        TrialBlocks blocks =
+                new TrialBlocks(settings, scene.display, plans.traits().blockSide());
         return new Blocks(blocks, Math.max(share, fewestOf(blocks, fewestBlocks) / blocks.count()));
     }
 

@@ -223,13 +223,17 @@ public final class PhysicalScene {
         return false;
     }
 
-    /** Finds for each light the few primitives that may occlude it. */
+    /**
+     * Finds for each light the few primitives that may occlude it from a point of a surface. Where something fills the whole scene, light is
+     * scattered behind the walls of a room as well, from where they do.
+     */
     void findOccluders(Primitive[] primitives, OccluderSet set, PrimitiveList all) {
         for (PhysicalLight light : lights) {
             PrimitiveList some = all.empty();
             int n = 0;
             for (int id = 0; id < primitives.length; id++) {
-                if (!(id == light.id && light.hidesNothingOfItself) && set.mayOcclude(id, light, primitives)) {
+                boolean mayOcclude = around != null || set.mayOcclude(id, light, primitives);
+                if (mayOcclude && !(id == light.id && light.hidesNothingOfItself)) {
                     some.members()[n++] = id;
                 }
             }

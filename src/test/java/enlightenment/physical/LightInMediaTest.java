@@ -7,6 +7,7 @@ import static enlightenment.physical.PhysicalScenes.panel;
 import static enlightenment.physical.PhysicalScenes.room;
 import static enlightenment.physical.PhysicalScenes.sphereLight;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
@@ -19,6 +20,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
@@ -32,6 +34,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -99,6 +102,27 @@ class LightInMediaTest {
 
     private static RenderSettings by(BuiltInMethod method, Scene scene) {
         return RenderSettings.of(scene).withMethod(method).withAntialias(4);
+    }
+
+    /** All surfaces are on the lamp's side of the wall, but the fog is not. */
+    @Test
+    void aWallHidesALampFromTheFogBehindIt() {
+        double far = 1000;
+        Scene scene = PhysicalScenes.view(8, 8)
+                .shading(fog(medium(0.3, 0.3, 0.3, 0.05, 0), OptionalInt.of(1)))
+                .light(sphereLight(0, 1, -6, 0.5, 6))
+                .object(
+                        TestScenes.rectangle(-far, -far, -4.5, -far, far, -4.5, far, far, -4.5, far, -far, -4.5),
+                        PhysicalScenes.matte(0, 0, 0))
+                .build();
+        for (BuiltInMethod method :
+                List.of(BuiltInMethod.RAYTRACE, BuiltInMethod.CLUSTER, BuiltInMethod.BIDIRECTIONAL)) {
+            Image image = Renderer.render(
+                    scene, RenderSettings.of(scene).withMethod(method).withAntialias(4));
+            for (int k = 0; k < 64; k++) {
+                assertEquals(0, image.component(k % 8, k / 8, 0), method + ", pixel " + k);
+            }
+        }
     }
 
     @ParameterizedTest

@@ -21,9 +21,6 @@ final class EffortLevels implements Levels {
 
     private static final int LEAST_PATH_BLOCKS = 24;
 
-    private static final double PIXELS_OF_PATH_BLOCK =
-            PhysicalClusterMethod.BLOCK_SIDE * PhysicalClusterMethod.BLOCK_SIDE;
-
     private static final double PIXELS_OF_BLOCK = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
     /** Rays of a survey per pixel: one at each corner of a block's pixels. */
@@ -69,7 +66,7 @@ final class EffortLevels implements Levels {
     }
 
     private int pathBlocks() {
-        double all = settings.width() / PIXELS_OF_PATH_BLOCK * settings.height();
+        double all = (double) settings.width() / PhysicalClusterMethod.PIXELS * settings.height();
         return (int) Math.min(Math.max(all / PATH_SHARE, LEAST_PATH_BLOCKS), COST_BLOCKS);
     }
 }

@@ -77,14 +77,7 @@ public final class Integrators {
         return switch (own) {
             case RAYTRACE, LIGHT, BIDIRECTIONAL -> MethodTraits.ofAnySamples(method, true);
             case CLUSTER ->
-                new MethodTraits(
-                        false,
-                        false,
-                        own.standIn().orElseThrow(),
-                        FEWEST_OF_CLUSTER,
-                        MOST_WITHOUT_SURVEY,
-                        FIRST_OF_CLUSTER,
-                        PhysicalClusterMethod.BLOCK_SIDE);
+                ofCluster(FEWEST_OF_CLUSTER, MOST_WITHOUT_SURVEY, FIRST_OF_CLUSTER, PhysicalClusterMethod.BLOCK_SIDE);
             case METROPOLIS ->
                 new MethodTraits(
                         false,
@@ -104,18 +97,21 @@ public final class Integrators {
 
     /** The same for scenes of a shading. */
     static MethodTraits traits(Method method, boolean isPhysical) {
-        MethodTraits traits = traits(method);
         if (method != BuiltInMethod.CLUSTER) {
-            return traits;
+            return traits(method);
         }
-        return new MethodTraits(
-                traits.areBatches(),
-                traits.dividesIntoPasses(),
-                traits.below(),
-                isPhysical ? FEWEST_OF_PHYSICAL_CLUSTER : traits.fewest(),
-                isPhysical ? MOST_WITHOUT_PHYSICAL_SURVEY : traits.mostBelow(),
-                isPhysical ? FIRST_OF_PHYSICAL_CLUSTER : traits.first(),
-                isPhysical ? PhysicalClusterMethod.BLOCK_SIDE : FilmTile.BLOCK_SIDE);
+        return isPhysical
+                ? ofCluster(
+                        FEWEST_OF_PHYSICAL_CLUSTER,
+                        MOST_WITHOUT_PHYSICAL_SURVEY,
+                        FIRST_OF_PHYSICAL_CLUSTER,
+                        PhysicalClusterMethod.BLOCK_SIDE)
+                : ofCluster(FEWEST_OF_CLUSTER, MOST_WITHOUT_SURVEY, FIRST_OF_CLUSTER, FilmTile.BLOCK_SIDE);
+    }
+
+    private static MethodTraits ofCluster(double fewest, double mostBelow, double first, int blockSide) {
+        Method below = BuiltInMethod.CLUSTER.standIn().orElseThrow();
+        return new MethodTraits(false, false, below, fewest, mostBelow, first, blockSide);
     }
 
     /** Whether a method can tell of its camera samples one by one. */

@@ -62,7 +62,8 @@ final class NaivePoints {
             Vec3 met = at.plus(d.times(before));
             Vec3 rest = light.position().minus(met);
             double index = ((Material.Glass) pane.material()).indexOfRefraction();
-            double share = NaiveFresnel.pane(Math.abs(d.dot(flat.normal(met))), 1, index);
+            double around = NaiveScene.index(scene.medium(at.plus(d.times(before / 2))));
+            double share = NaiveFresnel.pane(Math.abs(d.dot(flat.normal(met))), around, index);
             double[] kept = NaiveColors.product(
                     visibility(at, d, before * (1 - 1e-9)), visibility(met, rest.normalized(), rest.length()));
             addFrom(light, NaiveTracer.scaled(kept, share), way, reflector, out, in, sum);

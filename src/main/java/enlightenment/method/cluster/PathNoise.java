@@ -18,8 +18,6 @@ import java.util.Arrays;
 final class PathNoise {
     private static final int SIDE = PhysicalClusterMethod.BLOCK_SIDE;
 
-    private static final int PIXELS = SIDE * SIDE;
-
     private static final int MOST_CLUSTERS = 32;
 
     /** Clusters beyond the others are one. */
@@ -36,10 +34,10 @@ final class PathNoise {
 
     private final long[] keys = new long[MOST_CLUSTERS];
     private int clusters;
-    private final int[] clusterOfCorner = new int[(SIDE + 1) * (SIDE + 1)];
+    private final int[] clusterOfCorner;
 
     /** The cluster of each pixel whose corners are of the same, or -1. */
-    private final int[] clusterOfPixel = new int[PIXELS];
+    private final int[] clusterOfPixel = new int[PhysicalClusterMethod.PIXELS];
 
     private Block block;
     private int perPixel;
@@ -66,7 +64,7 @@ final class PathNoise {
     private final double[] meanRest = new double[6];
 
     /** Per pixel the sum of squared deviations as shown. */
-    private final double[] ofPixel = new double[PIXELS];
+    private final double[] ofPixel = new double[PhysicalClusterMethod.PIXELS];
 
     private final double[] level = new double[3];
     private final double[] shownLevel = new double[3];
@@ -78,6 +76,7 @@ final class PathNoise {
     PathNoise(DisplayCurve curve, Corners corners) {
         this.curve = curve;
         this.corners = corners;
+        clusterOfCorner = new int[corners.nodes];
     }
 
     /**
@@ -91,7 +90,7 @@ final class PathNoise {
         perPixel = paths;
         root = Math.sqrt(samplesPerPixel);
         clusters = 0;
-        int n = PIXELS * paths;
+        int n = PhysicalClusterMethod.PIXELS * paths;
         if (clusterOfPath.length < n) {
             clusterOfPath = new int[n];
             costOfPath = new int[n];

@@ -16,8 +16,6 @@ public final class PhysicalClusterCost implements EffortCost {
     /** Keeps the random numbers of what is tried apart from the picture's. */
     private static final long PURPOSE = 0x706879736963L;
 
-    private static final int PIXELS = PhysicalClusterMethod.BLOCK_SIDE * PhysicalClusterMethod.BLOCK_SIDE;
-
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final List<Block> blocks;
@@ -50,7 +48,7 @@ public final class PhysicalClusterCost implements EffortCost {
 
     /** What the pixels of the blocks need. */
     private final class Needed {
-        private final double[] noise = new double[PIXELS * blocks.size()];
+        private final double[] noise = new double[PhysicalClusterMethod.PIXELS * blocks.size()];
         private final double[] edge = new double[noise.length];
         private final double[] cost = new double[noise.length];
         private final double[] dither = new double[noise.length];

@@ -27,7 +27,9 @@ public final class PhysicalClusterMethod implements TileIntegrator {
      */
     public static final int BLOCK_SIDE = 2 * FilmTile.BLOCK_SIDE;
 
-    private static final int PIXELS = BLOCK_SIDE * BLOCK_SIDE;
+    /** The most pixels of such a block. */
+    public static final int PIXELS = BLOCK_SIDE * BLOCK_SIDE;
+
     private static final int MOST_MEMBERS = PixelGroup.MOST_MEMBERS;
 
     /** Samples of each pixel in which sharing is tried. */

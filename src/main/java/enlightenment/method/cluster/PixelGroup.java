@@ -4,8 +4,8 @@ import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 
 /**
- * Some of the pixels of a block that are fields of one colour, were it a chessboard: every second pair of columns and rows, so that the
- * groups lie between each other. Mutable, one per thread.
+ * Some of the pixels of a block that are fields of one colour, were it a chessboard, and lie in fields of one colour of a chessboard of
+ * 2 × 2 pixels: so the groups lie between each other. Mutable, one per thread.
  */
 final class PixelGroup {
     /** How many groups a block has: two of each colour. */
@@ -14,7 +14,7 @@ final class PixelGroup {
     private static final int COLOURS = 2;
 
     /** How many pixels a group has at most. */
-    static final int MOST_MEMBERS = PhysicalClusterMethod.BLOCK_SIDE * PhysicalClusterMethod.BLOCK_SIDE / COUNT;
+    static final int MOST_MEMBERS = PhysicalClusterMethod.PIXELS / COUNT;
 
     /** The colour, 0 or 1. */
     int field;

@@ -32,7 +32,7 @@ final class SampleDemand {
     /** A second difference of three corners of variance v each has the variance (1 + 4 + 1) v. */
     private static final double NOISE_OF_SECOND_DIFFERENCE = 6;
 
-    private final double[] second = new double[Survey.NODES];
+    private final double[] second = new double[(FilmTile.BLOCK_SIDE + 1) * (FilmTile.BLOCK_SIDE + 1)];
 
     /** Per pixel of the block, row by row of 8. */
     final double[] film = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];

@@ -18,8 +18,6 @@ import enlightenment.shading.PathReport;
  * <p>A corner's ray is a pure function of scene, seed and corner, so that neighbouring blocks see the same at their border.
  */
 final class Survey extends Corners {
-    static final int NODES = (FilmTile.BLOCK_SIDE + 1) * (FilmTile.BLOCK_SIDE + 1);
-
     /** Light points of a corner's ray at first, and where it turns out that a light is partly hidden. */
     private static final int FEW = 4;
 
@@ -43,10 +41,10 @@ final class Survey extends Corners {
     private final SobolSampler sampler = new SobolSampler();
     private final double[] color = new double[3];
 
-    private final int[] asked = new int[NODES];
-    private final int[] blocked = new int[NODES];
-    private final double[] contrast = new double[NODES];
-    private final double[] spread = new double[NODES];
+    private final int[] asked = new int[nodes];
+    private final int[] blocked = new int[nodes];
+    private final double[] contrast = new double[nodes];
+    private final double[] spread = new double[nodes];
     private boolean spreads;
     private boolean empty;
     private Block block;
@@ -86,7 +84,7 @@ final class Survey extends Corners {
     /** Where there is only the background, the ray of one corner stands for all. */
     private void lookForAll() {
         look(0, 0, 0);
-        for (int k = 1; k < NODES; k++) {
+        for (int k = 1; k < nodes; k++) {
             System.arraycopy(rgb, 0, rgb, 3 * k, 3);
             keys[k] = keys[0];
             asked[k] = 0;

@@ -24,9 +24,10 @@ import java.util.Map;
  * java -cp target/enlightenment.jar src/bench/scripts/KeptErrors.java WxH SEEDS SECONDS ERROR[,ERROR...] SCENE...
  * </pre>
  *
- * Every scene is rendered by {@code -Dmethods=raytrace,cluster} with seeds 1 to SEEDS and each error; a row that has taken SECONDS of processor time gets
- * no more seeds. After each seed a picture by raytrace with another seed and at least {@code -Dreference=256} samples joins the scene's reference.
- * What is true is the difference, as shown, from the mean of those, less what that mean itself errs by. The table is printed after each seed.
+ * Every scene is rendered by {@code -Dmethods=raytrace,cluster} with seeds 1 to SEEDS and each error; a row that has taken SECONDS of
+ * processor time gets no more seeds. After each seed a picture by raytrace with another seed and at least {@code -Dreference=256} samples
+ * joins the scene's reference. What is true is the difference, as shown, from the mean of those, less what that mean itself errs by. The
+ * table is printed after each seed.
  */
 public final class KeptErrors {
     private static final int LEAST_REFERENCE = Integer.getInteger("reference", 256);

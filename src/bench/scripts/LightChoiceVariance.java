@@ -16,7 +16,8 @@ import java.util.SplittableRandom;
  * java -cp target/enlightenment.jar src/bench/scripts/LightChoiceVariance.java
  * </pre>
  *
- * With cᵢ what light i contributes and pᵢ its probability, Σ cᵢ²/pᵢ/(Σ cᵢ)² − 1: medians over random receivers among random lights in a cube.
+ * With cᵢ what light i contributes and pᵢ its probability, Σ cᵢ²/pᵢ/(Σ cᵢ)² − 1: medians over random receivers among random lights in a
+ * cube.
  */
 public final class LightChoiceVariance {
     private static final int SETS = 10;

@@ -7,8 +7,8 @@ import enlightenment.sampling.Warp;
 /**
  * Path tracing of one scene that is written into the code: plain fire and ice, {@code src/bench/scenes/fire-and-ice-plain-physical.json}.
  * The random numbers, the closed form of the sphere's irradiance and the roulette are those of method {@code raytrace}; robust
- * intersections, caustics, the film and everything else that makes it a renderer are left out. Its time is what a path costs at least if one path
- * follows the other: a figure to compare with, not a second renderer.
+ * intersections, caustics, the film and everything else that makes it a renderer are left out. Its time is what a path costs at least if
+ * one path follows the other: a figure to compare with, not a second renderer.
  */
 final class FlatRoom {
     private static final int BALLS = 3;

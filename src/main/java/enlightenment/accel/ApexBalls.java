@@ -4,8 +4,8 @@ import enlightenment.frame.BallCone;
 import enlightenment.primitive.Ray;
 
 /**
- * Balls that rays from one point, the apex of a cone, may meet: what depends on the apex is computed once for all rays. A mutable work object,
- * one per thread.
+ * Balls that rays from one point, the apex of a cone, may meet: what depends on the apex is computed once for all rays. A mutable work
+ * object, one per thread.
  *
  * <p>Let f be the vector from a ball's centre to the apex, r the radius, d a ray's direction: the ray's line misses the ball if
  * (f·d)² &lt; (f² − r²)·d². Here f² is taken for less and r² for more by 2^-40 of themselves, which covers all roundings, those of a

@@ -260,7 +260,9 @@ public abstract class Bvh implements Accelerator {
         return new Vec3(c[0], c[1], c[2]);
     }
 
-    /** The children's boxes as unions of the leaves' boxes, nothing rounded: by node the left one's lower and upper corner, the right one's. */
+    /**
+     * The children's boxes as unions of the leaves' boxes, nothing rounded: by node the left one's lower and upper corner, the right one's.
+     */
     final double[] exactBoxes() {
         double[] boxes = new double[NODE * nodeCount()];
         // Children come after their parents.

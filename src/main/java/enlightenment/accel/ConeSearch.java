@@ -4,9 +4,9 @@ import enlightenment.frame.BallCone;
 import enlightenment.numeric.Scale;
 
 /**
- * Decides whether primitives of a hierarchy reach into a cone, always with the same verdict: it depends on the cone, the judge and the tree's
- * boxes as they are, without the roundings to floats and whatever else is asked. A primitive reaches into the cone if the judge says so and the
- * balls around all boxes that it lies in do.
+ * Decides whether primitives of a hierarchy reach into a cone, always with the same verdict: it depends on the cone, the judge and the
+ * tree's boxes as they are, without the roundings to floats and whatever else is asked. A primitive reaches into the cone if the judge says
+ * so and the balls around all boxes that it lies in do.
  *
  * <p>What the cluster method learns depends on this verdict. For pictures {@link Accelerator#narrow} is enough, and faster. Immutable.
  */
@@ -28,8 +28,8 @@ public final class ConeSearch {
     }
 
     /**
-     * As {@link Accelerator#narrow} for at least two rays, but definite: 0 if no primitive reaches into the cone, {@link Accelerator#BLOCKED} if one
-     * blocks everything, else a positive number.
+     * As {@link Accelerator#narrow} for at least two rays, but definite: 0 if no primitive reaches into the cone,
+     * {@link Accelerator#BLOCKED} if one blocks everything, else a positive number.
      */
     public int narrow(BallCone cone, ConeJudge judge, BvhQuery query) {
         if (!anyReaches(cone, judge, query)) {

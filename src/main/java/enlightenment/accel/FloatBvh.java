@@ -144,9 +144,9 @@ final class FloatBvh extends Bvh {
     }
 
     /**
-     * Opens nodes breadth first until as many links are pending as pay for so many rays, {@link ConeCandidates#MAX} primitives are found or no
-     * node is left. What the judge lets pass of leaves becomes candidates; nodes that are left are asked last, each by the ball around its box
-     * first.
+     * Opens nodes breadth first until as many links are pending as pay for so many rays, {@link ConeCandidates#MAX} primitives are found or
+     * no node is left. What the judge lets pass of leaves becomes candidates; nodes that are left are asked last, each by the ball around
+     * its box first.
      */
     @Override
     public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {

@@ -7,9 +7,9 @@ import enlightenment.frame.BallCone;
  * share s of their way the segments fill the box P + s·(L − P), L being the box at their end; it overlaps another box on an axis
  * for s in an interval, so the shaft meets that box if the three intervals and [0, 1] have a point in common. No square root is taken.
  *
- * <p>The test is conservative. With m the largest absolute coordinate of P, L and the boxes, P is moved by w = 2^-19 m towards the outside of
- * each face, and L is widened by w. The roundings of a face and of its distance from P are less than 5·2^-24 m; the factors {@link #LESS} and
- * {@link #MORE} cover the roundings of quotients once more.
+ * <p>The test is conservative. With m the largest absolute coordinate of P, L and the boxes, P is moved by w = 2^-19 m towards the outside
+ * of each face, and L is widened by w. The roundings of a face and of its distance from P are less than 5·2^-24 m; the factors
+ * {@link #LESS} and {@link #MORE} cover the roundings of quotients once more.
  */
 final class FloatShaft {
     private static final double WIDENING = 0x1p-19;

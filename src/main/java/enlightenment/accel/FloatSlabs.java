@@ -4,13 +4,13 @@ import enlightenment.primitive.Ray;
 
 /**
  * The test of a ray against boxes of floats, each given by its centre c and its half extents h. Along an axis the ray, with inverse
- * direction i, is in the box's slab for t from (c − o)·i − h·|i| to (c − o)·i + h·|i|: nothing depends on the sign of the direction, and every
- * number of a box is used where it stands. The test is conservative: a box that contains an intersection is never missed.
+ * direction i, is in the box's slab for t from (c − o)·i − h·|i| to (c − o)·i + h·|i|: nothing depends on the sign of the direction, and
+ * every number of a box is used where it stands. The test is conservative: a box that contains an intersection is never missed.
  *
  * <p><b>Roundings.</b> Let m be the largest absolute coordinate of the boxes and u = 2^-24. {@link #set} refuses origins beyond 2m, so
  * |c − o| ≤ 3m. Half extents are rounded up from the rounded centre, and widened by w = 32um ({@link #widening}). The inverse is rounded
- * (relative u), o·i once more, and each of the two fused operations; in space these are less than u(3m + 2m + 3m + 5m) &lt; w, and what is left
- * of w covers the roundings of the primitives' own tests, which are of the order of 2^-46 m. The best t so far is rounded up, tMin
+ * (relative u), o·i once more, and each of the two fused operations; in space these are less than u(3m + 2m + 3m + 5m) &lt; w, and what is
+ * left of w covers the roundings of the primitives' own tests, which are of the order of 2^-46 m. The best t so far is rounded up, tMin
  * down.
  *
  * <p><b>Range.</b> {@link #set} also refuses directions and scenes so large or small that a product could leave the normal range of floats.
@@ -88,8 +88,8 @@ final class FloatSlabs {
     }
 
     /**
-     * Where the ray enters the box whose numbers (x, y, z of centre and half extents) begin at b[k] and lie two apart, at least tMin, as bits
-     * of a float; {@link #MISS} if it misses the box or enters it beyond the limit, which is the bits of a float too.
+     * Where the ray enters the box whose numbers (x, y, z of centre and half extents) begin at b[k] and lie two apart, at least tMin, as
+     * bits of a float; {@link #MISS} if it misses the box or enters it beyond the limit, which is the bits of a float too.
      */
     int entry(float[] b, int k, int limit) {
         float mx = Math.fma(b[k], invX, offsetX);

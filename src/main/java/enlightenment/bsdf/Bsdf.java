@@ -1,12 +1,14 @@
 package enlightenment.bsdf;
 
 /**
- * How a surface scatters light between two directions at a point (bidirectional scattering distribution function, f per steradian).
- * Immutable, shared by threads: the directions, the surface's colour and the results are in a {@link Scattering}.
+ * The bidirectional scattering distribution function f of a surface at a point, per steradian, for each colour component. Directions
+ * are in the frame of the render, not in a local shading frame. Immutable, shared by threads: the directions, the surface's
+ * colour and the results are in a {@link Scattering}.
  *
- * <p>Lobes are of two kinds. Those with an extent have a value and a density with respect to solid angle. Delta lobes go in single
- * directions: no direction that somebody else chose is ever one of them, so their value and density are 0, and only {@link #sample}
- * finds them, with a probability in place of the density. Which of the two an event is says its flag, never the size of a number.
+ * <p>Lobes are of two kinds. Non-delta lobes have a value and a density with respect to solid angle. Delta lobes scatter into single
+ * directions: no independently chosen direction ever hits one, so {@link #evaluate} and {@link #pdf} are 0 for them, and only
+ * {@link #sample} finds them, with a discrete probability in place of the density. {@link Scattering#delta} says which of the two was
+ * sampled; it is never inferred from the size of a number.
  */
 public sealed interface Bsdf
         permits DeltaBsdf, Lambert, RoughDiffuse, GlossyReflection, RoughDielectric, HenyeyGreenstein {
@@ -17,8 +19,9 @@ public sealed interface Bsdf
     boolean transmits();
 
     /**
-     * Sets the value of the directions o and i, f·|cosθ| with the angle between i and the normal, for each colour component, and their
-     * {@link #pdf}; both are 0 for delta lobes. Which side i is on, its cosine says.
+     * Evaluates the non-delta lobes for the directions o and i: sets f·|cosθ|, θ the angle between i and the normal, for each colour
+     * component (1/sr), and {@link #pdf}. Both are 0 if all lobes are delta lobes. The sign of the cosine of i tells reflection (positive)
+     * from transmission.
      */
     void evaluate(Scattering s);
 
@@ -31,17 +34,21 @@ public sealed interface Bsdf
         }
     }
 
-    /** The density per solid angle with which {@link #sample} chooses the direction i; delta lobes do not count. */
+    /**
+     * The density, per solid angle, with which {@link #sample} samples the direction i given o, the probabilities of choosing between lobes
+     * included; delta lobes do not count. At least 0; the integral over all directions is at most 1, since samples may be rejected.
+     */
     double pdf(Scattering s);
 
     /**
-     * Chooses a direction i for the direction o: sets it, the density or, of a delta lobe, the probability of its choice, the value
-     * f·|cosθ| over that, and whether the event is one of a delta lobe and whether it is one of transmission.
+     * Samples a direction i given o: sets i; its density per solid angle or, for a delta lobe, its discrete probability
+     * ({@link Scattering#pdf}); the sample weight f·|cosθ|/pdf ({@link Scattering#valueR} and so on, dimensionless); and the flags
+     * {@link Scattering#delta} and {@link Scattering#transmitted}.
      *
-     * @param u with v a point of the unit square: the direction within a lobe
+     * @param u with v a uniform point of the unit square, which selects the direction within a lobe
      * @param v see u
-     * @param choice the lobe, 0..1
-     * @return false if the path ends here: what was set is then of no use
+     * @param choice uniform in [0, 1), selects the lobe
+     * @return false if no direction was sampled and the path ends here; what was set must then not be used
      */
     boolean sample(Scattering s, double u, double v, double choice);
 }

@@ -1,18 +1,18 @@
 package enlightenment.bsdf;
 
 /**
- * Fresnel's equations at a smooth border of two dielectrics, in forms that do not cancel: with c and c' the cosines of arrival and
- * refraction, (ηc)² − c'² = η² − 1 exactly, so r_s = (η² − 1)/(ηc + c')²; and r_p = −r_s·cos(θ + θ')/cos(θ − θ'). They are 0 where η is 1 and
- * keep their digits next to it.
+ * Fresnel's equations at a smooth interface of two dielectrics (M. Born and E. Wolf, "Principles of Optics", 1999, section 1.5.2), in
+ * forms that do not cancel: with c and c' the cosines of incidence and refraction, (ηc)² − c'² = η² − 1 exactly, so
+ * r_s = (η² − 1)/(ηc + c')²; and r_p = −r_s·cos(θ + θ')/cos(θ − θ'). They are 0 where η is 1 and accurate near it.
  */
 public final class DielectricFresnel {
     private DielectricFresnel() {}
 
     /**
-     * The share of unpolarised light that is reflected, 0..1.
+     * The Fresnel reflectance F of unpolarised light, 0..1; 1 for total internal reflection.
      *
-     * @param c the cosine of arrival, 0..1
-     * @param eta the index on the side of arrival over that of the other side
+     * @param c the cosine of the angle of incidence, 0..1
+     * @param eta the index on the side of incidence over that of the other side, positive
      */
     public static double reflectance(double c, double eta) {
         double s = perpendicular(c, eta);
@@ -20,10 +20,10 @@ public final class DielectricFresnel {
     }
 
     /**
-     * No more than the share that is reflected for any index of a range, and close to the least of it: of each polarisation by itself the least
-     * is at an end of the range, unless there is Brewster's angle or the border vanishes between.
+     * A lower bound, 0..1, of {@link #reflectance} over all relative indices of a range, and close to the minimum: for each polarisation
+     * the minimum is at an end of the range, unless the range contains the index 1, or the one for which c is Brewster's angle.
      *
-     * @param c the cosine of arrival, 0..1
+     * @param c the cosine of the angle of incidence, 0..1
      * @param first one end of the range of relative indices
      * @param last the other
      */

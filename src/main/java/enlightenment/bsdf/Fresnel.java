@@ -31,10 +31,13 @@ public final class Fresnel {
     }
 
     /**
-     * Light from empty space on a metal of the complex index of refraction η + ik.
+     * The unpolarised Fresnel reflectance of a metal of the complex index of refraction η + ik, relative to the medium of incidence
+     * (as in {@code Conductor}), multiplied by the surface's colour (M. Born and E. Wolf, "Principles of Optics", 1999,
+     * section 14.2).
      *
-     * @param eta its real part, positive
-     * @param k its imaginary part, not negative
+     * @param eta the real part, by band, greater than 0
+     * @param k the imaginary part (extinction coefficient), by band, at least 0
+     * @throws IllegalArgumentException for numbers out of range
      */
     public static Fresnel conductor(Rgb eta, Rgb k) {
         if (!(Math.min(Math.min(eta.r(), eta.g()), eta.b()) > 0)) {

@@ -94,7 +94,10 @@ public final class GlossyReflection implements Bsdf {
         return 0.5 * s.facets * facets.visible(out);
     }
 
-    /** Adds the broad lobe to the density of visible normals and to what single reflection is, the reflectance of a facet times {@code single}. */
+    /**
+     * Adds the broad lobe to the density of visible normals and to what single reflection is, the reflectance of a facet times
+     * {@code single}.
+     */
     private void compensate(Scattering s, double in, double out, double single) {
         double lost = table.loss(out);
         double r = fresnel.meanR(s);

@@ -55,8 +55,8 @@ public final class HenyeyGreenstein implements Bsdf {
     }
 
     /**
-     * Samples by the inverse of the distribution: with ξ uniform, s = 2ξ − 1 and q = 1 + gs both 1 − cosθ = (1 − g)²(1 − s)(2 + g(1 + s))/2q²
-     * and 1 + cosθ = (1 + g)²(1 + s)(2 − g(1 − s))/2q² without a difference of near numbers, whatever g is.
+     * Samples by the inverse of the distribution: with ξ uniform, s = 2ξ − 1 and q = 1 + gs both 1 − cosθ = (1 − g)²(1 − s)(2 + g(1 +
+     * s))/2q² and 1 + cosθ = (1 + g)²(1 + s)(2 − g(1 − s))/2q² without a difference of near numbers, whatever g is.
      */
     @Override
     public boolean sample(Scattering s, double u, double v, double choice) {

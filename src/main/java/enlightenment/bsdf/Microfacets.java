@@ -1,10 +1,10 @@
 package enlightenment.bsdf;
 
 /**
- * Rough surfaces as mirrors or borders of glass so small that only the distribution of their normals matters: that of Trowbridge and Reitz
- * (GGX), isotropic, with Smith's masking and shadowing (B. Walter et al., "Microfacet models for refraction through rough surfaces", 2007;
- * E. Heitz, "Understanding the masking-shadowing function", 2014). All forms are free of cancellation and of divisions by small cosines,
- * down to the least roughness and to directions along the surface.
+ * The isotropic microfacet distribution of Trowbridge and Reitz (GGX) with height-correlated Smith masking-shadowing (B. Walter et al.,
+ * "Microfacet models for refraction through rough surfaces", 2007, equations 33 and 34; E. Heitz, "Understanding the masking-shadowing
+ * function in microfacet-based BRDFs", JCGT 2014, equation 99). α is the square of a material's {@code roughness}. All
+ * forms are free of cancellation and of divisions by small cosines, down to the smallest α and to grazing directions.
  */
 public final class Microfacets {
     /** The least roughness that has an extent: below it a lobe is as narrow as what doubles can tell of directions. */
@@ -23,7 +23,7 @@ public final class Microfacets {
         rest = (1 - alpha) * (1 + alpha);
     }
 
-    /** Whether a surface of the roughness α is so smooth that it takes a Bsdf of delta lobes. */
+    /** Whether a surface of GGX roughness α (at least 0) is to be treated as smooth, with delta lobes: α below 1e-4. */
     public static boolean isSmooth(double alpha) {
         return !(alpha >= LEAST);
     }
@@ -83,8 +83,8 @@ public final class Microfacets {
     }
 
     /**
-     * What {@link #at}, {@link #visible} and {@link #masking} say of many points: the densities of visible normals, as directions of i, what a
-     * surface of white microfacets reflects, and the cosines with these. It is of use only where i is above the surface.
+     * What {@link #at}, {@link #visible} and {@link #masking} say of many points: the densities of visible normals, as directions of i,
+     * what a surface of white microfacets reflects, and the cosines with these. It is of use only where i is above the surface.
      */
     void evaluate(ScatteringBatch b, int from, int to) {
         for (int n = from; n < to; n++) {

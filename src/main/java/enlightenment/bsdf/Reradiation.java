@@ -6,8 +6,8 @@ import enlightenment.numeric.Scale;
  * What a fluorescent surface makes of light, band by band: it reflects a share unchanged, its colour, and of what its dye absorbs of the
  * rest it gives some back at longer wavelengths. A Donaldson matrix (R. Donaldson, "Spectrophotometry of fluorescent pigments", 1954; M.
  * Hullin and others, "Acquisition and analysis of bispectral bidirectional reflectance and reradiation distribution functions", 2010),
- * reduced to four bands in which light is taken for constant per nanometre: red, green, blue and ultraviolet, in this order. Both ways light
- * leaves the surface as from a Lambertian one.
+ * reduced to four bands in which light is taken for constant per nanometre: red, green, blue and ultraviolet, in this order. Both ways
+ * light leaves the surface as from a Lambertian one.
  *
  * <p>A colour has three components; that of ultraviolet is that of blue. What the dye does is known when a scene is compiled, so that the
  * colour may come from a texture. Immutable.
@@ -105,7 +105,7 @@ public final class Reradiation {
         return (to == from ? c : 0) + (1 - c) * dye[BANDS * to + from];
     }
 
-    /** The largest share of light of one band that leaves at all. */
+    /** The largest column sum, 0..1, of the matrix for a surface of this colour: how much of one band's power leaves in all bands. */
     public double most(double[] color, boolean hasUltraviolet) {
         double most = 0;
         for (int from = 0; from < (hasUltraviolet ? BANDS : ULTRAVIOLET); from++) {
@@ -137,9 +137,10 @@ public final class Reradiation {
     }
 
     /**
-     * Some rows of four numbers times the matrix: what light that leaves is worth becomes what light that comes is worth.
+     * Multiplies row vectors by the matrix from the right, in place: the adjoint of {@link #scatter}, for paths from the eye.
      *
      * @param color of the surface, of three bands
+     * @param rows rows of {@link #BANDS} weights, one after another: of the light that leaves; receives those of the light that arrives
      */
     public void adjoin(double[] color, double[] rows) {
         for (int row = 0; row < rows.length; row += BANDS) {

@@ -6,8 +6,8 @@ package enlightenment.bsdf;
  * scattering loses among the microfacets comes back on both sides as second, broad lobes (C. Kulla and A. Conty, "Revisiting physically
  * based shading at Imageworks", 2017), which are reciprocal: then no light is lost. The surface's colour is no part of the value.
  *
- * <p>From both sides, for {@link Scattering#radiance} and importance: f(o, i) over the squared index on i's side is reciprocal for importance.
- * Where {@link Scattering#eta} is 1 there is no border and light passes straight, as by a delta lobe.
+ * <p>From both sides, for {@link Scattering#radiance} and importance: f(o, i) over the squared index on i's side is reciprocal for
+ * importance. Where {@link Scattering#eta} is 1 there is no border and light passes straight, as by a delta lobe.
  */
 public final class RoughDielectric implements Bsdf {
     /** Of samples at least so many are of visible normals. */

@@ -26,12 +26,13 @@ public final class Scattering {
     public double green = 1;
     public double blue = 1;
 
-    /** The index of refraction on the side of o over that of the other side; only glass asks. */
+    /** The relative index of refraction η = n_o/n_i: on the side of o over that of the other side; positive, read by dielectrics only. */
     public double eta = 1;
 
     /**
-     * Whether radiance is scattered, along a path from the eye: at a border it changes by eta². Importance, which paths from a light carry,
-     * does not, nor do the display colours of classic shading.
+     * The transport mode: true for radiance, along paths from the eye, which transmission scales by {@link #eta}²; false for importance
+     * transport, along paths from a light, and for the display colours of classic shading, which it does not scale (E. Veach, "Robust
+     * Monte Carlo methods for light transport simulation", 1997, section 5.2).
      */
     public boolean radiance;
 
@@ -41,13 +42,13 @@ public final class Scattering {
     public double iy;
     public double iz;
 
-    /** What {@link Bsdf#evaluate} or {@link Bsdf#sample} found, by colour component. */
+    /** By colour component: f·|cosθ| per steradian after {@link Bsdf#evaluate}, f·|cosθ|/{@link #pdf} after {@link Bsdf#sample}. */
     public double valueR;
 
     public double valueG;
     public double valueB;
 
-    /** The density per solid angle of the direction sampled; its probability if it is one of a delta lobe. */
+    /** The density of the direction i, per solid angle; its discrete probability, 0..1, if it was sampled from a delta lobe. */
     public double pdf;
 
     /** Whether the direction sampled is one of a delta lobe. */

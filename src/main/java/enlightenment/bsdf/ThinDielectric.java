@@ -16,7 +16,8 @@ public final class ThinDielectric implements DeltaBsdf {
     }
 
     /**
-     * The share of light that passes straight on, 0..1: what a shadow ray through the pane is worth.
+     * The transmittance of the pane, 0..1, all inter-reflections between its faces included, without its colour: the factor of a shadow
+     * ray through it. {@code transmittance} + reflectance = 1; R = 2F/(1 + F) for each polarisation.
      *
      * @param cosine of the angle between its direction and the normal, of any sign
      * @param eta the index of refraction of what surrounds the pane over its own, positive

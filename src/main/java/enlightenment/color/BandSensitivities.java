@@ -6,8 +6,8 @@ package enlightenment.color;
  * (C. Wyman, P.-P. Sloan and P. Shirley, "Simple analytic approximations to the CIE XYZ color matching functions", 2013) through the
  * matrix of sRGB. Each band adds up to 1, so white stays white; parts of some are negative, since no screen shows pure spectral colours.
  *
- * <p>Wavelengths can be drawn in proportion to the sum of the magnitudes of the three. All is constant within each nanometre, so that sums are
- * exact. Immutable.
+ * <p>Wavelengths can be drawn in proportion to the sum of the magnitudes of the three. All is constant within each nanometre, so that sums
+ * are exact. Immutable.
  */
 public final class BandSensitivities {
     /** The shortest wavelength, in nanometres. */

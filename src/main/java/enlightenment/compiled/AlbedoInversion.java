@@ -3,8 +3,8 @@ package enlightenment.compiled;
 import enlightenment.bsdf.GaussLegendre;
 
 /**
- * From the share of light that a thick medium gives back to that which each of its scatterings leaves: S. Chandrasekhar's exact solution of the
- * half-space that scatters to all sides alike ("Radiative Transfer", 1960), inverted.
+ * From the share of light that a thick medium gives back to that which each of its scatterings leaves: S. Chandrasekhar's exact solution of
+ * the half-space that scatters to all sides alike ("Radiative Transfer", 1960), inverted.
  *
  * <p>With w the albedo of single scattering, the half-space under light from everywhere gives back 1 − 2 sqrt(1 − w) ∫ H(μ) μ dμ. That
  * moment of H stands in the first two terms of 1 / H(μ) for large μ, which its integral equation and the closed form of V. Busbridge ("The

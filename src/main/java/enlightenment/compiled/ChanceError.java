@@ -1,10 +1,11 @@
 package enlightenment.compiled;
 
 /**
- * What light that is left to chance ({@link ChanceLight}) does to the error of a picture, of what a screen shows, mean of components.
+ * How light that is found by chance only ({@link ChanceLight}) affects the mean squared error of a picture, in displayed units (0..1),
+ * mean of the components.
  *
- * @param shortfall how much smaller than it is the samples are expected to tell the mean squared error
- * @param most the mean squared error that such light alone makes in 39 of 40 pictures at most
+ * @param shortfall by how much the error estimate from the samples is expected to fall short of the true mean squared error; at least 0
+ * @param most the 97.5 % quantile of the mean squared error that such light alone causes
  */
 public record ChanceError(double shortfall, double most) {
     /** Nothing is left to chance, as far as is known. */

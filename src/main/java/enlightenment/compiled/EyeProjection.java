@@ -43,8 +43,10 @@ public final class EyeProjection {
     public double dz;
 
     /**
-     * The share of the picture that light covers per unit of β·f·cosθ at the point: of a path that brings the power β to a surface, which
-     * scatters f to the eye, at the angle θ from its normal.
+     * The factor that turns β·f·cosθ at the point into the contribution to the picture ({@code SplatBatch.add}): for a light path of
+     * power β at a surface with BSDF f towards the eye, θ the angle between that direction and the normal. It is picture area (1 for the
+     * whole picture) per area perpendicular to the connection: |g|³/(|det(g₀, gₓ, g_y)| d²) for an eye at distance d in the frame,
+     * |g|/|det(g, oₓ, o_y)| for parallel rays.
      */
     public double importance;
 

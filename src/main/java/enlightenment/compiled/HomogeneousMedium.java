@@ -9,18 +9,18 @@ import enlightenment.numeric.Scale;
 /** What fills a solid that scatters light inside, or the whole scene: the same everywhere, per unit of length of the frame. Immutable. */
 public final class HomogeneousMedium {
     /**
-     * No mean free path in the frame, in which the scene has a size of about 1, is taken as shorter than the inverse of this: rounded places
-     * could not tell the steps of a path apart, and what light does there is over on a way that nobody sees.
+     * No mean free path in the frame, in which the scene has a size of about 1, is taken as shorter than the inverse of this: rounded
+     * places could not tell the steps of a path apart, and what light does there is over on a way that nobody sees.
      */
     private static final double DENSEST = 0x1p36;
 
-    /** How much is scattered, by band. */
+    /** The scattering coefficient σs by band, per unit of length of the frame, at least 0. */
     public final double scatteringR;
 
     public final double scatteringG;
     public final double scatteringB;
 
-    /** How much is scattered or absorbed, by band. */
+    /** The extinction coefficient σt = σs + σa by band, per unit of length of the frame: the inverse of the mean free path. */
     public final double extinctionR;
 
     public final double extinctionG;
@@ -86,7 +86,9 @@ public final class HomogeneousMedium {
         return scattering == extinction ? inFrame : scattering / extinction * inFrame;
     }
 
-    /** The albedo of single scattering, by similarity from that of an isotropic medium which gives back the same share (H. van de Hulst). */
+    /**
+     * The albedo of single scattering, by similarity from that of an isotropic medium which gives back the same share (H. van de Hulst).
+     */
     private static double albedo(double givenBack, double g) {
         double isotropic = AlbedoInversion.singleScattering(givenBack);
         return isotropic / (isotropic + (1 - g) * (1 - isotropic));

@@ -8,12 +8,12 @@ import enlightenment.primitive.CubePrimitive;
 import enlightenment.primitive.Primitive;
 
 /**
- * The pyramids of segments from points to a light that is a rectangle, and the primitives, each in a box, that stand beside them. Of what the ball
- * around the light would leave in doubt, most is decided so. Immutable.
+ * The pyramids of segments from points to a light that is a rectangle, and the primitives, each in a box, that stand beside them. Of what
+ * the ball around the light would leave in doubt, most is decided so. Immutable.
  *
  * <p>A pyramid and a box are apart if one side of the pyramid, or a plane parallel to the light, or one of the box's own faces
- * lies between them. That is not all of the planes that might (S. Gottschalk, M. Lin and D. Manocha, "OBBTree", 1996), but where none does the box is
- * only tested in vain.
+ * lies between them. That is not all of the planes that might (S. Gottschalk, M. Lin and D. Manocha, "OBBTree", 1996), but where none does
+ * the box is only tested in vain.
  */
 final class LightPyramid {
     /** Bounds the roundings of a product of two coordinates, relative to the square of the largest. */

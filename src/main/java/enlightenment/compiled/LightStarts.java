@@ -5,8 +5,8 @@ import enlightenment.math.Vec3;
 import java.util.Arrays;
 
 /**
- * Where the light of a scene comes from, for paths that begin there: its lights, and its surroundings as a last one that shines
- * through a ball around all surfaces. One of them is chosen in proportion to the power that it gives. Immutable.
+ * The emission sampling of light paths: the lights of a scene, and its surroundings as a last one that shines through the scene's
+ * bounding sphere. One of them is sampled proportionally to its power, then a point and a direction. Immutable.
  */
 public final class LightStarts {
     /** With more boxes to compare than these, lights are taken to shine from both sides. */
@@ -156,8 +156,8 @@ public final class LightStarts {
     }
 
     /**
-     * The density, per area, of the points that paths leave a light from, once it is chosen: across the direction for the surroundings; 1
-     * for a point, which is all there is.
+     * The density, per area of the light in the frame, of the points that paths start at, given the light; for the surroundings per area
+     * perpendicular to the direction, on the disk of the bounding sphere; 1 for a point light (discrete measure).
      */
     public double pointDensity(int light) {
         if (light == background) {

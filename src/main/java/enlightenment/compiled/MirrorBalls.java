@@ -9,7 +9,8 @@ import java.util.List;
 /**
  * The mirrors of a scene that are spheres, each with a light that it may reflect: their images of lights can be aimed at. Immutable.
  *
- * <p>Only of surfaces that coincide with no others: what a line meets first is then the surface itself. Of more pairs than a few those count through which most light goes; the rest is left to chance.
+ * <p>Only mirrors and lights that coincide with no other surface, so that the first hit of a ray is the surface itself. Of more than eight
+ * pairs those with the largest estimated power are kept; the others' caustics are found by BSDF sampling only.
  */
 public final class MirrorBalls {
     private static final int MOST_PAIRS = 8;

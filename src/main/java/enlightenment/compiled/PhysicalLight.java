@@ -26,7 +26,7 @@ public final class PhysicalLight extends LightBody {
     /** Which of its faces. */
     public final int face;
 
-    /** Whether it has no extent: then the three numbers are its intensity, per squared unit of length of the frame. */
+    /** Whether it is a point light: then {@link #r}, {@link #g}, {@link #b} are radiant intensity in units of the frame; a delta light. */
     public final boolean isPoint;
 
     /** Whether it is a ball: then direct light of matte surfaces always has a closed form. */
@@ -35,7 +35,10 @@ public final class PhysicalLight extends LightBody {
     /** Whether it is flat: then no point in its plane has light from it. */
     public final boolean isFlat;
 
-    /** Radiance, or the intensity of a point: linear, by band. */
+    /**
+     * Emitted radiance (W/(m² sr), relative), the same at all points and in all directions on the sides that shine; of a point light the
+     * radiant intensity, scaled so that intensity over squared distance in the frame is irradiance in the scene's units. Linear, by band.
+     */
     public final double r;
 
     public final double g;
@@ -96,8 +99,8 @@ public final class PhysicalLight extends LightBody {
     }
 
     /**
-     * Whether a face lies in the plane of the light, which is flat, or of a part of it: then no point of the face has light from it. Rounding
-     * puts points of the face above or below that plane, where the light would fill half of their sky.
+     * Whether a face lies in the plane of the light, which is flat, or of a part of it: then no point of the face has light from it.
+     * Rounding puts points of the face above or below that plane, where the light would fill half of their sky.
      */
     public boolean isInPlaneWith(int otherId, int otherFace) {
         return isFlat
@@ -106,8 +109,8 @@ public final class PhysicalLight extends LightBody {
     }
 
     /**
-     * Whether a primitive is the ball that the light is. From inside every direction meets it, and none is sampled; but rounding puts half of
-     * the vertices that lie on it outside, from where light of its other side would seem to come through the near one.
+     * Whether a primitive is the ball that the light is. From inside every direction meets it, and none is sampled; but rounding puts half
+     * of the vertices that lie on it outside, from where light of its other side would seem to come through the near one.
      */
     public boolean isBallOf(int otherId) {
         return isBall && id == otherId;

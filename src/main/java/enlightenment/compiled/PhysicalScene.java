@@ -224,8 +224,8 @@ public final class PhysicalScene {
     }
 
     /**
-     * Finds for each light the few primitives that may occlude it from a point of a surface. Where something fills the whole scene, light is
-     * scattered behind the walls of a room as well, from where they do.
+     * Finds for each light the few primitives that may occlude it from a point of a surface. Where something fills the whole scene, light
+     * is scattered behind the walls of a room as well, from where they do.
      */
     void findOccluders(Primitive[] primitives, OccluderSet set, PrimitiveList all) {
         for (PhysicalLight light : lights) {

@@ -37,8 +37,8 @@ public final class SegmentEnds {
     /**
      * Forgets the points.
      *
-     * @param surface the primitive that all points to come lie on, the way that segments do not meet it earlier: a flat one, or a convex one
-     *     from outside; -1 if there is none
+     * @param surface the primitive that all points to come lie on, the way that segments do not meet it earlier: a flat one, or a convex
+     *     one from outside; -1 if there is none
      */
     public void clear(int surface) {
         on = surface;

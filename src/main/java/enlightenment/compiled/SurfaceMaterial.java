@@ -27,7 +27,9 @@ public final class SurfaceMaterial {
     /** The index of refraction; 1 unless it is glass. */
     public final double indexOfRefraction;
 
-    /** How much the index grows with the place of the wavelength ({@link enlightenment.color.CauchyFormula#slope}); 0 in classic shading. */
+    /**
+     * How much the index grows with the place of the wavelength ({@link enlightenment.color.CauchyFormula#slope}); 0 in classic shading.
+     */
     public final double dispersion;
 
     /** The share of what is seen that comes through, 0..1; 0 unless it is glass. */

@@ -109,8 +109,8 @@ public final class Tracer {
     }
 
     /**
-     * Whether it is known without tracing that no camera ray of the current tile meets anything. Never with a hierarchy: the answer would depend
-     * on the tree, and on it depends what the cluster method surveys.
+     * Whether it is known without tracing that no camera ray of the current tile meets anything. Never with a hierarchy: the answer would
+     * depend on the tree, and on it depends what the cluster method surveys.
      */
     public boolean seesNothing() {
         return tileList != null && tileList.size() == 0 && tileLightCount == 0;
@@ -176,8 +176,8 @@ public final class Tracer {
     }
 
     /**
-     * Lets {@link #prepareShadows} answer {@link Visibility#UNKNOWN} wherever a shadow ray costs less than the answer. Whoever wants the same
-     * picture must then ask {@link #isHidden}. Without this the answer is a function of the cone and the scene alone.
+     * Lets {@link #prepareShadows} answer {@link Visibility#UNKNOWN} wherever a shadow ray costs less than the answer. Whoever wants the
+     * same picture must then ask {@link #isHidden}. Without this the answer is a function of the cone and the scene alone.
      */
     public void leaveVisibilityOpen() {
         leavesOpen = tileList == null;
@@ -259,8 +259,8 @@ public final class Tracer {
     }
 
     /**
-     * Traces a ray between two places, on surfaces or not: whether nothing lies between them. Whether rounding puts the end's own surface before or
-     * behind it means nothing.
+     * Traces a ray between two places, on surfaces or not: whether nothing lies between them. Whether rounding puts the end's own surface
+     * before or behind it means nothing.
      *
      * @param ray it knows the surfaces that it starts on
      * @param length the t at which it ends

@@ -14,33 +14,37 @@ public sealed interface AreaLight permits SphereLight, SurfaceLight {
     void aim(LightSample s, double x, double y, double z);
 
     /**
-     * Chooses a point of the light for (u, v) in the unit square: direction, distance, density per solid angle and cosine at the light. The
-     * density is 0 if there is none: the receiver is inside a ball, in the plane of a flat light or behind one with one side, or the point
-     * lies on the side that is turned away.
+     * Samples a point of the light and sets {@link LightSample#dx} and so on (unit direction to it), {@link LightSample#length} (distance
+     * in the frame), {@link LightSample#pdf} (per solid angle at the receiver) and {@link LightSample#cosine}. The pdf is 0 if there is no
+     * sample: the receiver is inside a sphere, in the plane of a flat light or behind a one-sided one, or the point faces away from it.
+     *
+     * @param u with v a uniform point of the unit square
      */
     void sample(LightSample s, double u, double v);
 
     /**
-     * The density per solid angle with which {@link #sample} chooses a direction that is known to meet the light: the exact inverse.
+     * The density, per solid angle at the receiver, with which {@link #sample} samples a direction that is known to hit the light, as
+     * multiple importance sampling needs it: up to rounding the {@link LightSample#pdf} of the same direction. Does not include the choice
+     * of the light.
      *
-     * @param dx the unit direction from the receiver
-     * @param distance how far along it the light is met
-     * @param cosine the cosine there as in {@link LightSample#cosine}
+     * @param dx with dy and dz the unit direction from the receiver
+     * @param distance from the receiver to the hit, in units of the frame
+     * @param cosine at the hit, as {@link LightSample#cosine}
      * @return 0 for directions that are never chosen
      */
     double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine);
 
     /**
-     * The irradiance of a receiver with the unit normal n, if nothing hides the light and its radiance is 1: the integral of the cosine
-     * over the directions in which the light is seen above the horizon, 0..π.
+     * The unoccluded irradiance at a receiver with the unit normal n for radiance 1, 0..π (sr, projected solid angle): the integral of
+     * the cosine over the directions of the light above the receiver's horizon.
      *
      * @return NaN if there is no closed form
      */
     double irradiance(LightSample s, double nx, double ny, double nz);
 
     /**
-     * Whether light of it may reach a receiver with the unit normal n: not if the receiver is behind the light, or the light below the horizon,
-     * where {@link #irradiance} is 0, up to rounding. It costs less than that, and is a function of receiver and light alone.
+     * Whether light of it may reach a receiver with the unit normal n: not if the receiver is behind the light, or the light below the
+     * horizon, where {@link #irradiance} is 0, up to rounding. It costs less than that, and is a function of receiver and light alone.
      */
     default boolean reaches(LightSample s, double nx, double ny, double nz) {
         return irradiance(s, nx, ny, nz) != 0;
@@ -52,8 +56,8 @@ public sealed interface AreaLight permits SphereLight, SurfaceLight {
     }
 
     /**
-     * As {@link #sample}, but with a density in proportion to the cosine with the unit normal n if there is a way; {@link LightSample#pdf}
-     * is the density of whichever was used. {@link #samplesByCosine} says which.
+     * As {@link #sample}, but where {@link #samplesByCosine} holds with a density proportional to the cosine with the unit normal n;
+     * {@link LightSample#pdf} is the density, per solid angle, of the strategy that was used.
      */
     default void sampleByCosine(LightSample s, double nx, double ny, double nz, double u, double v) {
         sample(s, u, v);

@@ -3,9 +3,10 @@ package enlightenment.emitter;
 import enlightenment.numeric.Arcs;
 
 /**
- * The irradiance of a rectangle of radiance 1 that lies above a receiver's horizon: Lambert's sum over the edges, as in {@link HorizonPolygon},
- * in coordinates that are parallel to them. There the cross products of the corners of an edge have no differences that cancel, and θ/sin θ of
- * the angle that an edge covers is had from its cosine ({@link Arcs#overSine}), so that one division does for all edges.
+ * The irradiance of a rectangle of radiance 1 that lies above a receiver's horizon: Lambert's sum over the edges, as in
+ * {@link HorizonPolygon}, in coordinates that are parallel to them. There the cross products of the corners of an edge have no differences
+ * that cancel, and θ/sin θ of the angle that an edge covers is had from its cosine ({@link Arcs#overSine}), so that one division does for
+ * all edges.
  */
 final class LambertRectangle {
     private LambertRectangle() {}

@@ -8,7 +8,7 @@ public final class LightChoice {
     /** The probability of this choice. */
     public double probability;
 
-    /** What is left of the number that chose, again evenly distributed in 0..1. */
+    /** The random number that chose, rescaled within the chosen interval so that it is again uniform in [0, 1) and can be reused. */
     public double rest;
 
     final double[] weights = new double[LightPicker.FEW];

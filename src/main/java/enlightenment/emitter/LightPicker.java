@@ -6,9 +6,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Chooses one of a scene's lights for a receiver: up to {@link #FEW} in proportion to what they contribute if nothing hides them, more of
- * them by a {@link LightTree}. A light that can contribute has a probability above 0; the choice does not depend on the order in which
- * lights are given. Immutable, shared by threads.
+ * Samples one of a scene's lights for a receiver: up to {@link #FEW} lights proportionally to estimates of their unoccluded contribution,
+ * more of them by a {@link LightTree}. A light that can contribute has a probability above 0; the choice does not depend on the order in
+ * which lights are given. Immutable, shared by threads. See docs/light-sampling.md.
  */
 public final class LightPicker {
     /** Up to this number every light is weighed for every receiver. */
@@ -81,9 +81,11 @@ public final class LightPicker {
     }
 
     /**
-     * The probability with which {@link #choose} chooses a light for this receiver: the exact inverse.
+     * The discrete probability, 0..1, with which {@link #choose} samples a light for this receiver, up to rounding.
      *
-     * @param light the light's index in the caller's order
+     * @param light the light's index in the order in which lights were added
+     * @param nx as for {@link #choose}
+     * @param scratch is overwritten
      */
     public double probability(
             int light, double x, double y, double z, double nx, double ny, double nz, LightChoice scratch) {

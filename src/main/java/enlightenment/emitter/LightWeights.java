@@ -3,8 +3,9 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 
 /**
- * What lights contribute to a receiver if nothing hides them, roughly but quickly: 0 only where the contribution is 0, because bounds decide
- * about that, not midpoints. Balls: the closed form. Others: power times the cosines that their ball allows, over the squared distance.
+ * What lights contribute to a receiver if nothing hides them, roughly but quickly: 0 only where the contribution is 0, because bounds
+ * decide about that, not midpoints. Balls: the closed form. Others: power times the cosines that their ball allows, over the squared
+ * distance.
  */
 final class LightWeights {
     private static final int BALL = 0;

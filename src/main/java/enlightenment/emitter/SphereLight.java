@@ -69,8 +69,8 @@ public final class SphereLight implements AreaLight {
     }
 
     /**
-     * Samples a direction and the distance by the cosine, and nothing else of the sample. Only where {@link #samplesByCosine} says that it can
-     * be done.
+     * Samples a direction and the distance by the cosine, and nothing else of the sample. Only where {@link #samplesByCosine} says that it
+     * can be done.
      */
     public void directByCosine(LightSample s, double nx, double ny, double nz, double u, double v) {
         ball.prepareByCosine(s, nx, ny, nz);

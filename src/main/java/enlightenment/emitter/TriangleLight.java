@@ -4,8 +4,8 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
 /**
- * A triangle, sampled evenly over the solid angle that it covers as a {@link SphericalTriangle}, or over its area if that is far or nearly a
- * half space. Its normal, which points to its front, is (b − a) × (c − a).
+ * A triangle, sampled evenly over the solid angle that it covers as a {@link SphericalTriangle}, or over its area if that is far or nearly
+ * a half space. Its normal, which points to its front, is (b − a) × (c − a).
  */
 public final class TriangleLight extends FlatLight {
     private final Vec3 a;

@@ -37,8 +37,8 @@ import java.util.regex.Pattern;
  *
  * <p>A file is removed only if nobody holds its lock and, beyond that, its process is not alive where that can be told: on
  * this machine by its number, elsewhere by a day's age, for there are network file systems whose locks reach no further
- * than one machine. What another user owns is left alone. Creator and remover may meet: so the creator locks first and then looks whether the file is still there,
- * and the remover removes while it holds the lock.
+ * than one machine. What another user owns is left alone. Creator and remover may meet: so the creator locks first and then looks whether
+ * the file is still there, and the remover removes while it holds the lock.
  */
 public final class TemporaryFile implements Closeable {
     private static final Pattern NAME =

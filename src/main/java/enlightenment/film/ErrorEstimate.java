@@ -8,7 +8,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How far a picture is from the truth, told by its own samples, in display units (0..1).
+ * An estimate of a picture's root mean square error from its own samples, with a 95 % confidence interval, in displayed units: 0..1, as a
+ * screen shows it.
  *
  * <p>Pixels with the same number of samples, a power of two, are judged together: the sums A and B over their two figures
  * ({@link FilmTile#halves}, {@link FilmTile#quarters}) give the sum of their variances, A times a share that depends on B/A
@@ -312,12 +313,12 @@ public final class ErrorEstimate {
         }
     }
 
-    /** Estimated root mean square error over all finished pixels and components. */
+    /** The estimated root mean square error over all finished pixels and components, in displayed units, at least 0. */
     public double rmse() {
         return Math.sqrt(meanSquare);
     }
 
-    /** The lower end of an interval that holds the true error in 95 of 100 pictures. */
+    /** The lower end of a 95 % confidence interval for the true RMSE, in displayed units. */
     public double low() {
         return Math.sqrt(meanSquare * least);
     }

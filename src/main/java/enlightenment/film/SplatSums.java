@@ -46,8 +46,8 @@ public final class SplatSums {
 
     /**
      * As bytes: numbers of 7 bits each, the lowest first, the highest bit set where more follow (as LEB128). First the number of paths
-     * and of pixels; then for each pixel how far it is from the one before, or from −1, and its sums of red, green and blue: each times two,
-     * and of a negative one the magnitude of that less one.
+     * and of pixels; then for each pixel how far it is from the one before, or from −1, and its sums of red, green and blue: each times
+     * two, and of a negative one the magnitude of that less one.
      */
     public byte[] toBytes() {
         VarintWriter out = new VarintWriter(16 + 16 * pixels.length);

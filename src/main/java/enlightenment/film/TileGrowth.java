@@ -5,8 +5,9 @@ import java.util.Optional;
 
 /**
  * What the pixels of a tile need so that they can get more samples later, with the same bits as if all had been taken at once: the sums of
- * the samples that are there, in their order, and those of their first and of their second half, from which the sums of the quarters of more
- * samples follow, which tell the error ({@link SampleSpread}). For methods of which the samples of a pixel do not depend on how many follow.
+ * the samples that are there, in their order, and those of their first and of their second half, from which the sums of the quarters of
+ * more samples follow, which tell the error ({@link SampleSpread}). For methods of which the samples of a pixel do not depend on how many
+ * follow.
  */
 public final class TileGrowth {
     /** What is kept of a pixel: sum and compensation of each component, then the sums of both halves, 8 bytes each. */

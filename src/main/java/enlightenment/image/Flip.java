@@ -49,13 +49,14 @@ public final class Flip {
     }
 
     /**
-     * Compares two images {@linkplain Image#displayed as a screen takes them}; components outside 0..1 are clipped. Takes memory for some rows and the
-     * result, and time in proportion to pixels times pixels per degree.
+     * Compares two images {@linkplain Image#displayed as a screen takes them}; components outside 0..1 are clipped. Takes memory for some
+     * rows and the result, and time in proportion to pixels times pixels per degree.
      *
      * @param pixelsPerDegree pixels of the picture that one degree of the viewer's field of view holds,
      *     {@link #MIN_PIXELS_PER_DEGREE}..{@link #MAX_PIXELS_PER_DEGREE}
      * @throws InvalidValueException if the sizes differ (key "size", the message has both), if one holds linear light and the
-     *     other does not (key "encoding"), if a component is infinite or not a number (key "test" or "reference", the message tells where) or pixelsPerDegree is out of range
+     *     other does not (key "encoding"), if a component is infinite or not a number (key "test" or "reference", the message tells where)
+     *     or pixelsPerDegree is out of range
      */
     public static Flip between(Image test, Image reference, double pixelsPerDegree) {
         if (!(pixelsPerDegree >= MIN_PIXELS_PER_DEGREE && pixelsPerDegree <= MAX_PIXELS_PER_DEGREE)) {

@@ -148,7 +148,8 @@ public final class Image {
     /**
      * The pixels for a screen: width·height numbers 0xFFRRGGBB (opaque ARGB), row by row from the top, each row from the left,
      * as {@code java.awt.image.BufferedImage.setRGB} and most windowing toolkits take them. Every component is what it is in
-     * an 8-bit PNG file: {@linkplain #displayed as a screen takes it}, limited to 0..1, then rounded to the nearest of 0..255, halves upwards; NaN becomes 0.
+     * an 8-bit PNG file: {@linkplain #displayed as a screen takes it}, limited to 0..1, then rounded to the nearest of 0..255, halves
+     * upwards; NaN becomes 0.
      */
     public int[] toArgb() {
         int[] argb = new int[rgb.length / 3];

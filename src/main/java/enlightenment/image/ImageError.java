@@ -3,8 +3,8 @@ package enlightenment.image;
 /**
  * By how much one image differs from another, in figures. The components are taken as they are stored: display-referred pictures
  * are compared in display units (0 is black, 1 is white), those of linear light in linear units, and one is not compared with
- * the other. Components outside 0..1 count as they are. Means run over all components of all pixels, row by row, with compensated sums: the same images give the same bits on
- * every machine.
+ * the other. Components outside 0..1 count as they are. Means run over all components of all pixels, row by row, with compensated sums: the
+ * same images give the same bits on every machine.
  *
  * @param meanSquaredError mean of (a − b)²
  * @param relativeMeanSquaredError mean of (a − b)² / (b² + {@link #RELATIVE_EPSILON}), b being the reference: an error in

@@ -69,8 +69,8 @@ public final class ImageFiles {
     }
 
     /**
-     * Writes an sRGB PNG file: components, {@linkplain Image#displayed as a screen takes them}, are limited to 0..1 and rounded to the nearest step of 1/255 or 1/65535, halves
-     * upwards; what is no number becomes 0.
+     * Writes an sRGB PNG file: components, {@linkplain Image#displayed as a screen takes them}, are limited to 0..1 and rounded to the
+     * nearest step of 1/255 or 1/65535, halves upwards; what is no number becomes 0.
      */
     public static void writePng(Image image, Path file, PngOptions options) throws IOException {
         WholeFile.write(file, out -> toPng(image, out, options));

@@ -208,8 +208,9 @@ public sealed interface Material
      * @param absorption the share that is lost per scene unit inside the solid, for small shares: light decays by exp(−absorption ·
      *     length) (Beer and Lambert)
      * @param multipleScattering whether light that meets several facets of a rough surface is counted
-     * @param dispersion Abbe's number (n_d − 1) / (n_F − n_C) of the glass, greater than 0 and such that all indices are, whose n_d is the index of refraction: 60
-     *     of crown glass, 36 of flint glass; the less, the more colours part (Cauchy's formula of two terms). Empty: it refracts all wavelengths alike
+     * @param dispersion the Abbe number V_d = (n_d − 1) / (n_F − n_C), where n_d is {@code indexOfRefraction}: greater than 0, and such
+     *     that the index is positive at all visible wavelengths (Cauchy's formula of two terms). About 60 for crown glass, 36 for flint
+     *     glass; a smaller number disperses more. Empty: the index does not depend on the wavelength
      */
     record Glass(
             Texture color,

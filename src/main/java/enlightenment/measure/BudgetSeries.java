@@ -12,8 +12,9 @@ import java.util.List;
 
 /**
  * Renders with budgets of 1, 2, 4, ... samples per pixel (and 2.5), several times each. The methods take turns, render by render, so
- * that a busy machine disturbs all of them alike. A method does not take part in budgets in which another one takes its place. A method that takes a fixed number of light samples runs with other numbers as
- * well, as far as there is time and as long as they may turn out best.
+ * that a busy machine disturbs all of them alike. A method does not take part in budgets in which another one takes its place. A method
+ * that takes a fixed number of light samples runs with other numbers as well, as far as there is time and as long as they may turn out
+ * best.
  */
 final class BudgetSeries {
     private static final double SHARE = 0.72;
@@ -31,7 +32,9 @@ final class BudgetSeries {
     /** Below this, and at fractions, other numbers of light samples are not tried: the best one shows only with more samples. */
     private static final int VARIANTS_FROM = 2;
 
-    /** A budget above this share of the reference's by the same method is not rendered: the reference would not be clearly more accurate. */
+    /**
+     * A budget above this share of the reference's by the same method is not rendered: the reference would not be clearly more accurate.
+     */
     private static final double MAX_OF_REFERENCE = 0.25;
 
     /** Seeds of neighbouring budgets are this far apart, so that no two renders share their random numbers. */

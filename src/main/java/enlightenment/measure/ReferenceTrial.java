@@ -63,8 +63,8 @@ final class ReferenceTrial {
     }
 
     /**
-     * The words of the methods that may be tried: those compared that are the program's own and see all of the scene; of methods from outside
-     * it is not known what they show, so that they are tried only among themselves. Where nothing is left, path tracing.
+     * The words of the methods that may be tried: those compared that are the program's own and see all of the scene; of methods from
+     * outside it is not known what they show, so that they are tried only among themselves. Where nothing is left, path tracing.
      */
     static List<String> candidates(Session session) {
         List<String> own = new ArrayList<>();

@@ -63,8 +63,8 @@ public final class LightPaths implements SplatIntegrator {
 
     /**
      * Light tracing: paths from everything that shines make all light that surfaces scatter to the eye. What the eye sees of lights,
-     * straight and in mirrors, is the business of tiles ({@link RayTraceMethod#ofSeenLight}). See docs/light-tracing.md. For one thread, and
-     * a scene of physical shading.
+     * straight and in mirrors, is the business of tiles ({@link RayTraceMethod#ofSeenLight}). See docs/light-tracing.md. For one thread,
+     * and a scene of physical shading.
      */
     public static LightPaths ofAllLight(CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return new LightPaths(scene, settings, counters, LightPathTracer::ofAllLight);
@@ -79,8 +79,8 @@ public final class LightPaths implements SplatIntegrator {
     }
 
     /**
-     * What paths from the eye find by chance only, since paths from lights cannot be connected to the eye where it is seen: caustics in mirrors
-     * and through glass; null if nothing is known to be left so. Found out once for a scene of physical shading.
+     * What paths from the eye find by chance only, since paths from lights cannot be connected to the eye where it is seen: caustics in
+     * mirrors and through glass; null if nothing is known to be left so. Found out once for a scene of physical shading.
      */
     public static ChanceLight leftToChance(CompiledScene scene) {
         return scene.chanceLight(() -> ChanceProbe.find(scene));

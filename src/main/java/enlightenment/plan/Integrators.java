@@ -195,8 +195,8 @@ public final class Integrators {
     }
 
     /**
-     * What light that is left to chance does to the error of a picture, as far as is known: of methods whose paths from the eye find by chance
-     * what others of theirs do not.
+     * What light that is left to chance does to the error of a picture, as far as is known: of methods whose paths from the eye find by
+     * chance what others of theirs do not.
      */
     public static ChanceError chance(RenderPlan plan, CompiledScene scene) {
         boolean isByChance = plan.method() == BuiltInMethod.RAYTRACE

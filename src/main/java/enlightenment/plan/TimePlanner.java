@@ -69,8 +69,8 @@ final class TimePlanner {
     }
 
     /**
-     * How long a trial would have taken without the just-in-time compiler: that shares the processors with the first seconds of a render, and
-     * with little of the rest.
+     * How long a trial would have taken without the just-in-time compiler: that shares the processors with the first seconds of a render,
+     * and with little of the rest.
      *
      * @param took how long it took
      * @param processors seconds of all threads of this process meanwhile

@@ -17,7 +17,10 @@ import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 
-/** Renders some blocks, or follows some paths, with random numbers that are not the picture's: nothing may depend on what it is decided about. */
+/**
+ * Renders some blocks, or follows some paths, with random numbers that are not the picture's: nothing may depend on what it is decided
+ * about.
+ */
 final class Trial {
     /** Keeps the trial's random numbers apart from the picture's. */
     private static final long PURPOSE = 0x747269616cL;

@@ -35,7 +35,8 @@ import java.util.function.BooleanSupplier;
  * <p><b>Threads.</b> A render uses the calling thread and, with more than one thread in its settings, helpers of its own that
  * end before it returns. {@code cancelled} is asked from all of them, by several at once: between any two units of work (a tile,
  * a pass over one, a batch of paths), now and then within one, and between the phases. The listener is called from any of them, too,
- * but by one at a time; while it runs, threads that finish a unit wait for it. Neither should block. What they throw ends the render, which throws it on.
+ * but by one at a time; while it runs, threads that finish a unit wait for it. Neither should block. What they throw ends the render, which
+ * throws it on.
  *
  * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the units under way are given up
  * and the render returns with what it has: {@link RenderResult#complete} is false. An interrupt stays set: whoever goes on with
@@ -221,8 +222,8 @@ public final class Renderer {
      * @param method the method
      * @param blindSpot what of the scene it cannot see, as a sentence without a full stop that begins with its name; empty if it sees
      *     everything. Of a method from outside the program that is not known, and nothing is said
-     * @param fewestSamples the fewest samples per pixel that it makes pictures of its own with, at least 1; with fewer its pictures are those
-     *     of {@link Method#standIn}
+     * @param fewestSamples the fewest samples per pixel that it makes pictures of its own with, at least 1; with fewer its pictures are
+     *     those of {@link Method#standIn}
      */
     public record Sight(Method method, Optional<String> blindSpot, double fewestSamples) {}
 }

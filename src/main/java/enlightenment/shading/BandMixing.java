@@ -79,8 +79,8 @@ final class BandMixing {
     }
 
     /**
-     * As {@link #scatter}, but the path goes on as from a grey surface, whose reflectance says how much less is to be expected of it from here
-     * on, so that roulette may go by it.
+     * As {@link #scatter}, but the path goes on as from a grey surface, whose reflectance says how much less is to be expected of it from
+     * here on, so that roulette may go by it.
      *
      * @return that reflectance, 0..1; 0 if nothing is
      */

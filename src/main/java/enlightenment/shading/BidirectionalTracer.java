@@ -168,7 +168,8 @@ public final class BidirectionalTracer implements Shader {
     }
 
     /**
-     * Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). Leaves the surface, too.
+     * Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). Leaves the surface,
+     * too.
      */
     private boolean gatherInfinite(Sampler sampler) {
         if (!eye.bsdf.isDelta() && eye.seesLamps()) {

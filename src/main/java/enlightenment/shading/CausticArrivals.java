@@ -12,9 +12,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Where some paths of light come to the first surface over mirrors and smooth glass, in groups by place: a k-d tree (J. L. Bentley 1975). The
- * power of a group over its area tells about how bright caustics are there (H. W. Jensen, "Global illumination using photon maps", 1996): good
- * enough to tell how much of a picture is left to chance, not for the picture.
+ * Where some paths of light come to the first surface over mirrors and smooth glass, in groups by place: a k-d tree (J. L. Bentley 1975).
+ * The power of a group over its area tells about how bright caustics are there (H. W. Jensen, "Global illumination using photon maps",
+ * 1996): good enough to tell how much of a picture is left to chance, not for the picture.
  */
 final class CausticArrivals extends LightWalker {
     /** These paths are no part of any picture, and the same for all of a scene. */

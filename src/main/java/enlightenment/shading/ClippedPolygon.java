@@ -2,7 +2,10 @@ package enlightenment.shading;
 
 import java.util.Arrays;
 
-/** A convex polygon of which parts are cut off: I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974. A mutable work object, one per thread. */
+/**
+ * A convex polygon of which parts are cut off: I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974. A mutable work object, one
+ * per thread.
+ */
 final class ClippedPolygon {
     /** Each side of a box adds a corner at most. */
     private static final int SIDES = 4;

@@ -8,10 +8,11 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
 /**
- * The light that the eye has straight from lights, or by way of one mirror or reflection at glass, in pixels that their images do not cover entirely.
- * Samples of a pixel may all miss an image, or what of it is in the pixel, and then nothing tells of it; however bright the lamp is, it is missing. So every
- * sample takes a second place on the film, within what of the image is in the pixel, and what the first place sees of the image there does not count: all
- * light is found exactly once, whatever polygon the image is taken for. See docs/path-tracing.md. A mutable work object, one per thread.
+ * The light that the eye has straight from lights, or by way of one mirror or reflection at glass, in pixels that their images do not cover
+ * entirely. Samples of a pixel may all miss an image, or what of it is in the pixel, and then nothing tells of it; however bright the lamp
+ * is, it is missing. So every sample takes a second place on the film, within what of the image is in the pixel, and what the first place
+ * sees of the image there does not count: all light is found exactly once, whatever polygon the image is taken for. See
+ * docs/path-tracing.md. A mutable work object, one per thread.
  */
 final class EyeImages {
     /** So many columns and rows of pixels are remembered, by what is left of their numbers: blocks are smaller. */

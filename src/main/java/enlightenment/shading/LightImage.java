@@ -4,7 +4,8 @@ import enlightenment.compiled.PhysicalLight;
 import java.util.Arrays;
 
 /**
- * Where the eye sees a light straight or in one mirror: a convex polygon around it, in pixels from the picture's upper left corner. Immutable.
+ * Where the eye sees a light straight or in one mirror: a convex polygon around it, in pixels from the picture's upper left corner.
+ * Immutable.
  */
 final class LightImage {
     /** Instead of a mirror's id: the light is seen straight. */

@@ -15,21 +15,29 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Finds the images of lights that samples of a pixel may miss: as they are seen straight, in flat mirrors, and, by the balls around them, in
- * mirrors that are spheres; glass reflects as mirrors do. Whether something hides them is not asked. Those in other mirrors, through glass, and of images are not found.
+ * Finds the images of lights that samples of a pixel may miss: as they are seen straight, in flat mirrors, and, by the balls around them,
+ * in mirrors that are spheres; glass reflects as mirrors do. Whether something hides them is not asked. Those in other mirrors, through
+ * glass, and of images are not found.
  *
- * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are bright beside what is likely to be behind them: not
- * dimmer than a sixteenth of the brightest light, nor than twice the background. Black takes the light's place among the samples of the pixel, and must be nearer to what is
- * behind than the light is. The choice is the same however bright all lights together are.
+ * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
+ * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Black
+ * takes the light's place among the samples of the pixel, and must be nearer to what is behind than the light is. The choice is the same
+ * however bright all lights together are.
  */
 final class LightImages {
     /** Mirrors and lights are many in few scenes: so many pairs of them are looked at, the first ones. */
     private static final int MOST_PAIRS = 64;
 
-    /** So many images that are not smaller than a pixel are taken, the first ones: most edges in a mesh that glows are no edges of the light. */
+    /**
+     * So many images that are not smaller than a pixel are taken, the first ones: most edges in a mesh that glows are no edges of the
+     * light.
+     */
     private static final int MOST_LARGE = 64;
 
-    /** A light of so much of the brightest one's radiance is seldom dimmer than twice what that makes of surfaces: it would have to fill this share of half their sky. */
+    /**
+     * A light of so much of the brightest one's radiance is seldom dimmer than twice what that makes of surfaces: it would have to fill
+     * this share of half their sky.
+     */
     private static final double BRIGHT = 1.0 / 16;
 
     /** The polygon around a mirrored ball's image. */

@@ -14,8 +14,8 @@ import java.util.Arrays;
 import java.util.Comparator;
 
 /**
- * The outlines of lights in the picture, straight and in flat mirrors: convex polygons that touch what bounds the light from outside. Circles get so many corners
- * that none is a thousandth of a pixel beside the circle. A mutable work object, one per thread.
+ * The outlines of lights in the picture, straight and in flat mirrors: convex polygons that touch what bounds the light from outside.
+ * Circles get so many corners that none is a thousandth of a pixel beside the circle. A mutable work object, one per thread.
  */
 final class LightOutline {
     /** So many corners circles have at least and at most, and powers of two between. */

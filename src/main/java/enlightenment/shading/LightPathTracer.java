@@ -8,8 +8,9 @@ import enlightenment.film.SplatBatch;
 import java.util.function.BooleanSupplier;
 
 /**
- * Follows numbered paths from lights and connects them to the eye, so that each may bring light to any place of the picture. All random
- * numbers of a path follow from the seed and its number.
+ * Light tracing: traces numbered paths from the lights and connects their vertices to the eye, so that each may splat anywhere in the
+ * picture (J. Arvo, "Backward ray tracing", 1986; P. Dutré, E. Lafortune and Y. Willems, 1993). All random numbers of a path are a
+ * function of the seed and its number.
  */
 public abstract class LightPathTracer {
     final PathFollower path;
@@ -42,8 +43,8 @@ public abstract class LightPathTracer {
     }
 
     /**
-     * Caustics, which paths from the eye find by chance only, and leave out ({@link PathTracer}): light that mirrors or smooth glass send to
-     * a surface, and all that follows from it. For one thread.
+     * Caustics, which paths from the eye find by chance only, and leave out ({@link PathTracer}): light that mirrors or smooth glass send
+     * to a surface, and all that follows from it. For one thread.
      *
      * @param scene whose shading is physical, with a pass of caustics
      * @param seed of all random numbers

@@ -10,8 +10,8 @@ import enlightenment.surroundings.Surroundings;
 
 /**
  * Starts light paths as light is emitted: a light by its power, a point of it by area, a direction by the cosine; from the surroundings,
- * a direction, evenly or by what comes from there, and a point of the disk across it that the ball around the scene fills. So all paths bring about the same power.
- * The densities of what was chosen are told, for whoever weighs paths against others.
+ * a direction, evenly or by what comes from there, and a point of the disk across it that the ball around the scene fills. So all paths
+ * bring about the same power. The densities of what was chosen are told, for whoever weighs paths against others.
  */
 final class LightSource extends PathSource {
     private final LightStarts starts;

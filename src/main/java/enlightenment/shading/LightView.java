@@ -78,7 +78,9 @@ final class LightView {
         }
     }
 
-    /** Its direction and distance alone, by the cosine at the vertex, where {@link SphereLight#samplesByCosine} says that it can be done. */
+    /**
+     * Its direction and distance alone, by the cosine at the vertex, where {@link SphereLight#samplesByCosine} says that it can be done.
+     */
     void directByCosine(SphereLight ball, double nx, double ny, double nz) {
         ball.directByCosine(sample, nx, ny, nz, pair[0], pair[1]);
     }

@@ -18,7 +18,7 @@ import java.util.Arrays;
  * Follows paths of light from where a {@link PathSource} starts them; at each surface that scatters light other than into single
  * directions they are connected to the eye (J. Arvo, "Backward ray tracing", 1986; P. Dutré, E. Lafortune, Y. Willems, 1993).
  *
- * <p>What is followed is importance the other way round: at a border of glass it does not change with the index of refraction.
+ * <p>Light paths carry power, not radiance: at an interface there is no factor (n/n')² ({@code Scattering.radiance} is false).
  */
 abstract class LightWalker extends LightPathTracer {
     final PhysicalScene physical;

@@ -13,8 +13,8 @@ import enlightenment.sampling.Sampler;
  */
 final class MediumVertex {
     /**
-     * The most that roulette lets go on: whoever comes the other way does not know how long the path has been, so that nothing but a part of
-     * all events can end a path in a medium that absorbs nothing.
+     * The most that roulette lets go on: whoever comes the other way does not know how long the path has been, so that nothing but a part
+     * of all events can end a path in a medium that absorbs nothing.
      */
     private static final double LARGEST_SURVIVAL = 1 - 0x1p-8;
 

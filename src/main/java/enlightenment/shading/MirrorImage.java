@@ -297,8 +297,8 @@ final class MirrorImage {
     }
 
     /**
-     * The directions, of no length in particular, to the corners of a rectangle across the axis that holds the sector of {@link #aim}, which
-     * found an image.
+     * The directions, of no length in particular, to the corners of a rectangle across the axis that holds the sector of {@link #aim},
+     * which found an image.
      *
      * @param k 0 to 3, in order
      */

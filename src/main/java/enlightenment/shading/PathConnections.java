@@ -7,10 +7,11 @@ import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
 /**
- * Connects first vertices of paths to second vertices of others. One per thread.
+ * Path reuse: connects the first vertices of a group of paths to the second vertices of the others, with the balance heuristic
+ * (P. Bekaert, M. Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002; docs/cluster-sampler.md). One per thread.
  *
- * <p>First vertices are kept by surface: what may be in the way is asked once for all vertices of a surface. And their coordinates lie side
- * by side, for loops that the compiler makes vector instructions of.
+ * <p>First vertices are grouped by surface, so that occluder candidates are found once per surface and second vertex. Their coordinates
+ * are kept in a structure of arrays, for loops that the compiler vectorizes.
  */
 public final class PathConnections {
     /** First vertices on more surfaces than this count as on one, which is none. */
@@ -59,11 +60,12 @@ public final class PathConnections {
     }
 
     /**
-     * Divides what the second vertices of paths give among the first vertices of all that see them: in proportion to the density with which a
-     * path from there would have found them.
+     * Distributes the radiance that leaves the second vertices of paths among all first vertices that see them, weighted proportionally to
+     * the density, per area, with which a path from each first vertex would have generated that second vertex. Unbiased.
      *
-     * @param paths that begin close to each other, the first of an array; some may take or give nothing
-     * @param out receives, added, what each of them takes
+     * @param paths the first of an array, as by {@link PathTracer}; not all need give or receive
+     * @param size how many of them
+     * @param out by path: red, green, blue; the radiance that the path receives is added
      */
     public void share(PathCut[] paths, int size, double[][] out) {
         findSurfaces(paths, size);

@@ -46,7 +46,10 @@ public final class PathCut {
     /** What the path brings without what leaves the second vertex. */
     final double[] own = new double[3];
 
-    /** Radiance that leaves a matte second vertex, but for its own emission; or that arrives at a rough one, but for {@link #lamp} and {@link #met}. */
+    /**
+     * Radiance that leaves a matte second vertex, but for its own emission; or that arrives at a rough one, but for {@link #lamp} and
+     * {@link #met}.
+     */
     final double[] given = new double[3];
 
     /** The light that was sampled at a rough second vertex. */
@@ -59,7 +62,9 @@ public final class PathCut {
     double onY;
     double onZ;
 
-    /** Radiance of a light that it met straight, and the density with which this would have been sampled at the vertex; 0 if it met none. */
+    /**
+     * Radiance of a light that it met straight, and the density with which this would have been sampled at the vertex; 0 if it met none.
+     */
     final double[] met = new double[3];
 
     double metDensity;

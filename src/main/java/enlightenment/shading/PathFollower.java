@@ -178,8 +178,8 @@ final class PathFollower {
     /**
      * Turns the colour of the surface that the path is at into its reflectance.
      *
-     * @param rgb the colour; receives what share of light that comes along the normal is reflected, by band; of a fluorescent surface, how much
-     *     leaves of light that has the same in all bands that there are
+     * @param rgb the colour; receives what share of light that comes along the normal is reflected, by band; of a fluorescent surface, how
+     *     much leaves of light that has the same in all bands that there are
      */
     void reflectance(Ray ray, SurfaceMaterial material, double[] rgb) {
         if (material.reradiation != null) {

@@ -36,8 +36,8 @@ final class PathHistory {
     }
 
     /**
-     * Notes that a medium scattered the path. Paths from lights that look for caustics are scattered by surfaces only: from here on the path
-     * leaves nothing to them.
+     * Notes that a medium scattered the path. Paths from lights that look for caustics are scattered by surfaces only: from here on the
+     * path leaves nothing to them.
      *
      * @param hasGathered whether light was gathered there
      */

@@ -96,11 +96,11 @@ public final class PathTracer extends EyePathTracer {
     }
 
     /**
-     * The part of the last path's value that is not left to chance: emission that is seen directly or in mirrors, and at the first matte
-     * surface the light of lamps that nothing can hide there, or that are points. No random number but the place on the film has a part in it.
+     * The deterministic part of the last path's value, which depends on the position on the film only: emission seen directly or in
+     * mirrors, and at the first matte surface the closed-form light of lamps that nothing can occlude there, and of point lights.
      *
-     * @param out receives red, green and blue
-     * @return a hash of what was met on the way, and of which lamps are hidden, in full view, or neither: but for one case in 2⁶⁴ tells all
+     * @param out receives its radiance: red, green and blue, linear
+     * @return a 64-bit hash of the surfaces that were hit, and of which lamps are hidden, fully visible or undecided there
      */
     public long certain(double[] out) {
         return value.certain(out, path.key);
@@ -237,7 +237,10 @@ public final class PathTracer extends EyePathTracer {
         return hasCausticPass && history.scatteredFirst ? 0 : mirrors == null ? 1 : mirrors.weight();
     }
 
-    /** Adds light that balls reflect to the surface if the eye sees this, or the first, in a mirror or through glass; returns whether it does. */
+    /**
+     * Adds light that balls reflect to the surface if the eye sees this, or the first, in a mirror or through glass; returns whether it
+     * does.
+     */
     private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
         if (probe != null && !history.scattered && history.isSeenByMirrors()) {
             probe.look(bsdf, path.arrive(ray, surface), path.hit, value);

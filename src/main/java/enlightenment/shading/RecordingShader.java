@@ -8,7 +8,9 @@ import enlightenment.sampling.Sampler;
 import enlightenment.sampling.SobolSampler;
 import java.util.function.BooleanSupplier;
 
-/** Another shader, of whose samples a log is kept: colours are the same to the bit. For methods that sample pixels by {@link SobolSampler}. */
+/**
+ * Another shader, of whose samples a log is kept: colours are the same to the bit. For methods that sample pixels by {@link SobolSampler}.
+ */
 public final class RecordingShader implements Shader {
     private final Shader shader;
     private final SampleLog log;

@@ -25,10 +25,12 @@ public interface Shader {
     void stopWhen(BooleanSupplier condition);
 
     /**
-     * Computes the colour seen along a camera ray.
+     * Estimates what is seen along a camera ray: display-referred colour for classic shading; for physical shading one unbiased sample of
+     * the incident radiance, or of the part of it that the shader is made for (linear, W/(m² sr), relative; with dispersion components
+     * may be negative).
      *
-     * @param ray the camera ray, within the tile; the path overwrites it
-     * @param sampler the numbers of its sample
+     * @param ray the camera ray in the frame, within the tile; overwritten
+     * @param sampler set to the pixel and the sample; its numbers are all the randomness
      * @param out receives red, green and blue
      * @throws java.util.concurrent.CancellationException once the condition of {@link #stopWhen} holds
      */

@@ -12,7 +12,9 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
-/** Whether lights are visible from a vertex of a path, and what of them the medium on the way, and glass that does not turn rays, let pass. */
+/**
+ * Whether lights are visible from a vertex of a path, and what of them the medium on the way, and glass that does not turn rays, let pass.
+ */
 final class ShadowRays {
     private final PathFollower path;
     private final Hit hit;

@@ -10,8 +10,8 @@ package enlightenment.shading;
 final class WalkEnd {
     /**
      * From this event on the share of paths that are still followed falls as the inverse root of the number of events. A path in a medium
-     * that absorbs nothing ends only outside of it, and leaves a thick one after n events with a probability that falls as n^(−3/2): so both
-     * the events of a path and its squared weight have a mean that grows as the logarithm of the medium's thickness.
+     * that absorbs nothing ends only outside of it, and leaves a thick one after n events with a probability that falls as n^(−3/2): so
+     * both the events of a path and its squared weight have a mean that grows as the logarithm of the medium's thickness.
      */
     private static final int LONG = 64;
 

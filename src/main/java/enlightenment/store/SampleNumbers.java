@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Numbers the samples of each pixel from 0 on, in their order: through all passes over its tile, which are units of their own with consecutive
- * numbers. Where units are missing the numbers close up.
+ * Numbers the samples of each pixel from 0 on, in their order: through all passes over its tile, which are units of their own with
+ * consecutive numbers. Where units are missing the numbers close up.
  */
 final class SampleNumbers {
     /** Passes are over tiles with fewer pixels; of what a store says there may be any number. */

@@ -70,10 +70,11 @@ public final class Sun {
     }
 
     /**
-     * Chooses a direction in the disk, evenly.
+     * Samples a direction uniformly in the solid angle of the disk; {@link #density} is the density.
      *
-     * @param numbers two in 0..1
-     * @param out receives a unit vector
+     * @param u uniform in [0, 1)
+     * @param v uniform in [0, 1), independent of u
+     * @param out receives the unit vector towards the sun
      */
     public void sample(double u, double v, double[] out) {
         Warp.toDisk(u, v, out);

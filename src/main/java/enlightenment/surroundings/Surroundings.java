@@ -148,7 +148,7 @@ public final class Surroundings {
         return table.isBlack();
     }
 
-    /** The integral of radiance over all directions: the sum of all bands. */
+    /** The integral of radiance over all directions, in W/m² (relative), sum of the bands, the sun included. */
     public double power() {
         return table.total + ofSun();
     }
@@ -187,12 +187,12 @@ public final class Surroundings {
     }
 
     /**
-     * Chooses a direction about in proportion to what comes from there, without the sun. Not if {@link #isBlack}.
+     * Samples a direction approximately proportionally to radiance (sum of the bands), without the sun. Not if {@link #isBlack}.
      *
-     * @param u a number in 0..1
-     * @param v another
-     * @param out receives a unit vector
-     * @return the density per solid angle
+     * @param u uniform in [0, 1)
+     * @param v uniform in [0, 1), independent of u
+     * @param out receives the unit vector towards where the light comes from
+     * @return the density per solid angle, greater than 0
      */
     public double sample(double u, double v, double[] out) {
         double density = table.sample(u, v, out);

@@ -20,7 +20,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Methods that only the tests have, one of either kind and one of both, make the same bytes whatever way the command line takes with them. */
+/**
+ * Methods that only the tests have, one of either kind and one of both, make the same bytes whatever way the command line takes with them.
+ */
 class ToyMethodsCommandTest {
     @TempDir
     Path folder;

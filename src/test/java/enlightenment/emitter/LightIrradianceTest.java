@@ -139,7 +139,9 @@ class LightIrradianceTest {
         assertEquals(expected, halves, 3e-12 * expected);
     }
 
-    /** Rectangles have a form of their own where the horizon does not cut them; near ones also where an edge covers more than 60° or 120°. */
+    /**
+     * Rectangles have a form of their own where the horizon does not cut them; near ones also where an edge covers more than 60° or 120°.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0.05, 0.2, 0.3, 0.6, 1, 3, 10, 100, 500, 520, 1000, 1e6})
     void rectanglesNearAndFarGiveTheIntegralOverTheirAreaOrTheSumOfTheirHalves(double distance) {

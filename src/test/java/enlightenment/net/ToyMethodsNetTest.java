@@ -21,7 +21,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Methods that only the tests have, one of either kind and one of both, make the same bytes on many machines, and where they were interrupted. */
+/**
+ * Methods that only the tests have, one of either kind and one of both, make the same bytes on many machines, and where they were
+ * interrupted.
+ */
 class ToyMethodsNetTest {
     private static final Scene SCENE = ToyScene.scene();
 

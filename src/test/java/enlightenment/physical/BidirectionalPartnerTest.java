@@ -10,7 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Paths from both ends make the picture that naive paths from the eye make, and that is known: the same tests as {@link NaivePartnerTest}. */
+/**
+ * Paths from both ends make the picture that naive paths from the eye make, and that is known: the same tests as {@link NaivePartnerTest}.
+ */
 class BidirectionalPartnerTest {
     private static final Map<String, Scene> SCENES = PartnerScenes.of(BuiltInMethod.BIDIRECTIONAL);
 

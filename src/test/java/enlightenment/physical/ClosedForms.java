@@ -46,7 +46,10 @@ final class ClosedForms {
             return name;
         }
 
-        /** Fails unless the picture shows the light: six standard errors of twelve means, a chance of 1e-4 to fail by Student's distribution. */
+        /**
+         * Fails unless the picture shows the light: six standard errors of twelve means, a chance of 1e-4 to fail by Student's
+         * distribution.
+         */
         void assertShown(RenderSettings settings) {
             List<Image> pictures = Rendered.seeds(scene, settings, 1, 12);
             for (int band = 0; band < radiance.length; band++) {

@@ -41,7 +41,9 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Matter and surroundings with numbers at the ends of their ranges: every method makes a picture of numbers, in a bounded number of steps. */
+/**
+ * Matter and surroundings with numbers at the ends of their ranges: every method makes a picture of numbers, in a bounded number of steps.
+ */
 class ExtremeMatterTest {
     private static final int SIDE = 8;
 

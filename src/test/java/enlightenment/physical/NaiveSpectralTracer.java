@@ -11,9 +11,9 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 
 /**
- * As {@link NaiveTracer}, one wavelength at a time: a path begins with the wavelength that is seen, and where a fluorescent surface may have
- * changed it, with a wavelength that was absorbed there. No matrix, and no bands but those in which a scene says how much light there is
- * and what surfaces reflect. Knows matte, fluorescent, mirroring and glass surfaces, and lights with extent by their radiance.
+ * As {@link NaiveTracer}, one wavelength at a time: a path begins with the wavelength that is seen, and where a fluorescent surface may
+ * have changed it, with a wavelength that was absorbed there. No matrix, and no bands but those in which a scene says how much light there
+ * is and what surfaces reflect. Knows matte, fluorescent, mirroring and glass surfaces, and lights with extent by their radiance.
  */
 final class NaiveSpectralTracer {
     private static final int CHUNKS = 32;

@@ -17,8 +17,9 @@ import java.util.stream.IntStream;
 
 /**
  * The rendering equation solved the slow way: paths go back from the eye until they happen to meet a light. No light is aimed at
- * (but for lights without extent, which nobody can meet, and their images in panes), nothing is known in closed form, no path is ended before its fiftieth
- * event, and nothing of the renderer is used but the description of the scene. So it makes the same picture only if both are right.
+ * (but for lights without extent, which nobody can meet, and their images in panes), nothing is known in closed form, no path is ended
+ * before its fiftieth event, and nothing of the renderer is used but the description of the scene. So it makes the same picture only if
+ * both are right.
  *
  * <p>Scenes have a size of about 1, and no surfaces that coincide.
  */

@@ -103,8 +103,9 @@ class SmallImagesTest {
     }
 
     /**
-     * A box and a ball of glass reflect some hundredths of a lamp behind the eye. With one event nothing comes through. In the flat face it is seen
-     * in the distance d at the angle a, at both of which Fresnel's share hardly differs from that at right angles: a pixel of side s has L R Ω / (s² cos³ a).
+     * A box and a ball of glass reflect some hundredths of a lamp behind the eye. With one event nothing comes through. In the flat face it
+     * is seen in the distance d at the angle a, at both of which Fresnel's share hardly differs from that at right angles: a pixel of side
+     * s has L R Ω / (s² cos³ a).
      */
     @Test
     void glassReflectsLampsOnce() {

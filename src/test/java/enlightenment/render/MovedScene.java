@@ -26,7 +26,8 @@ import java.util.function.UnaryOperator;
 
 /**
  * The same scene in other coordinates: every position goes through one function, every length through another. Power and intensity
- * grow with areas and absorption falls with lengths, so that all radiance stays; in classic shading, which looks at neither, they stay as they are.
+ * grow with areas and absorption falls with lengths, so that all radiance stays; in classic shading, which looks at neither, they stay as
+ * they are.
  */
 final class MovedScene {
     private final UnaryOperator<BigDecimal> coordinate;

@@ -29,7 +29,10 @@ class LobeSharesTest {
         private final SobolSampler sampler = new SobolSampler();
         private final Ray ray = new Ray();
 
-        /** Sums over groups of what their paths are worth whole, cut but alone, and shared; and of the squares of the differences from whole. */
+        /**
+         * Sums over groups of what their paths are worth whole, cut but alone, and shared; and of the squares of the differences from
+         * whole.
+         */
         private final double[] sums = new double[3];
 
         private final double[] differences = new double[3];

@@ -47,7 +47,9 @@ final class TestWriter {
         return builder.start();
     }
 
-    /** Reads what a writer says, up to the end or until it has said so many lines, when it is killed; returns the last unit that is safe. */
+    /**
+     * Reads what a writer says, up to the end or until it has said so many lines, when it is killed; returns the last unit that is safe.
+     */
     static int lastSafe(Process writer, int lines) {
         int last = -1;
         try (BufferedReader in =

@@ -45,8 +45,8 @@ class DaylightTest {
     }
 
     /**
-     * The solar illuminance constant is 128 to 134 klx by various authors, and sunlight outside the atmosphere has x = 0.323, y = 0.333; the
-     * published table of the sun's spectrum is a little bluer.
+     * The solar illuminance constant is 128 to 134 klx by various authors, and sunlight outside the atmosphere has x = 0.323, y = 0.333;
+     * the published table of the sun's spectrum is a little bluer.
      */
     @Test
     void outsideOfTheAtmosphereTheSunIsAsBrightAsIsKnown() {

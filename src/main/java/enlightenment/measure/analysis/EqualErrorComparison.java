@@ -92,8 +92,8 @@ public record EqualErrorComparison(double error, boolean smallest, boolean best,
     }
 
     /**
-     * The smallest errors that two, three, ... methods were all measured at: each the largest of the smallest ones of its methods. One of them
-     * may have gone below the reference's own error, where nothing is known of how far.
+     * The smallest errors that two, three, ... methods were all measured at: each the largest of the smallest ones of its methods. One of
+     * them may have gone below the reference's own error, where nothing is known of how far.
      */
     private static Set<Double> smallest(List<List<MeasuredCosts>> methods) {
         double[] reached = methods.stream()

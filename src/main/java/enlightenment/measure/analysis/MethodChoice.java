@@ -29,8 +29,8 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
      * @param largest the largest error compared
      * @param smallest the smallest one
      * @param methods the fastest; more than one where their times are alike
-     * @param rivals the fastest of the other methods at the smallest error that one was measured at, and the method that is used by default, if
-     *     it is another one; empty where no other was measured in this range and found slower
+     * @param rivals the fastest of the other methods at the smallest error that one was measured at, and the method that is used by
+     *     default, if it is another one; empty where no other was measured in this range and found slower
      * @param alone the largest of these errors that no other method was measured to reach
      */
     public record Range(

@@ -82,7 +82,10 @@ public record TradeSettings(
         return Math.max(SECONDS_PER_METHOD * methods, FEWEST_SECONDS);
     }
 
-    /** All methods of this program that can render a shading, the usual {@link #budgetSeconds}, {@link #SEEDS}, no sweeps, and a reference to be made. */
+    /**
+     * All methods of this program that can render a shading, the usual {@link #budgetSeconds}, {@link #SEEDS}, no sweeps, and a reference
+     * to be made.
+     */
     public static TradeSettings of(RenderSettings base, Shading.Model shading, String sceneKey) {
         List<String> methods = Method.words(BuiltInMethod.rendering(shading));
         return new TradeSettings(

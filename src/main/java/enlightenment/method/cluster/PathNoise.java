@@ -271,7 +271,10 @@ final class PathNoise {
         }
     }
 
-    /** What a deviation of a sample shows, as large as that of the mean of the pixel's samples: multiplied by the root of their number again. */
+    /**
+     * What a deviation of a sample shows, as large as that of the mean of the pixel's samples: multiplied by the root of their number
+     * again.
+     */
     private double shown(double deviation, int c) {
         return root * (curve.nearly(level[c] + deviation / root) - shownLevel[c]);
     }

@@ -1,10 +1,10 @@
 package enlightenment.method.cluster;
 
 /**
- * How many samples a pixel of physical light gets. The variance of the mean of n samples is noise/n, as of independent ones, plus edge/n^1.5
- * where an edge passes through the pixel, of which well-distributed samples leave less. Spending a given number where they reduce the whole
- * picture's error most means noise/n² + 1.5 edge/n^2.5 = 1/effort, with the same effort everywhere; here as the nearest power of two,
- * since these are the numbers for which the points are best distributed.
+ * How many samples a pixel of physical light gets. The variance of the mean of n samples is noise/n, as of independent ones, plus
+ * edge/n^1.5 where an edge passes through the pixel, of which well-distributed samples leave less. Spending a given number where they
+ * reduce the whole picture's error most means noise/n² + 1.5 edge/n^2.5 = 1/effort, with the same effort everywhere; here as the nearest
+ * power of two, since these are the numbers for which the points are best distributed.
  */
 final class PhysicalAllocation {
     private static final int MOST_SAMPLES = 24;

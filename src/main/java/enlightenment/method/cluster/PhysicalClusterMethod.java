@@ -22,8 +22,8 @@ import java.util.function.BooleanSupplier;
  */
 public final class PhysicalClusterMethod implements TileIntegrator {
     /**
-     * Side, in pixels, of the blocks whose pixels learn from each other: from larger ones than in classic shading, for what paths of a block
-     * share is the same in many pixels, and the eye sees that the less the more pixels lie between them (docs/cluster-sampler.md).
+     * Side, in pixels, of the blocks whose pixels learn from each other and share paths: 16. Larger than in classic shading, because the
+     * errors of pixels that share paths are correlated, which is less visible the farther apart they lie (docs/cluster-sampler.md).
      */
     public static final int BLOCK_SIDE = 2 * FilmTile.BLOCK_SIDE;
 
@@ -38,7 +38,9 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     /** Binary logarithm of the largest number of first paths; more would tell little more. */
     private static final int MOST_FIRST = 4;
 
-    /** Binary logarithm of the largest number of samples that a path's deviation is thought to be spread over: then it shows in proportion. */
+    /**
+     * Binary logarithm of the largest number of samples that a path's deviation is thought to be spread over: then it shows in proportion.
+     */
     private static final int MOST_SPREAD = 6;
 
     private final CompiledScene scene;

@@ -5,17 +5,17 @@ import enlightenment.shading.PathCut;
 import java.util.Arrays;
 
 /**
- * Whether it pays that the paths of a block share what they bring: where all bring about the same, as in a furnace, they only become
- * different by it; and where lobes are narrow no path is of much use to another, but all are asked.
+ * Decides whether path reuse pays in a block: where all paths have about the same value, as in a furnace, it only adds variance through
+ * the weights; and where lobes are narrow, connections contribute little but cost BSDF evaluations.
  *
- * <p>Of a path's value alone and of what sharing makes of it the mean is the same, so that the difference of the mean squares is that of the
- * variances. What is told of black fields decides about white ones, and the other way round, as in {@link PathNoise}; so what is decided
- * does not depend on what it is decided about.
+ * <p>A path's value with and without reuse has the same expectation, so the difference of the second moments is that of the variances.
+ * Black pixels of the chessboard decide for white ones and vice versa, as in {@link PathNoise}, so that no decision depends on the
+ * pixel's own samples.
  */
 final class SharingGain {
     /**
-     * What it costs to ask a rough surface what it makes of light between two directions, by what a scattering event of a path costs: measured
-     * in rooms with metals and with rough walls, 1/45 to 1/22 (docs/cluster-sampler.md).
+     * What it costs to ask a rough surface what it makes of light between two directions, by what a scattering event of a path costs:
+     * measured in rooms with metals and with rough walls, 1/45 to 1/22 (docs/cluster-sampler.md).
      */
     private static final double COST = 1 / 32.0;
 

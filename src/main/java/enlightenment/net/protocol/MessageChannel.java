@@ -14,8 +14,8 @@ import java.util.Deque;
 
 /**
  * Messages over one connection. One thread receives; messages to be sent wait in a bounded queue for a thread of the channel's
- * own, which {@link #begin} starts. {@link #check}, called several times a second, ends the channel where a deadline is missed: closing the plain socket
- * ends every read and write, whatever TLS is about.
+ * own, which {@link #begin} starts. {@link #check}, called several times a second, ends the channel where a deadline is missed: closing the
+ * plain socket ends every read and write, whatever TLS is about.
  */
 public final class MessageChannel implements Closeable {
     private static final int BUFFER = 1 << 16;

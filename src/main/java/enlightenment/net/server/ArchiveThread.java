@@ -6,8 +6,9 @@ import java.util.Queue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Does what archives are asked for, in order, on a thread of its own: whoever asks holds the server's lock and does not wait for a database. What
- * waits is bounded; only where that is reached does whoever asks wait. The thread is never interrupted, since files that it writes would be closed.
+ * Does what archives are asked for, in order, on a thread of its own: whoever asks holds the server's lock and does not wait for a
+ * database. What waits is bounded; only where that is reached does whoever asks wait. The thread is never interrupted, since files that it
+ * writes would be closed.
  */
 final class ArchiveThread implements AutoCloseable {
     private static final long TICK_NANOS = 200_000_000L;

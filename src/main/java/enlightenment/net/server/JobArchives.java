@@ -12,8 +12,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * The archives of a job. One that fails is not used any more: the picture is worth more than what is kept of it. From {@link #start} on they are
- * written by a thread of their own.
+ * The archives of a job. One that fails is not used any more: the picture is worth more than what is kept of it. From {@link #start} on
+ * they are written by a thread of their own.
  */
 final class JobArchives implements AutoCloseable {
     static final JobArchives NONE = new JobArchives(List.of(), line -> {});

@@ -215,8 +215,8 @@ public final class ServerJob implements Closeable {
     }
 
     /**
-     * Goes on from archives, after the checkpoint, gives each what the other has, and keeps in them what is done from now on; of a job of one
-     * picture.
+     * Goes on from archives, after the checkpoint, gives each what the other has, and keeps in them what is done from now on; of a job of
+     * one picture.
      */
     public void keepIn(List<ResultArchive> all) {
         if (all.isEmpty()) {

@@ -22,8 +22,8 @@ import java.util.TreeMap;
  * and a difference that is no decimal is no number halfway between two doubles either, and cannot be so close to one
  * that 10^-1600 matters. (A fraction whose denominator is a product of two lengths of time and 10^k differs from a
  * multiple of 2^-2150, which no double's halves go below even in a scene's frame, by 10^-(k + 666) or not at all. A length of
- * time is the third power of up to 2^40 · 10^20, where a shutter is open and motion is smooth: then it is 10^-(k + 850). That holds for keys
- * and coordinates of up to 700 decimals.)
+ * time is the third power of up to 2^40 · 10^20, where a shutter is open and motion is smooth: then it is 10^-(k + 850). That holds for
+ * keys and coordinates of up to 700 decimals.)
  */
 final class Tracks {
     /** Where a number between keys that is no decimal is cut. */

@@ -2,16 +2,21 @@ package enlightenment.method.cluster;
 
 import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
+import enlightenment.sampling.Hash;
 
 /**
- * Some of the pixels of a block that are fields of one colour, were it a chessboard, and lie in fields of one colour of a chessboard of
- * 2 × 2 pixels: so the groups lie between each other. Mutable, one per thread.
+ * A quarter of the pixels of a block: of each 2 × 2 pixels one. Two groups have the pixels that are fields of one colour, were the block a
+ * chessboard; which of the two fields of its colour in 2 × 2 pixels a group has is drawn for each of these. So groups are interleaved,
+ * their errors average out over few pixels, and there is no pattern that the eye could follow. Mutable, one per thread.
  */
 final class PixelGroup {
     /** How many groups a block has: two of each colour. */
     static final int COUNT = 4;
 
     private static final int COLOURS = 2;
+
+    /** Keeps what is drawn here apart from all other random numbers. */
+    private static final long PURPOSE = 0x67726F757073L;
 
     /** How many pixels a group has at most. */
     static final int MOST_MEMBERS = PhysicalClusterMethod.PIXELS / COUNT;
@@ -33,16 +38,21 @@ final class PixelGroup {
     void gather(Block of, int number) {
         block = of;
         field = number % COLOURS;
-        int half = number / COLOURS;
+        int second = number / COLOURS;
         members = 0;
         for (int j = 0; j < block.height(); j++) {
             for (int i = (j ^ field) & 1; i < block.width(); i += COLOURS) {
-                if (((i ^ j) >> 1 & 1) == half) {
+                if (((j ^ turn(block.x() + i >> 1, block.y() + j >> 1)) & 1) == second) {
                     column[members] = i;
                     row[members++] = j;
                 }
             }
         }
+    }
+
+    /** 0 or 1: whether the first group of the colour has the upper or the lower field of it in these 2 × 2 pixels of the picture. */
+    private int turn(int x, int y) {
+        return (int) (Hash.of(PURPOSE, x, y) >>> field) & 1;
     }
 
     /** The column of a member in the whole picture. */

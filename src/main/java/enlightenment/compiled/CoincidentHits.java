@@ -20,9 +20,16 @@ public final class CoincidentHits {
     private final CompiledScene scene;
     private final Ray probe = new Ray();
     private final Hit own = new Hit();
+    private final Hit leftHit = new Hit();
     private int[] ids = new int[4];
     private Hit[] hits = {new Hit(), new Hit(), new Hit(), new Hit()};
     private int size;
+
+    /** Opaque surfaces in the same place that the ray starts on, so that it is on its way from them to the first surface: by their ids. */
+    private int[] left = new int[2];
+
+    private int[] leftSides = new int[2];
+    private int leftCount;
 
     /** No surfaces yet. */
     public CoincidentHits(CompiledScene scene) {
@@ -32,25 +39,64 @@ public final class CoincidentHits {
     /** Removes all surfaces. */
     public void clear() {
         size = 0;
+        leftCount = 0;
     }
 
     /** Finds the surfaces that coincide with a hit; that of the hit itself comes first. */
     public void find(Ray ray, int id, Hit hit) {
-        size = 0;
+        clear();
         add(id, hit);
         int[] entries = scene.coincident.of(id);
         for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
-            int other = entries[k + 1];
-            if (entries[k] == hit.face
-                    && scene.coincident.isNear(id, k / CoincidentSurfaces.ENTRY, hit.px, hit.py, hit.pz)
-                    && !leaves(ray, scene.primitives[other])) {
-                probe(
-                        other,
+            int entry = k / CoincidentSurfaces.ENTRY;
+            if (entries[k] == hit.face && scene.coincident.isNear(id, entry, hit.px, hit.py, hit.pz)) {
+                findOther(
+                        ray,
+                        entries[k + 1],
                         entries[k + 2],
-                        REACH * scene.coincident.tolerancesOf(id)[k / CoincidentSurfaces.ENTRY],
+                        REACH * scene.coincident.tolerancesOf(id)[entry],
                         hit);
             }
         }
+    }
+
+    private void findOther(Ray ray, int other, int face, double reach, Hit hit) {
+        Primitive p = scene.primitives[other];
+        if (!leaves(ray, p)) {
+            probe(other, face, reach, hit);
+        } else if (!scene.isGlass(other, face)) {
+            int before = size;
+            probe(other, face, reach, hit);
+            if (size > before) {
+                size = before;
+                addLeft(other, ray.sideOf(p));
+            }
+        }
+    }
+
+    private void addLeft(int id, int side) {
+        if (leftCount == left.length) {
+            left = Arrays.copyOf(left, 2 * leftCount);
+            leftSides = Arrays.copyOf(leftSides, 2 * leftCount);
+        }
+        left[leftCount] = id;
+        leftSides[leftCount++] = side;
+        hits[size].side = side;
+        leftHit.set(hits[size]);
+    }
+
+    /**
+     * The opaque surface in the same place that the ray starts on, or -1: light that the first surface throws back comes to it again, as if a
+     * hair of air were between them.
+     *
+     * @param out receives where that is, if there is one
+     */
+    public int left(Hit out) {
+        if (leftCount == 0) {
+            return -1;
+        }
+        out.set(leftHit);
+        return left[leftCount - 1];
     }
 
     /** Whether no surface can coincide with a hit. False where in doubt: it is to save the search mostly. */
@@ -212,7 +258,8 @@ public final class CoincidentHits {
     }
 
     /**
-     * Starts a ray that leaves the first surface on all others of glass as well, and, if it stays on its side, on opaque ones.
+     * Starts a ray that leaves the first surface on all others of glass as well, and, if it stays on its side, on opaque ones; if it passes,
+     * on those that it had left before.
      *
      * @param sign 1 if it stays, -1 if it passes
      */
@@ -221,6 +268,9 @@ public final class CoincidentHits {
             if (sign > 0 || isGlass(k)) {
                 ray.alsoFrom(scene.primitives[ids[k]], sign * hits[k].side);
             }
+        }
+        for (int k = 0; sign < 0 && k < leftCount; k++) {
+            ray.alsoFrom(scene.primitives[left[k]], leftSides[k]);
         }
     }
 

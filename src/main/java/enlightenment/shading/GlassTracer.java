@@ -172,9 +172,7 @@ final class GlassTracer {
         lost = false;
         if (straight && panesReflect && isReflectedByPane(ray, hit)) {
             straight = false;
-            stay();
-            counters.mirrorRays++;
-            coincident.startOn(ray, 1);
+            reflect(ray);
             return false;
         }
         if (straight) {
@@ -188,10 +186,16 @@ final class GlassTracer {
             coincident.startOn(ray, -1);
             return true;
         }
-        stay();
+        reflect(ray);
+        return false;
+    }
+
+    /** Undoes the crossing of borders: the ray stays on its side, and comes back to what is opaque there if it has just left that. */
+    private void reflect(Ray ray) {
+        inside.set(saved);
+        next = coincident.left(nextHit);
         counters.mirrorRays++;
         coincident.startOn(ray, 1);
-        return false;
     }
 
     /** Crosses all borders, and finds the one that counts. */
@@ -228,12 +232,6 @@ final class GlassTracer {
         Optics.pass(ray, hit);
         coincident.startOn(ray, -1);
         return share;
-    }
-
-    /** Undoes the crossing of borders: the ray stays on its side. */
-    private void stay() {
-        inside.set(saved);
-        next = NONE;
     }
 
     private boolean isReflectedByPane(Ray ray, Hit hit) {

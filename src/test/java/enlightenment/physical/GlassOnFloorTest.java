@@ -1,0 +1,58 @@
+package enlightenment.physical;
+
+import static enlightenment.physical.PhysicalScenes.at;
+import static enlightenment.physical.PhysicalScenes.linear;
+import static enlightenment.physical.PhysicalScenes.matte;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import enlightenment.camera.Camera;
+import enlightenment.geometry.Box;
+import enlightenment.image.Image;
+import enlightenment.material.Material;
+import enlightenment.math.Vec3;
+import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A solid of glass that stands on a surface: light crosses their common face in both directions, as if a hair of air were between. */
+class GlassOnFloorTest {
+    private static final int SIDE = 8;
+
+    private static double mean(BuiltInMethod method, double reflectance, double gap, double roughness) {
+        Scene scene = PhysicalScenes.view(SIDE, SIDE)
+                .camera(new Camera.Perspective(at(0, 6, -0.5), at(0, 0, 0), Vec3.Z, 12))
+                .shading(PhysicalScenes.atMost(100, 1))
+                .object(
+                        TestScenes.rectangle(-6, -gap, -6, -6, -gap, 6, 6, -gap, 6, 6, -gap, -6),
+                        matte(reflectance, reflectance, reflectance))
+                .object(
+                        new Box(at(-1, 0, -1), at(1, 1, 1)),
+                        new Material.Glass(linear(1, 1, 1), 1.5, 1, 0, true).withRoughness(roughness))
+                .build();
+        RenderSettings settings = RenderSettings.of(scene).withMethod(method).withAntialias(16);
+        Image image = Renderer.render(scene, settings);
+        double sum = 0;
+        for (int k = 0; k < SIDE * SIDE; k++) {
+            sum += image.component(k % SIDE, k / SIDE, 0);
+        }
+        return sum / (SIDE * SIDE);
+    }
+
+    /** Nothing absorbs, and the surroundings are the same everywhere: all is as bright as they. What roulette adds is below a percent. */
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE", "CLUSTER", "BIDIRECTIONAL"})
+    void aWhiteFurnaceShowsNothing(BuiltInMethod method) {
+        assertEquals(1, mean(method, 1, 0, 0), 0.02);
+    }
+
+    /** Sixteen thousand paths, of about the mean of the surroundings each. */
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE, 0", "RAYTRACE, 0.5", "BIDIRECTIONAL, 0", "CLUSTER, 0.5"})
+    void contactIsTheLimitOfAThinGap(BuiltInMethod method, double roughness) {
+        assertEquals(mean(method, 0.7, 1e-6, roughness), mean(method, 0.7, 0, roughness), 0.015);
+    }
+}

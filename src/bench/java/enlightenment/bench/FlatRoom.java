@@ -1,5 +1,6 @@
 package enlightenment.bench;
 
+import enlightenment.frame.Basis;
 import enlightenment.sampling.Sampler;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.sampling.Warp;
@@ -53,6 +54,7 @@ final class FlatRoom {
     private final SobolSampler sampler = new SobolSampler();
     private final double[] pair = new double[2];
     private final double[] disk = new double[3];
+    private final Basis basis = new Basis();
 
     /** Of the last hit. */
     private double distance;
@@ -62,15 +64,6 @@ final class FlatRoom {
 
     private double green;
     private double blue;
-
-    /** Two unit vectors that are perpendicular to each other and to what they were made for. */
-    private double aX;
-
-    private double aY;
-    private double aZ;
-    private double bX;
-    private double bY;
-    private double bZ;
 
     /** The mean radiance of the green band over a picture. */
     double mean(int width, int height, int samples) {
@@ -172,11 +165,11 @@ final class FlatRoom {
                 blue = Math.fma(throughBlue, share, blue);
                 sampler.pair(vertex, Sampler.Purpose.DIRECTION, pair);
                 Warp.toDisk(pair[0], pair[1], disk);
-                toBasis(nx, ny, nz);
+                basis.around(nx, ny, nz);
                 double up = Math.sqrt(Math.max(1 - disk[2], 0));
-                dx = disk[0] * aX + disk[1] * bX + up * nx;
-                dy = disk[0] * aY + disk[1] * bY + up * ny;
-                dz = disk[0] * aZ + disk[1] * bZ + up * nz;
+                dx = disk[0] * basis.ax + disk[1] * basis.bx + up * nx;
+                dy = disk[0] * basis.ay + disk[1] * basis.by + up * ny;
+                dz = disk[0] * basis.az + disk[1] * basis.bz + up * nz;
             } else {
                 double twice = 2 * (dx * nx + dy * ny + dz * nz);
                 dx -= twice * nx;
@@ -319,10 +312,10 @@ final class FlatRoom {
             double x, double y, double z, double wx, double wy, double wz, int from, int vertex) {
         sampler.pair(vertex, Sampler.Purpose.LIGHT, pair);
         Warp.toDisk(pair[0], pair[1], disk);
-        toBasis(wx, wy, wz);
-        double px = LAMP_X + LAMP_RADIUS * (disk[0] * aX + disk[1] * bX) - x;
-        double py = LAMP_Y + LAMP_RADIUS * (disk[0] * aY + disk[1] * bY) - y;
-        double pz = LAMP_Z + LAMP_RADIUS * (disk[0] * aZ + disk[1] * bZ) - z;
+        basis.around(wx, wy, wz);
+        double px = LAMP_X + LAMP_RADIUS * (disk[0] * basis.ax + disk[1] * basis.bx) - x;
+        double py = LAMP_Y + LAMP_RADIUS * (disk[0] * basis.ay + disk[1] * basis.by) - y;
+        double pz = LAMP_Z + LAMP_RADIUS * (disk[0] * basis.az + disk[1] * basis.bz) - z;
         double length = Math.sqrt(px * px + py * py + pz * pz);
         double scale = 1 / length;
         for (int k = 0; k < BALLS; k++) {
@@ -355,18 +348,5 @@ final class FlatRoom {
         }
         double q = sine * Math.sqrt(Math.max(0, 1 - y * y));
         return (cosine * Math.acos(y) - x * q) / (radii * radii) + Math.atan(q / x);
-    }
-
-    /** After T. Duff et al., "Building an orthonormal basis, revisited", 2017. */
-    private void toBasis(double x, double y, double z) {
-        double sign = Math.copySign(1.0, z);
-        double p = -1 / (sign + z);
-        double q = x * y * p;
-        aX = 1 + sign * x * x * p;
-        aY = sign * q;
-        aZ = -sign * x;
-        bX = q;
-        bY = sign + y * y * p;
-        bZ = -y;
     }
 }

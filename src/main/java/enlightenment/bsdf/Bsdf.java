@@ -18,6 +18,11 @@ public sealed interface Bsdf
     /** Whether light passes through the surface. */
     boolean transmits();
 
+    /** Whether a surface whose colour is black reflects light all the same. */
+    default boolean reflectsIfBlack() {
+        return false;
+    }
+
     /**
      * Evaluates the non-delta lobes for the directions o and i: sets f·|cosθ|, θ the angle between i and the normal, for each colour
      * component (1/sr), and {@link #pdf}. Both are 0 if all lobes are delta lobes. The sign of the cosine of i tells reflection (positive)

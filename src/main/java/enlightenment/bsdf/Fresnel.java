@@ -7,6 +7,9 @@ import enlightenment.color.Rgb;
  * from the surface's colour, or by Fresnel's equations of a metal times that colour.
  */
 public final class Fresnel {
+    /** Metals of a larger index reflect all light, up to rounding, and their fourth powers could overflow. */
+    private static final double LARGEST = 0x1p100;
+
     /**
      * The surface's colour F₀ at normal incidence, white at grazing incidence: F₀ + (1 − F₀)(1 − c)⁵ (C. Schlick, "An inexpensive BRDF
      * model for physically-based rendering", 1994).
@@ -46,7 +49,16 @@ public final class Fresnel {
         if (!(Math.min(Math.min(k.r(), k.g()), k.b()) >= 0)) {
             throw new IllegalArgumentException("extinction " + k);
         }
-        return new Fresnel(eta, k);
+        return new Fresnel(bounded(eta), bounded(k));
+    }
+
+    private static Rgb bounded(Rgb index) {
+        return new Rgb(Math.min(index.r(), LARGEST), Math.min(index.g(), LARGEST), Math.min(index.b(), LARGEST));
+    }
+
+    /** Whether light is reflected where the colour is black: by Schlick's approximation, at grazing angles. */
+    boolean reflectsIfBlack() {
+        return eta == null;
     }
 
     /** Sets the value to the reflectance at the cosine c, 0..1, of arrival. */

@@ -32,6 +32,11 @@ public final class GlossyReflection implements Bsdf {
     }
 
     @Override
+    public boolean reflectsIfBlack() {
+        return fresnel.reflectsIfBlack();
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

@@ -14,6 +14,11 @@ public final class SmoothConductor implements DeltaBsdf {
     }
 
     @Override
+    public boolean reflectsIfBlack() {
+        return fresnel.reflectsIfBlack();
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

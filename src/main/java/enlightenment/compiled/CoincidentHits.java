@@ -31,6 +31,9 @@ public final class CoincidentHits {
     private int[] leftSides = new int[2];
     private int leftCount;
 
+    /** Whether the ray starts on borders of solids of glass in the same place, so that it is on its way out of them to the first surface. */
+    private boolean leftGlass;
+
     /** No surfaces yet. */
     public CoincidentHits(CompiledScene scene) {
         this.scene = scene;
@@ -40,6 +43,7 @@ public final class CoincidentHits {
     public void clear() {
         size = 0;
         leftCount = 0;
+        leftGlass = false;
     }
 
     /** Finds the surfaces that coincide with a hit; that of the hit itself comes first. */
@@ -64,13 +68,22 @@ public final class CoincidentHits {
         Primitive p = scene.primitives[other];
         if (!leaves(ray, p)) {
             probe(other, face, reach, hit);
-        } else if (!scene.isGlass(other, face)) {
-            int before = size;
-            probe(other, face, reach, hit);
-            if (size > before) {
-                size = before;
-                addLeft(other, ray.sideOf(p));
-            }
+            return;
+        }
+        boolean isGlass = scene.isGlass(other, face);
+        if (isGlass && !p.isSolid()) {
+            return;
+        }
+        int before = size;
+        probe(other, face, reach, hit);
+        if (size == before) {
+            return;
+        }
+        size = before;
+        if (isGlass) {
+            leftGlass = true;
+        } else {
+            addLeft(other, ray.sideOf(p));
         }
     }
 
@@ -97,6 +110,16 @@ public final class CoincidentHits {
         }
         out.set(leftHit);
         return left[leftCount - 1];
+    }
+
+    /** Whether the ray starts on an opaque surface in the same place: what stays on its side comes to that again at once. */
+    public boolean hasLeftOpaque() {
+        return leftCount > 0;
+    }
+
+    /** Whether the ray left solids of glass in the same place: what stays on its side enters them again at once. */
+    public boolean hasLeftGlass() {
+        return leftGlass;
     }
 
     /** Whether no surface can coincide with a hit. False where in doubt: it is to save the search mostly. */

@@ -6,6 +6,7 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.SupportSurface;
+import java.util.function.IntPredicate;
 
 /** Where a light is, as far as shadow rays and what may occlude it go by. Immutable once the scene is compiled. */
 public class LightBody {
@@ -86,7 +87,7 @@ public class LightBody {
 
     /** Finds the faces of these primitives that the light lies on: that coincide with it or, for a point, pass through it. */
     final void lieOn(Primitive[] primitives) {
-        lieOn(primitives, 0, -1);
+        lieOn(primitives, 0, -1, id -> false);
     }
 
     /**
@@ -94,8 +95,9 @@ public class LightBody {
      *
      * @param ownFace the light's face
      * @param left the id of a primitive that is left out; -1 for none
+     * @param isEntered tells by its id whether light enters a primitive
      */
-    final void lieOn(Primitive[] primitives, int ownFace, int left) {
+    final void lieOn(Primitive[] primitives, int ownFace, int left, IntPredicate isEntered) {
         Bounds own = bounds();
         SupportSurface shape = surface == null ? null : surface.support(ownFace);
         for (int id = 0; id < primitives.length; id++) {
@@ -114,7 +116,7 @@ public class LightBody {
                         ? s.passes(new Vec3(x, y, z), tolerance)
                         : s.coincides(shape, tolerance) && s.overlaps(shape, tolerance);
                 if (on) {
-                    lyingOn.add(p, id, face, tolerance);
+                    lyingOn.add(p, id, face, tolerance, isEntered.test(id));
                 }
             }
         }

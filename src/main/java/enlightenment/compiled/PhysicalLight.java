@@ -131,8 +131,12 @@ public final class PhysicalLight extends LightBody {
     }
 
     /** Finds the faces that the light lies on, and that therefore do not occlude it. */
-    void lieOn(Primitive[] primitives, boolean few) {
+    void lieOn(Primitive[] primitives, int[] glassSolids, boolean few) {
         // Among few primitives, candidates for occlusion are listed for each light, and its own need not be among them.
-        lieOn(primitives, face, few && hidesNothingOfItself ? id : NO_PRIMITIVE);
+        lieOn(
+                primitives,
+                face,
+                few && hidesNothingOfItself ? id : NO_PRIMITIVE,
+                solid -> Arrays.binarySearch(glassSolids, solid) >= 0);
     }
 }

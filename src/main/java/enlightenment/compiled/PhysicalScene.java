@@ -89,7 +89,10 @@ public final class PhysicalScene {
             CompiledPrimitives compiled,
             List<PhysicalLight> points) {
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
-        this.surroundings = seen(Rgb.WHITE, around).max() > 0 ? surroundings : null;
+        Rgb clear = seen(Rgb.WHITE, around);
+        this.surroundings = surroundings == null || clear.equals(Rgb.WHITE)
+                ? surroundings
+                : clear.max() > 0 ? surroundings.filtered(clear) : null;
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         backgroundR = background.r();
         backgroundG = background.g();
@@ -141,7 +144,7 @@ public final class PhysicalScene {
         lightsLieInGlass = hasScattering
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
-        Sun sun = this.surroundings == null ? null : surroundings.sun;
+        Sun sun = this.surroundings == null ? null : this.surroundings.sun;
         caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
@@ -244,9 +247,9 @@ public final class PhysicalScene {
     }
 
     /** Finds for each light the faces that it lies on. */
-    void lieOn(Primitive[] primitives, boolean few) {
+    void lieOn(Primitive[] primitives, int[] glassSolids, boolean few) {
         for (PhysicalLight light : lights) {
-            light.lieOn(primitives, few);
+            light.lieOn(primitives, glassSolids, few);
         }
     }
 

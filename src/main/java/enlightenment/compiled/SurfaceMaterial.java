@@ -140,7 +140,12 @@ public final class SurfaceMaterial {
         bilinear = smooth;
         PhysicalSurface p = physical == null ? PhysicalSurface.NONE : physical;
         reradiation = p.reradiation();
-        isBlack = texture instanceof Texture.Solid && r == 0 && g == 0 && b == 0 && reradiation == null;
+        isBlack = texture instanceof Texture.Solid
+                && r == 0
+                && g == 0
+                && b == 0
+                && reradiation == null
+                && !bsdf.reflectsIfBlack();
         look = physical == null ? "" : p.look() + " ";
         medium = p.medium();
         glowR = p.glow().r();

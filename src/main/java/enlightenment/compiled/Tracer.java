@@ -8,6 +8,7 @@ import enlightenment.accel.Closest;
 import enlightenment.accel.ConeSearch;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.accel.RaySearch;
+import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -272,6 +273,9 @@ public final class Tracer {
         closest.reset(length);
         scene.accelerator.search(ray, closest);
         int met = closest.id();
+        if (endId != NOTHING && leavesGlassAtEnd(ray, length, endId, endFace)) {
+            return false;
+        }
         if (met == NOTHING) {
             return true;
         }
@@ -282,8 +286,30 @@ public final class Tracer {
         return isEnd(ray, length - closest.t(), met, end, endId, endFace);
     }
 
+    /** Whether a ray comes to its end, on an opaque surface, out of a solid of glass that lies on that: there is a border before it. */
+    private boolean leavesGlassAtEnd(Ray ray, double length, int endId, int endFace) {
+        if (scene.glassSolids.length == 0) {
+            return false;
+        }
+        int[] entries = scene.coincident.of(endId);
+        for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
+            int other = entries[k + 1];
+            Primitive p = scene.primitives[other];
+            if (entries[k] == endFace
+                    && p.isSolid()
+                    && scene.isGlass(other, entries[k + 2])
+                    && p.intersect(ray, end)
+                    && end.face == entries[k + 2]
+                    && end.side == Ray.INSIDE
+                    && isAt(ray, Math.abs(length - end.t), p, end)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /**
-     * Whether a hit is the end of a ray.
+     * Whether a hit is the end of a ray. The border of a solid of glass that the ray leaves there is not: it comes before the end.
      *
      * @param left how far behind the hit the ray ends, in lengths of its direction
      */
@@ -292,6 +318,11 @@ public final class Tracer {
             return false;
         }
         Primitive p = scene.primitives[met];
+        boolean leavesGlass = at.side == Ray.INSIDE && p.isSolid() && scene.isGlass(met, at.face);
+        return !(leavesGlass && met != endId) && isAt(ray, left, p, at);
+    }
+
+    private static boolean isAt(Ray ray, double left, Primitive p, Hit at) {
         // A line meets a plane once, but it may meet a curved face earlier as well.
         if (p.support(at.face).isFlat()) {
             return true;
@@ -309,7 +340,11 @@ public final class Tracer {
      */
     public boolean occluded(Ray ray, double tMax, LightBody target) {
         counters.shadowRays++;
-        ray.endsOn(target.lyingOn(), tMax);
+        EndFaces on = target.lyingOn();
+        if (on.hasBorders() && on.isLeftAtEnd(ray, tMax, end)) {
+            return true;
+        }
+        ray.endsOn(on, tMax);
         return scene.accelerator.occludedWithin(ray, tMax, query);
     }
 }

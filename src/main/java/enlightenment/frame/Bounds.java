@@ -73,11 +73,11 @@ public record Bounds(Vec3 min, Vec3 max) {
 
     /** Whether the point lies in the closed box. */
     public boolean contains(Vec3 p) {
-        return p.x() >= min.x()
-                && p.x() <= max.x()
-                && p.y() >= min.y()
-                && p.y() <= max.y()
-                && p.z() >= min.z()
-                && p.z() <= max.z();
+        return contains(p.x(), p.y(), p.z());
+    }
+
+    /** Whether the point lies in the closed box. */
+    public boolean contains(double x, double y, double z) {
+        return x >= min.x() && x <= max.x() && y >= min.y() && y <= max.y() && z >= min.z() && z <= max.z();
     }
 }

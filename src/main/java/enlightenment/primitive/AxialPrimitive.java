@@ -270,8 +270,8 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     @Override
     public SupportSurface support(int face) {
         return switch (face) {
-            case BASE -> SupportSurface.Plane.ofDisk(base, unitAxis, baseRadius);
-            case TOP -> SupportSurface.Plane.ofDisk(top, unitAxis, topRadius);
+            case BASE -> SupportSurface.Plane.ofDisk(base, narrowIsTop ? unitAxis : unitAxis.negated(), baseRadius);
+            case TOP -> SupportSurface.Plane.ofDisk(top, narrowIsTop ? unitAxis.negated() : unitAxis, topRadius);
             default -> new SupportSurface.Lateral(base, top, towardsTop(), baseRadius, topRadius);
         };
     }

@@ -153,7 +153,8 @@ public final class BoxPrimitive extends Primitive {
                 default -> corner(p, q, at);
             };
         }
-        return SupportSurface.Plane.of(face / 2 == 0 ? Vec3.X : face / 2 == 1 ? Vec3.Y : Vec3.Z, corners);
+        Vec3 axis = face / 2 == 0 ? Vec3.X : face / 2 == 1 ? Vec3.Y : Vec3.Z;
+        return SupportSurface.Plane.of(at > 0 ? axis : axis.negated(), corners);
     }
 
     private Vec3 corner(double x, double y, double z) {

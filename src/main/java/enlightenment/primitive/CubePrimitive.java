@@ -227,10 +227,11 @@ public final class CubePrimitive extends Primitive {
 
     @Override
     public SupportSurface support(int face) {
-        Vec3 out = face / 2 == 0 ? axisX : face / 2 == 1 ? axisY : axisZ;
+        Vec3 axis = face / 2 == 0 ? axisX : face / 2 == 1 ? axisY : axisZ;
         Vec3 p = (face / 2 == 0 ? axisY : axisX).times(half);
         Vec3 q = (face / 2 == 2 ? axisY : axisZ).times(half);
-        Vec3 middle = center.plus(out.times(face % 2 == 1 ? half : -half));
+        Vec3 out = face % 2 == 1 ? axis : axis.negated();
+        Vec3 middle = center.plus(out.times(half));
         return SupportSurface.Plane.of(
                 out,
                 middle.minus(p).minus(q),

@@ -8,6 +8,9 @@ import java.util.Arrays;
  * them too, and they do not occlude it there, just as the surface it starts on does not: whether rounding puts their crossing
  * before the light or behind it means nothing. A crossing anywhere else occludes. Faces are added while a scene is compiled;
  * later it is read only.
+ *
+ * <p>Some faces are borders of solids that light enters. A light that lies on a border is outside of the solid, as if a hair of air were
+ * between: what comes from within crosses the border first, wherever rounding puts it, and what the light sends inwards enters there.
  */
 public final class EndFaces {
     private Primitive[] primitives = {};
@@ -15,6 +18,8 @@ public final class EndFaces {
     private int[] faces = {};
     private boolean[] isFlat = {};
     private double[] tolerances = {};
+    private boolean[] isBorder = {};
+    private boolean hasBorders;
 
     /** No faces yet. */
     public EndFaces() {}
@@ -26,24 +31,43 @@ public final class EndFaces {
      * @param id its number
      * @param face which of its faces
      * @param tolerance bounds the distance between face and light that rounding may cause: a length in the frame
+     * @param border whether light enters the primitive there
      */
-    public void add(Primitive primitive, int id, int face, double tolerance) {
+    public void add(Primitive primitive, int id, int face, double tolerance, boolean border) {
         int n = ids.length;
         primitives = Arrays.copyOf(primitives, n + 1);
         ids = Arrays.copyOf(ids, n + 1);
         faces = Arrays.copyOf(faces, n + 1);
         isFlat = Arrays.copyOf(isFlat, n + 1);
         tolerances = Arrays.copyOf(tolerances, n + 1);
+        isBorder = Arrays.copyOf(isBorder, n + 1);
         primitives[n] = primitive;
         ids[n] = id;
         faces[n] = face;
         isFlat[n] = primitive.support(face).isFlat();
         tolerances[n] = tolerance;
+        isBorder[n] = border;
+        hasBorders |= border;
     }
 
     /** Whether there are none. */
     public boolean isEmpty() {
         return ids.length == 0;
+    }
+
+    /** Whether any of them is the border of a solid. */
+    public boolean hasBorders() {
+        return hasBorders;
+    }
+
+    /** Whether one of them is the border of this solid. */
+    public boolean hasBorderOf(int id) {
+        for (int k = 0; k < ids.length; k++) {
+            if (ids[k] == id && isBorder[k]) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether a face of a primitive is one of these. */
@@ -57,7 +81,7 @@ public final class EndFaces {
     }
 
     /**
-     * Lets a ray that leaves the light start on these faces as well.
+     * Lets a ray that leaves the light start on these faces as well, but for borders that it crosses to the inside.
      *
      * @param side the side of the light's own surface that it travels on
      */
@@ -68,7 +92,9 @@ public final class EndFaces {
                 Vec3 n = plane.unitNormal();
                 there = n.x() * ray.dx + n.y() * ray.dy + n.z() * ray.dz > 0 ? Ray.OUTSIDE : Ray.INSIDE;
             }
-            ray.alsoFrom(primitives[k], there);
+            if (!isBorder[k] || there == Ray.OUTSIDE) {
+                ray.alsoFrom(primitives[k], there);
+            }
         }
     }
 
@@ -98,9 +124,32 @@ public final class EndFaces {
     }
 
     private boolean isEnd(int k, Ray ray, Hit hit, double left) {
+        return !(isBorder[k] && hit.side == Ray.INSIDE) && isAtEnd(k, ray, hit, left);
+    }
+
+    private boolean isAtEnd(int k, Ray ray, Hit hit, double left) {
         // A line meets a plane once, and this one in the light; it may meet a curved face earlier as well.
         double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
         return isFlat[k] || left * across <= tolerances[k];
+    }
+
+    /**
+     * Whether a ray comes to the light out of a solid that this lies on.
+     *
+     * @param tMax the t at which the ray ends on the light
+     * @param scratch is overwritten
+     */
+    public boolean isLeftAtEnd(Ray ray, double tMax, Hit scratch) {
+        for (int k = 0; hasBorders && k < ids.length; k++) {
+            if (isBorder[k]
+                    && primitives[k].intersect(ray, scratch)
+                    && scratch.face == faces[k]
+                    && scratch.side == Ray.INSIDE
+                    && isAtEnd(k, ray, scratch, Math.abs(tMax - scratch.t))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**

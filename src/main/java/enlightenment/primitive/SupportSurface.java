@@ -40,7 +40,7 @@ public sealed interface SupportSurface
     /**
      * A flat face.
      *
-     * @param unitNormal the plane's normal, of length 1
+     * @param unitNormal the plane's normal, of length 1: the outward normal of the face
      * @param corners of a convex polygon that encloses the face, in order
      * @param extent half of the face's perimeter
      */

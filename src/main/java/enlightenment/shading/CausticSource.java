@@ -4,6 +4,7 @@ import enlightenment.compiled.CausticPass;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.emitter.AreaLight;
 import enlightenment.frame.BallCone;
+import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Warp;
 import enlightenment.surroundings.Sun;
@@ -31,6 +32,11 @@ final class CausticSource extends PathSource {
     @Override
     int[] media() {
         return pass.mediaAround(light);
+    }
+
+    @Override
+    EndFaces faces() {
+        return light == pass.lights.length ? null : pass.lights[light].lyingOn();
     }
 
     /** Takes one number for the pair, two for the point on the light, two for the direction, one for the side. */

@@ -39,9 +39,8 @@ final class DistantRays {
      */
     boolean escapes(double dx, double dy, double dz, boolean atBorder, boolean through) {
         path.poll.tick();
-        start(dx, dy, dz, atBorder, through);
         Arrays.fill(rgb, 1);
-        if (!path.tracer.occluded(ray, ENDLESS)) {
+        if (!start(dx, dy, dz, atBorder, through) && !path.tracer.occluded(ray, ENDLESS)) {
             // In a medium without end nothing comes through but where nothing is lost.
             SurfaceMaterial medium = absorbs ? path.medium(through) : null;
             if (medium != null && medium.absorbs) {
@@ -56,13 +55,9 @@ final class DistantRays {
         return walk.reaches(null, ray, ENDLESS, path, through, rgb);
     }
 
-    private void start(double dx, double dy, double dz, boolean atBorder, boolean through) {
-        int side = through ? -path.hit.side : path.hit.side;
-        ray.set(path.hit.px, path.hit.py, path.hit.pz, dx, dy, dz, 0).from(path.hit.primitive, side);
-        if (atBorder) {
-            path.glass.startAtBorder(ray, through);
-        } else if (path.glass.surfaces() > 1) {
-            path.glass.startOnAll(ray);
-        }
+    /** Returns whether something is in the ray's way at once. */
+    private boolean start(double dx, double dy, double dz, boolean atBorder, boolean through) {
+        ray.set(path.hit.px, path.hit.py, path.hit.pz, dx, dy, dz, 0);
+        return path.depart(ray, atBorder, through);
     }
 }

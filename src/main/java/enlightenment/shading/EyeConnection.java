@@ -79,8 +79,7 @@ final class EyeConnection {
     private boolean isHidden(boolean isBorder, boolean isBeyond) {
         path.poll.tick();
         double length = Math.sqrt(eye.toEyeX * eye.toEyeX + eye.toEyeY * eye.toEyeY + eye.toEyeZ * eye.toEyeZ);
-        start(isBorder, isBeyond);
-        if (!path.tracer.occluded(ray, 1)) {
+        if (!start(isBorder, isBeyond) && !path.tracer.occluded(ray, 1)) {
             SurfaceMaterial medium = absorbs ? path.medium(isBeyond) : null;
             if (medium != null && medium.absorbs) {
                 medium.absorb(length, through);
@@ -94,13 +93,9 @@ final class EyeConnection {
         return !walk.reaches(null, ray, length, path, isBeyond, through);
     }
 
-    private void start(boolean isBorder, boolean isBeyond) {
+    /** Returns whether something is in the ray's way at once. */
+    private boolean start(boolean isBorder, boolean isBeyond) {
         ray.set(path.hit.px, path.hit.py, path.hit.pz, eye.toEyeX, eye.toEyeY, eye.toEyeZ, 0);
-        ray.from(path.hit.primitive, isBeyond ? -path.hit.side : path.hit.side);
-        if (isBorder) {
-            path.glass.startAtBorder(ray, isBeyond);
-        } else if (path.glass.surfaces() > 1) {
-            path.glass.startOnAll(ray);
-        }
+        return path.depart(ray, isBorder, isBeyond);
     }
 }

@@ -6,8 +6,8 @@ import enlightenment.bsdf.ThinDielectric;
 import enlightenment.compiled.CoincidentHits;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Hit;
-import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 
@@ -75,20 +75,30 @@ final class GlassTracer {
         saved = new MediumStack(scene, wavelength);
         beyond = new MediumStack(scene, wavelength);
         coincident = new CoincidentHits(scene);
-        missed = new MissedBorders(scene, this);
+        missed = new MissedBorders(scene, inside);
     }
 
-    /** Starts a ray that may start in some solids, and finds in which. */
-    void begin(Ray ray, int[] solids) {
+    /**
+     * Starts a ray that may start in some solids, and finds in which.
+     *
+     * @param on the faces that it starts on, which it is outside of; null if there are none
+     */
+    void begin(Ray ray, int[] solids, EndFaces on) {
         next = NONE;
         inside.clear();
         for (int solid : solids) {
+            if (on != null && on.hasBorderOf(solid)) {
+                continue;
+            }
             double x = Math.fma(ray.tMin, ray.dx, ray.ox);
             double y = Math.fma(ray.tMin, ray.dy, ray.oy);
             double z = Math.fma(ray.tMin, ray.dz, ray.oz);
             if (scene.primitives[solid].contains(x, y, z)) {
                 inside.add(solid);
             }
+        }
+        if (on != null && on.hasBorders()) {
+            settle(ray, NONE);
         }
     }
 
@@ -105,7 +115,10 @@ final class GlassTracer {
 
     /** Starts a ray in the medium that another one is in, or behind the rough border that that came to. */
     void begin(GlassTracer other, boolean isBeyond) {
-        next = NONE;
+        next = isBeyond ? other.next : other.coincident.left(nextHit);
+        if (isBeyond && next != NONE) {
+            nextHit.set(other.nextHit);
+        }
         inside.set(isBeyond ? other.beyond : other.inside);
         if (wavelength != null) {
             wavelength.set(other.wavelength);
@@ -273,8 +286,7 @@ final class GlassTracer {
     }
 
     /**
-     * How the surfaces that {@link #arrive} found scatter light as a rough border of two media, and where; null if they are none. An opaque
-     * surface directly behind such a border is left to chance.
+     * How the surfaces that {@link #arrive} found scatter light as a rough border of two media, and where; null if they are none.
      */
     Bsdf roughBorder(Ray ray, Hit hit, Scattering s) {
         double from = inside.leave();
@@ -282,7 +294,7 @@ final class GlassTracer {
         double to = inside.enter();
         beyond.set(inside);
         inside.set(saved);
-        if (boundary == NONE || from == to || next != NONE) {
+        if (boundary == NONE || from == to) {
             return null;
         }
         Bsdf bsdf = coincident.material(boundary).bsdf;
@@ -369,33 +381,26 @@ final class GlassTracer {
         return coincident.hit(k);
     }
 
-    /** Corrects for boundaries that coincide with a mirror and that rounding put behind the ray. */
-    void settle(Ray ray, int justHandled, Hit hit) {
-        missed.settle(ray, justHandled, hit);
+    /**
+     * Finds a border that coincides with the opaque surface or the light that a ray leaves, and that rounding put behind it: the ray comes
+     * to that border next.
+     */
+    void settle(Ray ray, int justHandled) {
+        next = missed.find(ray, justHandled, nextHit);
     }
 
-    /**
-     * Crosses a missed border where the ray starts.
-     *
-     * @param place where it is; null if it cannot be found, and the ray is not turned
-     */
-    void enter(Ray ray, int solid, int side, Hit place) {
-        Primitive start = ray.start;
-        int startSide = ray.startSide;
-        int before = inside.current();
-        double from = inside.leave();
-        inside.cross(solid, side);
-        double to = inside.enter();
-        if (before == inside.current() || place == null) {
-            return;
-        }
-        place.side = side;
-        place.setOrigin(ray);
-        choice = Hash.unit(Hash.mix(Double.doubleToRawLongBits(choice) + 1));
-        scatter(ray, place, solid, place.face, from / to);
-        if (!border.transmitted) {
-            inside.cross(solid, -side);
-        }
-        ray.from(start, startSide);
+    /** Whether a ray that leaves the opaque surface there enters glass at once, which the path left there. */
+    boolean entersAtOnce() {
+        return coincident.hasLeftGlass();
+    }
+
+    /** Whether a ray that leaves a border to one side comes at once to an opaque surface there. */
+    boolean comesToOpaque(boolean through) {
+        return through ? next != NONE : coincident.hasLeftOpaque();
+    }
+
+    /** Whether an opaque surface is where a path goes on from the border that it crossed, or that reflected it. */
+    boolean hasNext() {
+        return next != NONE;
     }
 }

@@ -65,7 +65,7 @@ final class LightOutline {
     boolean find(PhysicalLight l, SupportSurface.Plane in, SurfaceMaterial material) {
         mirror = in;
         SupportSurface s = l.surface.support(l.face);
-        if (s instanceof SupportSurface.Plane p && !isLit(l, p, material) || !trace(l, s, LEAST_CORNERS)) {
+        if (s instanceof SupportSurface.Plane p && !isLit(p, material) || !trace(l, s, LEAST_CORNERS)) {
             return false;
         }
         double across = 0;
@@ -83,12 +83,8 @@ final class LightOutline {
     }
 
     /** Whether the eye is on a side of a plane that shines. */
-    private boolean isLit(PhysicalLight l, SupportSurface.Plane p, SurfaceMaterial material) {
+    private boolean isLit(SupportSurface.Plane p, SurfaceMaterial material) {
         Vec3 normal = p.unitNormal();
-        if (l.surface.isSolid()
-                && normal.dot(p.corners()[0].minus(l.surface.bounds().center())) < 0) {
-            normal = normal.negated();
-        }
         double above = eye.isParallel()
                 ? normal.dot(mirrored(eyePoint).minus(mirrored(eyePoint.plus(forward))))
                 : normal.dot(mirrored(eyePoint).minus(p.corners()[0]));

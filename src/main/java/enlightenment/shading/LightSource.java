@@ -3,6 +3,7 @@ package enlightenment.shading;
 import enlightenment.compiled.LightStarts;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
+import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Warp;
 import enlightenment.surroundings.Sun;
@@ -57,6 +58,11 @@ final class LightSource extends PathSource {
     @Override
     int[] media() {
         return starts.mediaAround(light);
+    }
+
+    @Override
+    EndFaces faces() {
+        return isBackground() ? null : starts.lights[light].lyingOn();
     }
 
     @Override

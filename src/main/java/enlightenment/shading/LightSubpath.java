@@ -52,7 +52,7 @@ final class LightSubpath extends Subpath {
         startY = ray.oy;
         startZ = ray.oz;
         path.drawWavelength(sampler);
-        path.beginAtLight(ray, source.media());
+        path.beginAtLight(ray, source);
         return true;
     }
 

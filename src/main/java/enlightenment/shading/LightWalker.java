@@ -125,7 +125,7 @@ abstract class LightWalker extends LightPathTracer {
         events = 0;
         pieces = 0;
         counts = !onlyCaustics;
-        path.beginAtLight(ray, source.media());
+        path.beginAtLight(ray, source);
         end.begin();
         if (flight != null) {
             flight.begin();

@@ -5,46 +5,47 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
-/** Finds borders of glass that coincide with a mirror and that rounding put behind the ray, and crosses them. */
+/** Finds borders of glass that coincide with what a ray leaves and that rounding put behind it. One per thread. */
 final class MissedBorders {
-    /** At most this many are corrected at one point. */
-    private static final int MAX_CORRECTIONS = 8;
+    static final int NONE = -1;
 
     private final CompiledScene scene;
-    private final GlassTracer glass;
-    private final Hit place = new Hit();
+    private final MediumStack inside;
     private final Ray back = new Ray();
 
-    MissedBorders(CompiledScene scene, GlassTracer glass) {
+    /** @param inside the solids that the ray is inside of, as far as is known */
+    MissedBorders(CompiledScene scene, MediumStack inside) {
         this.scene = scene;
-        this.glass = glass;
+        this.inside = inside;
     }
 
-    void settle(Ray ray, int justHandled, Hit hit) {
-        for (int k = 0; k < MAX_CORRECTIONS; k++) {
-            if (!settleOne(ray, justHandled, hit)) {
-                return;
-            }
-        }
-    }
-
-    private boolean settleOne(Ray ray, int justHandled, Hit hit) {
+    /**
+     * Finds a border that the ray has not crossed although it is behind it. All that coincide with it are crossed with it, so one is
+     * enough.
+     *
+     * @param justHandled a solid that is left out; -1 for none
+     * @param place receives where the border is
+     * @return the id of the solid; -1 if no border is missed
+     */
+    int find(Ray ray, int justHandled, Hit place) {
         for (int solid : scene.glassSolids) {
-            Primitive p = scene.primitives[solid];
-            if (solid == justHandled || !scene.boundsOf(solid).contains(hit.point())) {
+            if (solid == justHandled || !scene.boundsOf(solid).contains(ray.ox, ray.oy, ray.oz)) {
                 continue;
             }
+            Primitive p = scene.primitives[solid];
             double t = p.nearest(ray, Double.MAX_VALUE);
             int side = t == Primitive.MISS ? 0 : p.side(ray, t);
-            boolean isInside = glass.inside.contains(solid);
+            boolean isInside = inside.contains(solid);
             if (isInside ? side != Ray.INSIDE : side == Ray.INSIDE) {
                 // Its normal is found by tracing back.
                 back.set(ray.ox, ray.oy, ray.oz, -ray.dx, -ray.dy, -ray.dz, 0);
-                boolean found = p.intersect(back, place);
-                glass.enter(ray, solid, isInside ? Ray.INSIDE : Ray.OUTSIDE, found ? place : null);
-                return true;
+                if (p.intersect(back, place)) {
+                    place.side = isInside ? Ray.INSIDE : Ray.OUTSIDE;
+                    return solid;
+                }
+                inside.cross(solid, isInside ? Ray.INSIDE : Ray.OUTSIDE);
             }
         }
-        return false;
+        return NONE;
     }
 }

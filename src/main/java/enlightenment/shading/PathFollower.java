@@ -105,24 +105,50 @@ final class PathFollower {
     /** Starts a path with a camera ray. */
     void begin(Ray ray) {
         counters.cameraRays++;
-        glass.begin(ray, scene.cameraSolids);
+        glass.begin(ray, scene.cameraSolids, null);
         begin(0);
     }
 
     /**
      * Starts a path with a ray that leaves a light.
      *
-     * @param solids of glass that it may start in
+     * @param source it has just been emitted there
      */
-    void beginAtLight(Ray ray, int[] solids) {
-        glass.begin(ray, solids);
+    void beginAtLight(Ray ray, PathSource source) {
+        glass.begin(ray, source.media(), source.faces());
         begin(1);
     }
 
-    /** Starts a shadow ray in the medium that a path is in, or behind the rough border that it is at. */
-    void beginShadow(PathFollower from, boolean isBeyond) {
+    /**
+     * Starts a shadow ray in the medium that a path is in, or behind the rough border that it is at.
+     *
+     * @param ray it has departed from the vertex that the path is at
+     */
+    void beginShadow(PathFollower from, Ray ray, boolean isBeyond) {
         glass.begin(from.glass, isBeyond);
         begin(1);
+        if (!isBeyond && from.glass.entersAtOnce()) {
+            glass.settle(ray, from.id);
+        }
+    }
+
+    /**
+     * Lets a ray whose origin is the vertex that the path is at depart from all surfaces there.
+     *
+     * @param atBorder whether the vertex is on a rough border of two media
+     * @param through whether the ray leaves it on the side that the path did not come from
+     * @return whether a surface that coincides with the vertex is in its way, wherever rounding puts that; a walk may pass it
+     */
+    boolean depart(Ray ray, boolean atBorder, boolean through) {
+        ray.from(hit.primitive, through ? -hit.side : hit.side);
+        if (atBorder) {
+            glass.startAtBorder(ray, through);
+            return glass.comesToOpaque(through);
+        }
+        if (glass.surfaces() > 1) {
+            glass.startOnAll(ray);
+        }
+        return glass.entersAtOnce();
     }
 
     private void begin(int left) {
@@ -227,7 +253,7 @@ final class PathFollower {
     /** Lets the ray leave that surface in the direction that was sampled. */
     void leave(Ray ray, Scattering s) {
         Optics.leave(ray, hit, s);
-        glass.settle(ray, id, hit);
+        glass.settle(ray, id);
         glass.reflectFromAll(ray);
     }
 
@@ -296,6 +322,11 @@ final class PathFollower {
     /** How glass scatters where the path is at a rough border of two media, and where; null elsewhere. */
     Bsdf roughBorder(Ray ray, Scattering s) {
         return glass.roughBorder(ray, hit, s);
+    }
+
+    /** The same, but none where one of its sides is an opaque surface, which has no distance from it. */
+    Bsdf roughBorderApart(Ray ray, Scattering s) {
+        return glass.comesToOpaque(true) || glass.comesToOpaque(false) ? null : roughBorder(ray, s);
     }
 
     /** How many scattering events it has had. */

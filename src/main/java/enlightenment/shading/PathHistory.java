@@ -17,12 +17,16 @@ final class PathHistory {
     /** Whether light was gathered at the last vertex, so that light that the path runs into is weighted. */
     boolean gathered;
 
+    /** Whether the path goes on to a surface in the same place, whose light only chance finds. */
+    boolean isThere;
+
     void begin() {
         events = 0;
         scattered = false;
         scatteredFirst = false;
         deltaFirst = false;
         gathered = false;
+        isThere = false;
     }
 
     /** Notes the kind of event that the path leaves behind. */
@@ -33,6 +37,7 @@ final class PathHistory {
         }
         deltaFirst |= !scattered;
         gathered = !isDelta;
+        isThere = false;
     }
 
     /**

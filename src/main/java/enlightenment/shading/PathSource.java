@@ -2,6 +2,7 @@ package enlightenment.shading;
 
 import enlightenment.emitter.SurfacePoint;
 import enlightenment.frame.Basis;
+import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Ray;
 
 /** Starts paths of light: chooses a light, a point on it and a direction. A mutable work object, one per thread. */
@@ -44,6 +45,9 @@ abstract class PathSource {
     int[] media() {
         return EMPTY_SPACE;
     }
+
+    /** The faces that the light which the path leaves lies on; null if it has no place. */
+    abstract EndFaces faces();
 
     /** The sum of the bands, of ultraviolet as much as this. */
     final double power(double ofUltraviolet) {

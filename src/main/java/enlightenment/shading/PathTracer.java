@@ -217,7 +217,9 @@ public final class PathTracer extends EyePathTracer {
         if (cut != null && cut.isLeft(history) && glowAtCut(ray, material)) {
             return;
         }
-        double weight = history.gathered ? light.weight(ray) : history.scattered ? weightOfCaustic() : images.weight();
+        double weight = history.gathered
+                ? light.weight(ray)
+                : history.isThere ? 1 : history.scattered ? weightOfCaustic() : images.weight();
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             value.addEmission(material, weight);
         }
@@ -362,7 +364,8 @@ public final class PathTracer extends EyePathTracer {
         }
         history.leave(true);
         if (isRough) {
-            history.gathered = true;
+            history.isThere = path.glass.hasNext();
+            history.gathered = !history.isThere;
             light.left(path.glass.border.pdf);
         }
         boolean survives = walk == null

@@ -13,7 +13,6 @@ import java.util.Arrays;
  */
 final class SegmentRays {
     private final PathFollower path;
-    private final GlassTracer glass;
     private final Hit hit;
     private final Ray ray = new Ray();
     private final boolean absorbs;
@@ -36,7 +35,6 @@ final class SegmentRays {
     /** From the vertex that a path is at. */
     SegmentRays(CompiledScene scene, RayCounters counters, PathFollower path) {
         this.path = path;
-        glass = path.glass;
         hit = path.hit;
         absorbs = scene.physical.hasAbsorption;
         walk = scene.physical.hasStraightGlass ? new PathFollower(scene, counters, Integer.MAX_VALUE) : null;
@@ -62,27 +60,23 @@ final class SegmentRays {
         endId = id;
         endFace = face;
         path.poll.tick();
-        start();
         Arrays.fill(rgb, 1);
-        if (path.tracer.joins(ray, length, id, face)) {
+        if (!start() && path.tracer.joins(ray, length, id, face)) {
             absorb(absorbs ? path.medium(isBeyond) : null, length);
             return true;
         }
         return walk != null && walks();
     }
 
-    private void start() {
-        ray.set(hit.px, hit.py, hit.pz, dx, dy, dz, 0).from(hit.primitive, isBeyond ? -hit.side : hit.side);
-        if (isBorder) {
-            glass.startAtBorder(ray, isBeyond);
-        } else if (glass.surfaces() > 1) {
-            glass.startOnAll(ray);
-        }
+    /** Returns whether something is in the ray's way at once. */
+    private boolean start() {
+        ray.set(hit.px, hit.py, hit.pz, dx, dy, dz, 0);
+        return path.depart(ray, isBorder, isBeyond);
     }
 
     private boolean walks() {
         start();
-        walk.beginShadow(path, isBeyond);
+        walk.beginShadow(path, ray, isBeyond);
         double left = length;
         while (true) {
             SurfaceMaterial medium = absorbs ? walk.medium() : null;

@@ -114,6 +114,10 @@ final class ShadowRays {
 
     /** What is known without a ray, of all of the light. Comes before {@link #isBlocked}. */
     Tracer.Visibility visibility(PhysicalLight l) {
+        if (isBorder ? glass.comesToOpaque(isBeyond) : glass.entersAtOnce()) {
+            isHidden = true;
+            return walk == null ? Tracer.Visibility.NONE : Tracer.Visibility.UNKNOWN;
+        }
         int count = startCount;
         if (l.hidesNothingOfItself) {
             starts[count++] = l.id;
@@ -129,8 +133,7 @@ final class ShadowRays {
     /** Whether a point of the light is hidden. */
     boolean isBlocked(PhysicalLight l, LightSample to) {
         path.poll.tick();
-        start(to);
-        if (!isHidden && !tracer.occluded(ray, to.length, l)) {
+        if (!start(to) && !isHidden && !tracer.occluded(ray, to.length, l)) {
             if (medium != null) {
                 isFiltered = true;
                 Arrays.fill(rgb, 1);
@@ -146,12 +149,9 @@ final class ShadowRays {
         return !walk.reaches(l, ray, to.length, path, isBeyond, rgb);
     }
 
-    private void start(LightSample to) {
-        ray.set(x, y, z, to.dx, to.dy, to.dz, 0).from(hit.primitive, side);
-        if (isBorder) {
-            glass.startAtBorder(ray, isBeyond);
-        } else if (glass.surfaces() > 1) {
-            glass.startOnAll(ray);
-        }
+    /** Returns whether something is in its way at once. */
+    private boolean start(LightSample to) {
+        ray.set(x, y, z, to.dx, to.dy, to.dz, 0);
+        return path.depart(ray, isBorder, isBeyond);
     }
 }

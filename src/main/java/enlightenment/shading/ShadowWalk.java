@@ -34,7 +34,7 @@ final class ShadowWalk {
             PhysicalLight light, Ray ray, double distance, PathFollower path, boolean isBehind, double[] through) {
         Arrays.fill(through, 1);
         boolean isPoint = light == null || light.isPoint;
-        follower.beginShadow(path, isBehind);
+        follower.beginShadow(path, ray, isBehind);
         double left = distance;
         while (true) {
             SurfaceMaterial medium = absorbs ? follower.medium() : null;

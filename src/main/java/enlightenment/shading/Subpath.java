@@ -244,7 +244,7 @@ abstract class Subpath extends CarriedLight {
                 return Event.SURFACE;
             }
         }
-        Bsdf rough = physical.hasRoughGlass && path.mayScatter() ? path.roughBorder(ray, border) : null;
+        Bsdf rough = physical.hasRoughGlass && path.mayScatter() ? path.roughBorderApart(ray, border) : null;
         if (rough == null) {
             return pass(sampler);
         }

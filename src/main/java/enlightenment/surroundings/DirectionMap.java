@@ -65,6 +65,21 @@ final class DirectionMap {
     }
 
     /**
+     * The same with less light.
+     *
+     * @param share what is left, by band
+     * @throws IOException if there is not enough memory
+     */
+    DirectionMap filtered(Rgb share) throws IOException {
+        float[] left = Raster.allocate(width, height, 12, () -> new float[rgb.length]);
+        float[] factor = {(float) share.r(), (float) share.g(), (float) share.b()};
+        for (int i = 0; i < left.length; i++) {
+            left[i] = factor[i % 3] * rgb[i];
+        }
+        return new DirectionMap(width, height, span < Math.PI, left, below.times(share));
+    }
+
+    /**
      * Looks up the radiance of a direction.
      *
      * @param turn around the vertical, in whole turns, 0..1: 0 and 1 are the left and the right edge

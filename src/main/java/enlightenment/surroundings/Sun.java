@@ -50,6 +50,25 @@ public final class Sun {
         solidAngle = 2 * Math.PI * oneMinusCosine;
     }
 
+    /** The same disk with another radiance. */
+    private Sun(Sun other, Rgb radiance) {
+        x = other.x;
+        y = other.y;
+        z = other.z;
+        r = radiance.r();
+        g = radiance.g();
+        b = radiance.b();
+        sine = other.sine;
+        cosine = other.cosine;
+        solidAngle = other.solidAngle;
+        oneMinusCosine = other.oneMinusCosine;
+    }
+
+    /** The same disk behind something that leaves this share of each band. */
+    Sun filtered(Rgb share) {
+        return new Sun(this, new Rgb(share.r() * r, share.g() * g, share.b() * b));
+    }
+
     /** The greatest band of its radiance. */
     public double max() {
         return Math.max(r, Math.max(g, b));

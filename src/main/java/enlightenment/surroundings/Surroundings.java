@@ -143,6 +143,20 @@ public final class Surroundings {
         }
     }
 
+    /**
+     * The same light behind something that takes a share of each band.
+     *
+     * @param share what is left, by band
+     */
+    public Surroundings filtered(Rgb share) {
+        try {
+            Sun left = sun == null ? null : sun.filtered(share);
+            return new Surroundings(map.filtered(share), 360 * rotation, left);
+        } catch (IOException e) {
+            throw new OutOfMemoryError(e.getMessage());
+        }
+    }
+
     /** Whether nothing comes from anywhere, but for the sun. */
     public boolean isBlack() {
         return table.isBlack();

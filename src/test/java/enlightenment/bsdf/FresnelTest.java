@@ -186,4 +186,22 @@ class FresnelTest {
         Rgb none = new Rgb(0, 1, 1);
         assertThrows(IllegalArgumentException.class, () -> Fresnel.conductor(none, one));
     }
+
+    /** The limit of an index that grows: everything is reflected, at any angle. */
+    @Test
+    void aMetalOfAHugeIndexReflectsAllLight() {
+        for (double index : new double[] {1e20, 1e80, 1e200, Double.MAX_VALUE}) {
+            for (double cosine : new double[] {1, 0.7, 1e-3}) {
+                Scattering s = new Scattering();
+                s.red = 1;
+                s.green = 1;
+                s.blue = 1;
+                Fresnel.conductor(new Rgb(index, 1, index), new Rgb(1, index, index))
+                        .at(cosine, s);
+                assertEquals(1, s.valueR, 1e-15);
+                assertEquals(1, s.valueG, 1e-15);
+                assertEquals(1, s.valueB, 1e-15);
+            }
+        }
+    }
 }

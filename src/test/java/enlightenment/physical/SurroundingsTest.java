@@ -17,6 +17,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
@@ -76,6 +77,18 @@ class SurroundingsTest {
     private static void assertShown(Scene scene, BuiltInMethod method, int antialias, double... radiance) {
         RenderSettings settings = RenderSettings.of(scene).withMethod(method).withAntialias(antialias);
         new ClosedForms.Known(method.word(), scene, radiance).assertShown(settings);
+    }
+
+    /** A medium without end leaves nothing of the bands that it scatters, and all of those that it does not. */
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void aMediumThatIsClearInOneBandLeavesOnlyThatOfAPicture(BuiltInMethod method) {
+        Background even = picture("even", 8, 8, 0, (x, y) -> grey(1));
+        Medium medium = Medium.Coefficients.of(new Rgb(0, 0.1, 0.2), Rgb.BLACK);
+        Scene scene = floor(matte(0.5, 0.5, 0.5))
+                .shading(new PhysicalShading(OptionalInt.empty(), even, Optional.of(medium)))
+                .build();
+        assertShown(scene, method, 8, new double[] {0.5, 0, 0});
     }
 
     /** Half of all directions are bright: a matte floor sends back its albedo. */

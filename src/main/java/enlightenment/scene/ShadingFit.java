@@ -1,6 +1,12 @@
 package enlightenment.scene;
 
 import enlightenment.camera.Camera;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Triangle;
 import enlightenment.material.Material;
 import enlightenment.math.InvalidValueException;
 import java.util.LinkedHashMap;
@@ -12,6 +18,8 @@ import java.util.stream.Collectors;
 final class ShadingFit {
     /** How many further places are told. */
     private static final int MOST = 3;
+
+    private static final String SOLIDS = "; give it thickness, as a \"box\" has it, or close its ends";
 
     private final Shading.Model model;
     private final Map<String, Material> named;
@@ -46,10 +54,34 @@ final class ShadingFit {
 
     /** Looks at an object. */
     void look(SceneObject object, int index) {
-        look(object.material(), "objects/" + index + "/material");
+        String place = "objects/" + index + "/material";
+        look(object.material(), place);
+        if (model == Shading.Model.PHYSICAL && !enclosesVolume(object.shape())) {
+            lookAtPane(object.material(), place);
+        }
         for (int i = 0; i < object.faces().size(); i++) {
             look(object.faces().get(i), "objects/" + index + "/faces/" + i);
         }
+    }
+
+    /** What has no thickness has no medium inside, and no second face that could turn light back. */
+    private void lookAtPane(Material material, String place) {
+        if (material instanceof Material.Scattering) {
+            found.putIfAbsent(place, "\"scattering\" fills a solid, and this shape encloses no volume" + SOLIDS);
+        } else if (material instanceof Material.Glass glass && glass.roughness() > 0) {
+            found.putIfAbsent(
+                    place, "glass with \"roughness\" needs two faces, and this shape encloses no volume" + SOLIDS);
+        }
+    }
+
+    private static boolean enclosesVolume(Shape shape) {
+        if (shape instanceof Cylinder c) {
+            return c.capped();
+        }
+        if (shape instanceof Cone c) {
+            return c.capped();
+        }
+        return !(shape instanceof Rectangle || shape instanceof Disk || shape instanceof Triangle);
     }
 
     private void look(Material material, String place) {

@@ -6,9 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.geometry.Cube;
+import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Sphere;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
@@ -76,6 +79,26 @@ class ShadingFitTest {
     void materialsThatNothingUsesDoNoHarm() {
         scene(ClassicShading.DEFAULT).material("brass", BRASS).build();
         scene(PhysicalShading.DEFAULT).material("sky", SKY).build();
+    }
+
+    @Test
+    void aPaneIsNeitherRoughNorFilledInPhysicalShading() {
+        Material rough = Material.Glass.of(WHITE, 1.5).withRoughness(0.3);
+        Material fog = Material.Scattering.of(Medium.Coefficients.of(Rgb.WHITE, Rgb.BLACK));
+        Cylinder tube = new Cylinder(ExactPoint.ORIGIN, ExactPoint.of(0, 1, 0), 0.5, false);
+        for (Material material : new Material[] {rough, fog}) {
+            InvalidValueException e = refused(
+                    scene(PhysicalShading.DEFAULT).object(BALL, material).object(tube, material));
+            assertEquals("objects/1/material", e.key());
+            assertTrue(e.problem().contains("this shape encloses no volume"), e.problem());
+            scene(PhysicalShading.DEFAULT)
+                    .object(new Cylinder(tube.base(), tube.top(), tube.radius(), true), material)
+                    .build();
+        }
+        scene(ClassicShading.DEFAULT).object(tube, rough).build();
+        scene(PhysicalShading.DEFAULT)
+                .object(tube, Material.Glass.of(WHITE, 1.5))
+                .build();
     }
 
     @Test

@@ -50,7 +50,7 @@ final class FrameWriter {
         report.add(frame, result);
         LightNotes.tell(result, shown, said -> terminal.say(named(frame) + said));
         try {
-            LightNotes.require(result);
+            LightNotes.require(result, shown);
             RequestedError.require(result);
             return true;
         } catch (CliException e) {

@@ -37,8 +37,12 @@ final class LightNotes {
         }
     }
 
-    /** Fails if the picture cannot be trusted. */
-    static void require(RenderResult result) {
+    /**
+     * Fails if the picture cannot be trusted.
+     *
+     * @param shown the picture as it was written
+     */
+    static void require(RenderResult result, Image shown) {
         long lost = result.report().lostSamples();
         if (lost > 0) {
             throw CliException.failed(String.format(
@@ -46,6 +50,18 @@ final class LightNotes {
                     "%,d samples were infinite or no numbers and were taken for black: the picture is not to be trusted."
                             + " This is a fault of Enlightenment; please report it with the scene and the command line",
                     lost));
+        }
+        int beyond = 0;
+        for (int k = 0; k < 3 * shown.width() * shown.height(); k++) {
+            int pixel = k / 3;
+            beyond += Float.isInfinite(shown.component(pixel % shown.width(), pixel / shown.width(), k % 3)) ? 1 : 0;
+        }
+        if (beyond > 0) {
+            throw CliException.failed(String.format(
+                    Locale.ROOT,
+                    "%,d numbers of the picture are beyond the range of floats, 3.4e38, and were taken for infinite:"
+                            + " give the lights less",
+                    beyond));
         }
     }
 }

@@ -230,7 +230,7 @@ final class RenderCommand extends Subcommand {
         }
         UniformImageHint.tell(scene, settings, result, terminal);
         LightNotes.tell(result, shown, terminal::say);
-        LightNotes.require(result);
+        LightNotes.require(result, shown);
         RequestedError.require(result);
     }
 

@@ -26,7 +26,7 @@ final class RequestedError {
                 DecimalNumber.plain(asked),
                 sampling.decidedBy(),
                 samples.isPresent() ? "; try --samples " + DecimalNumber.plain(samples.getAsDouble()) : "",
-                2 * sampling.rounding() > asked
+                2 * sampling.rounding() > sampling.errorInFile()
                         ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"
                         : ""));
     }

@@ -50,7 +50,7 @@ final class ResultPicture {
             throw CliException.failed(missing);
         }
         LightNotes.tell(result, shown, terminal::say);
-        LightNotes.require(result);
+        LightNotes.require(result, shown);
         RequestedError.require(result);
     }
 }

@@ -79,10 +79,14 @@ final class StatsTable {
         }
     }
 
-    /** Beside the error of what a screen shows. */
+    /** Beside the error of what a screen shows. One sample of each pixel tells nothing. */
     private void light(RenderReport.Light light) {
-        line("  of linear light", "%18.5f   relative", light.relativeError());
-        line("  kurtosis", "%,18.1f%s", light.kurtosis(), light.heavyTail() ? "   " + LightNotes.HEAVY_TAIL : "");
+        if (Double.isFinite(light.relativeError())) {
+            line("  of linear light", "%18.5f   relative", light.relativeError());
+        }
+        if (Double.isFinite(light.kurtosis())) {
+            line("  kurtosis", "%,18.1f%s", light.kurtosis(), light.heavyTail() ? "   " + LightNotes.HEAVY_TAIL : "");
+        }
         if (light.lostSamples() > 0) {
             row("lost samples", light.lostSamples());
         }

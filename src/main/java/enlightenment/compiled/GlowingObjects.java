@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Rectangle;
@@ -10,6 +11,7 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.scene.Scene;
@@ -19,6 +21,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /** The lights of a scene of physical shading: those with extent become objects with a black surface that glows, the others points. */
@@ -34,16 +37,17 @@ final class GlowingObjects {
 
     GlowingObjects(Scene scene, SceneFrame frame) {
         List<SceneObject> all = new ArrayList<>();
-        for (Light light : scene.lights()) {
+        for (int i = 0; i < scene.lights().size(); i++) {
+            Light light = scene.lights().get(i);
             if (light instanceof Light.Sphere s) {
                 double perPower = 1 / (4 * Math.PI * Math.PI) / s.radius() / s.radius();
-                all.add(object(light, perPower, true, Sphere.of(s.center(), s.radius())));
+                all.add(object(light, i, perPower, true, Sphere.of(s.center(), s.radius())));
             } else if (light instanceof Light.Rectangle q) {
                 Shape shape = new Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight());
                 double sides = q.twoSided() ? 2 : 1;
-                all.add(object(light, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
+                all.add(object(light, i, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
             } else if (light instanceof Light.Point p) {
-                PhysicalLight point = point(p, frame);
+                PhysicalLight point = point(p, i, frame);
                 if (point.luminance() > 0 || point.ultraviolet > 0) {
                     points.add(point);
                 }
@@ -67,12 +71,15 @@ final class GlowingObjects {
     }
 
     /** @param perPower the radiance of one unit of power */
-    private SceneObject object(Light light, double perPower, boolean isTwoSided, Shape shape) {
+    private SceneObject object(Light light, int index, double perPower, boolean isTwoSided, Shape shape) {
         Rgb radiance = light.emitted();
         double ultraviolet = light.ultraviolet();
         if (light.emission().quantity() == Emission.Quantity.POWER) {
-            ultraviolet *= perPower;
-            radiance = new Rgb(radiance.r() * perPower, radiance.g() * perPower, radiance.b() * perPower);
+            ultraviolet = bounded(ultraviolet * perPower, light, index);
+            radiance = new Rgb(
+                    bounded(radiance.r() * perPower, light, index),
+                    bounded(radiance.g() * perPower, light, index),
+                    bounded(radiance.b() * perPower, light, index));
         }
         Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
         surfaces.put(black, new SurfaceMaterial(black, null, PhysicalSurface.light(radiance, ultraviolet, isTwoSided)));
@@ -87,7 +94,7 @@ final class GlowingObjects {
     }
 
     /** Intensity is power per solid angle: seen in another unit of length, as many times the square of it arrive. */
-    private static PhysicalLight point(Light.Point p, SceneFrame frame) {
+    private static PhysicalLight point(Light.Point p, int index, SceneFrame frame) {
         boolean isPower = p.emission().quantity() == Emission.Quantity.POWER;
         Rgb c = p.emitted();
         double perPower = isPower ? 1 / (4 * Math.PI) : 1;
@@ -95,10 +102,27 @@ final class GlowingObjects {
         return PhysicalLight.point(
                 position,
                 new Rgb(
-                        intensity(c.r() * perPower, frame),
-                        intensity(c.g() * perPower, frame),
-                        intensity(c.b() * perPower, frame)),
-                intensity(p.ultraviolet() * perPower, frame));
+                        bounded(intensity(c.r() * perPower, frame), p, index),
+                        bounded(intensity(c.g() * perPower, frame), p, index),
+                        bounded(intensity(c.b() * perPower, frame), p, index)),
+                bounded(intensity(p.ultraviolet() * perPower, frame), p, index));
+    }
+
+    /**
+     * Radiance, or intensity in the frame.
+     *
+     * @throws InvalidValueException if it is beyond {@link Radiance#LARGEST}, at the place of the light
+     */
+    private static double bounded(double value, Light light, int index) {
+        if (!(value <= Radiance.LARGEST)) {
+            String key = light.emission().quantity().name().toLowerCase(Locale.ROOT);
+            throw new InvalidValueException(
+                    "lights/" + index + "/" + key,
+                    light instanceof Light.Point
+                            ? "is too much for a scene of this size: in units of it, intensity must be at most 1e100"
+                            : "is too much for a light of this size: its radiance must be at most 1e100");
+        }
+        return value;
     }
 
     private static double intensity(double value, SceneFrame frame) {

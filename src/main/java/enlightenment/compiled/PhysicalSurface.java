@@ -131,6 +131,11 @@ record PhysicalSurface(
     }
 
     private static Rgb scaled(Rgb c, int exponent) {
-        return new Rgb(Scale.scalb(c.r(), exponent), Scale.scalb(c.g(), exponent), Scale.scalb(c.b(), exponent));
+        return new Rgb(scaled(c.r(), exponent), scaled(c.g(), exponent), scaled(c.b(), exponent));
+    }
+
+    /** Nothing is darker than what absorbs all light on the shortest way. */
+    private static double scaled(double absorption, int exponent) {
+        return Math.min(Scale.scalb(absorption, exponent), Double.MAX_VALUE);
     }
 }

@@ -36,7 +36,7 @@ public final class SceneHints {
 
     /** Those of them that make sense where lights are surfaces and indirect light is solved. */
     private static final List<BiConsumer<SceneHints, List<String>>> OF_PHYSICAL =
-            List.of(SceneHints::nothingToSee, SceneHints::narrowView);
+            List.of(SceneHints::nothingToSee, SceneHints::narrowView, SceneHints::hiddenLight);
 
     private final Scene scene;
     private final CompiledScene compiled;
@@ -65,6 +65,24 @@ public final class SceneHints {
     private void nothingToSee(List<String> found) {
         if (compiled.primitives.length == 0 && compiled.visibleLights.length == 0) {
             found.add("/objects: there is nothing to see");
+        }
+    }
+
+    /** Of several surfaces in exactly the same place one is seen, and only that one gives light. */
+    private void hiddenLight(List<String> found) {
+        boolean[] isThere = new boolean[compiled.objects];
+        for (int id = 0; id < compiled.primitives.length; id++) {
+            isThere[compiled.object[id]] = true;
+        }
+        // The surfaces of lights come after the objects of the scene.
+        int next = scene.objects().size();
+        for (int i = 0; i < scene.lights().size(); i++) {
+            boolean hasSurface = !(scene.lights().get(i) instanceof Light.Point);
+            if (hasSurface && !isThere[next++]) {
+                found.add("/lights/" + i
+                        + ": is in exactly the same place as another surface that glows, which is seen in its stead:"
+                        + " it gives no light");
+            }
         }
     }
 

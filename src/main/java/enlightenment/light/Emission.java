@@ -1,6 +1,6 @@
 package enlightenment.light;
 
-import enlightenment.check.Check;
+import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import java.util.Objects;
 
@@ -40,7 +40,7 @@ public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
     public Emission {
         Objects.requireNonNull(quantity, "quantity");
         Objects.requireNonNull(value, "value");
-        Check.notNegative("ultraviolet", ultraviolet);
+        Radiance.check("ultraviolet", ultraviolet);
     }
 
     /** Visible light alone. */

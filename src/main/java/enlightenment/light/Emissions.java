@@ -2,6 +2,7 @@ package enlightenment.light;
 
 import enlightenment.check.Check;
 import enlightenment.color.Color;
+import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import java.util.Locale;
 import java.util.Objects;
@@ -32,12 +33,11 @@ final class Emissions {
         Objects.requireNonNull(color, "color");
         Rgb light = color.linear();
         Rgb value = emission.value();
-        boolean finite = Double.isFinite(light.r() * value.r())
-                && Double.isFinite(light.g() * value.g())
-                && Double.isFinite(light.b() * value.b());
-        Check.that(
-                finite,
-                emission.quantity().name().toLowerCase(Locale.ROOT),
-                "times the light's colour is beyond the range of doubles");
+        double most = Math.max(light.r() * value.r(), Math.max(light.g() * value.g(), light.b() * value.b()));
+        String key = emission.quantity().name().toLowerCase(Locale.ROOT);
+        Check.that(most < Double.POSITIVE_INFINITY, key, "times the light's colour is beyond the range of doubles");
+        // How bright power and intensity are is a matter of the scene's size.
+        boolean isRadiance = emission.quantity() == Emission.Quantity.RADIANCE;
+        Check.that(!isRadiance || most <= Radiance.LARGEST, key, "times the light's colour must be at most 1e100");
     }
 }

@@ -3,6 +3,7 @@ package enlightenment.material;
 import enlightenment.check.Check;
 import enlightenment.color.BandSensitivities;
 import enlightenment.color.CauchyFormula;
+import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import java.util.Objects;
 import java.util.Optional;
@@ -67,8 +68,8 @@ public sealed interface Material
         public Matte {
             Reflectance.check(color);
             Check.range("roughness", roughness, 0, 1);
-            Objects.requireNonNull(radiance, "radiance");
-            Check.notNegative("ultraviolet", ultraviolet);
+            Radiance.check("radiance", radiance);
+            Radiance.check("ultraviolet", ultraviolet);
         }
 
         /** A surface that glows, if at all, in visible light alone. */
@@ -114,8 +115,8 @@ public sealed interface Material
         /** Validates the components, as {@link Material} states. */
         public Mirror {
             Reflectance.check(color);
-            Objects.requireNonNull(radiance, "radiance");
-            Check.notNegative("ultraviolet", ultraviolet);
+            Radiance.check("radiance", radiance);
+            Radiance.check("ultraviolet", ultraviolet);
         }
 
         /** A mirror that glows, if at all, in visible light alone. */
@@ -164,8 +165,8 @@ public sealed interface Material
             Reflectance.check(color);
             Check.range("roughness", roughness, 0, 1);
             Objects.requireNonNull(conductor, "conductor");
-            Objects.requireNonNull(radiance, "radiance");
-            Check.notNegative("ultraviolet", ultraviolet);
+            Radiance.check("radiance", radiance);
+            Radiance.check("ultraviolet", ultraviolet);
         }
 
         /** A surface that glows, if at all, in visible light alone. */
@@ -379,8 +380,8 @@ public sealed interface Material
                     "must reach beyond the shortest wavelength of \"absorption\": what is emitted is never shorter than"
                             + " what was absorbed");
             Check.range("yield", yield, 0, 1);
-            Objects.requireNonNull(radiance, "radiance");
-            Check.notNegative("ultraviolet", ultraviolet);
+            Radiance.check("radiance", radiance);
+            Radiance.check("ultraviolet", ultraviolet);
         }
 
         /** A surface that does not glow by itself. */

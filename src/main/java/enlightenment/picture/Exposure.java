@@ -17,34 +17,38 @@ public final class Exposure {
     /**
      * The exposure at which the geometric mean of the luminance Y becomes middle grey: the binary logarithm of 0.18/exp(mean log(Y + 1e-4
      * mean Y)), rounded to hundredths of a stop; after E. Reinhard, M. Stark, P. Shirley and J. Ferwerda, "Photographic tone
-     * reproduction for digital images", 2002. Components that are not finite or negative count as black.
+     * reproduction for digital images", 2002. Means are over the pixels that light comes from: black surroundings of a bright thing have
+     * no say. Components that are not finite or negative count as black.
      *
      * @param image of linear light
      * @return 0 for a picture that is black
      */
     public static double automatic(Image image) {
-        double mean = 0;
+        double sum = 0;
+        long lit = 0;
         for (int y = 0; y < image.height(); y++) {
             double row = 0;
             for (int x = 0; x < image.width(); x++) {
-                row += luminance(image, x, y);
+                double luminance = luminance(image, x, y);
+                row += luminance;
+                lit += luminance > 0 ? 1 : 0;
             }
-            mean += row;
+            sum += row;
         }
-        double pixels = (double) image.width() * image.height();
-        mean /= pixels;
-        if (!(mean > 0)) {
+        if (lit == 0) {
             return 0;
         }
+        double mean = sum / lit;
         double logs = 0;
         for (int y = 0; y < image.height(); y++) {
             double row = 0;
             for (int x = 0; x < image.width(); x++) {
-                row += StrictMath.log(luminance(image, x, y) + FLOOR * mean);
+                double luminance = luminance(image, x, y);
+                row += luminance > 0 ? StrictMath.log(luminance + FLOOR * mean) : 0;
             }
             logs += row;
         }
-        double stops = (StrictMath.log(MIDDLE_GREY) - logs / pixels) / StrictMath.log(2);
+        double stops = (StrictMath.log(MIDDLE_GREY) - logs / lit) / StrictMath.log(2);
         return Math.rint(100 * stops) / 100;
     }
 

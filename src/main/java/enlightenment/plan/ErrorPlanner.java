@@ -40,10 +40,10 @@ final class ErrorPlanner {
                 new TrialBlocks(settings, trial.display(), plans.traits().blockSide());
         ErrorTrials trials = new ErrorTrials(settings, blocks, (n, some) -> trial.render(n, some, stop), stop);
         if (trials.areTooFew()) {
-            // The first round is the trial.
-            return 1;
+            // The first round is the trial of all but the file.
+            trials.findRounding();
         }
-        double found = search(trials, most);
+        double found = trials.areTooFew() ? 1 : search(trials, most);
         if (!stop.getAsBoolean()) {
             checkRounding(trials);
         }

@@ -73,7 +73,7 @@ final class ErrorTrials {
         return blocks.count() * MOST_SHARE < TOO_FEW_BLOCKS;
     }
 
-    /** Whether rounding alone makes the error as large as it may be; known after a search. */
+    /** Whether rounding alone makes the error as large as it may be; known after a search, or after {@link #findRounding}. */
     boolean isHopeless() {
         return rounding >= HOPELESS * asked;
     }
@@ -81,6 +81,12 @@ final class ErrorTrials {
     /** The root mean square of what rounding to the file's depth changes, as far as trials tell. */
     double rounding() {
         return rounding;
+    }
+
+    /** Finds what rounding changes, by one sample of each pixel of all blocks. */
+    void findRounding() {
+        List<FilmTile> tiles = trial(1, 0, 1);
+        rounding = stop.getAsBoolean() ? 0 : Math.sqrt(squaredRounding(tiles));
     }
 
     /** What all trials have cost, in samples per pixel of the whole render. */
@@ -100,7 +106,7 @@ final class ErrorTrials {
         double n = Math.min(Math.max(first, least), most);
         for (int k = 0; k < MOST_TRIALS; k++) {
             work += planning;
-            List<FilmTile> tiles = trial(n, 0);
+            List<FilmTile> tiles = trial(n, 0, share);
             double e = stop.getAsBoolean() ? 0 : figure(tiles);
             if (stop.getAsBoolean() || isHopeless()) {
                 return Double.POSITIVE_INFINITY;
@@ -124,7 +130,7 @@ final class ErrorTrials {
     /** The answer, or more where twice as many blocks say so. */
     private double confirmed(double n, double most) {
         List<FilmTile> both = new ArrayList<>(answered);
-        both.addAll(trial(n, 1));
+        both.addAll(trial(n, 1, share));
         if (stop.getAsBoolean()) {
             return n;
         }
@@ -136,8 +142,8 @@ final class ErrorTrials {
         return more <= most ? more : Double.POSITIVE_INFINITY;
     }
 
-    private List<FilmTile> trial(double samples, int phase) {
-        List<FilmTile> tiles = blocks.phase(phase, share);
+    private List<FilmTile> trial(double samples, int phase, double ofBlocks) {
+        List<FilmTile> tiles = blocks.phase(phase, ofBlocks);
         sampler.render(samples, tiles);
         work += samples * tiles.size() / blocks.count();
         return tiles;

@@ -1,6 +1,7 @@
 package enlightenment.scene;
 
 import enlightenment.check.Check;
+import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
 import java.util.Objects;
@@ -25,7 +26,7 @@ public sealed interface Background permits Background.Constant, Background.Pictu
 
         /** Validates the components, as {@link Background} states. */
         public Constant {
-            Objects.requireNonNull(radiance, "radiance");
+            Radiance.check("radiance", radiance);
         }
     }
 
@@ -41,7 +42,7 @@ public sealed interface Background permits Background.Constant, Background.Pictu
         /** Validates the components, as {@link Background} states. */
         public Picture {
             Objects.requireNonNull(picture, "picture");
-            Objects.requireNonNull(radiance, "radiance");
+            Radiance.check("radiance", radiance);
             Check.finite("rotation", rotation);
         }
 
@@ -86,7 +87,7 @@ public sealed interface Background permits Background.Constant, Background.Pictu
                     groundAlbedo.max() <= 1,
                     "groundAlbedo",
                     "must lie in 0..1: ground does not give back more than it receives");
-            Objects.requireNonNull(radiance, "radiance");
+            Radiance.check("radiance", radiance);
         }
 
         /** The sky of a clear day, with its sun. */

@@ -154,6 +154,7 @@ class FloatingLiteralsTest {
             new Explained("bsdf/RoughDiffuse.java", "0.2145988016", "arc cosine: Abramowitz and Stegun 4.4.46"),
             new Explained("bsdf/RoughDiffuse.java", "1.5707963050", "arc cosine: Abramowitz and Stegun 4.4.46"),
             new Explained("bsdf/RoughDiffuse.java", "3.0", "two thirds, in the model's closed form"),
+            new Explained("bsdf/Fresnel.java", "0x1p100", "an index of refraction: a ratio of speeds"),
             new Explained("bsdf/GlossyReflection.java", "0.1", "a share of samples"),
             new Explained("bsdf/LostAtBorder.java", "0.75", "a share of light, measured by random walks among facets"),
             new Explained("bsdf/RoughDielectric.java", "0.1", "a share of samples"),

@@ -1,9 +1,13 @@
 package enlightenment.cli;
 
 import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
@@ -60,11 +64,33 @@ class LightNotesTest {
     @Test
     void samplesThatAreNoNumbersFailTheCommandAndAreTold() throws Exception {
         RenderResult bad = result(3);
-        CliException e = assertThrows(CliException.class, () -> LightNotes.require(bad));
+        CliException e = assertThrows(CliException.class, () -> LightNotes.require(bad, bad.image()));
         assertTrue(e.getMessage().startsWith("3 samples were infinite or no numbers"), e.getMessage());
         assertTrue(StatsTable.of(bad.report()).contains("lost samples"));
         assertTrue(ReportJson.of(bad).replace(" ", "").contains("\"lostSamples\":3"));
         RenderResult good = result(0);
-        assertDoesNotThrow(() -> LightNotes.require(good));
+        assertDoesNotThrow(() -> LightNotes.require(good, good.image()));
+    }
+
+    @Test
+    void lightBeyondTheRangeOfFloatsFailsTheCommandAndIsTold() throws Exception {
+        RenderResult good = result(0);
+        Image bright = new Image(1, 1, new float[] {1, Float.POSITIVE_INFINITY, 2}, Encoding.LINEAR);
+        CliException e = assertThrows(CliException.class, () -> LightNotes.require(good, bright));
+        assertTrue(
+                e.getMessage().startsWith("1 numbers of the picture are beyond the range of floats"), e.getMessage());
+    }
+
+    @Test
+    void whatOneSampleDoesNotTellIsLeftOut() throws Exception {
+        Scene scene = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
+        for (double samples : new double[] {1, 4}) {
+            RenderSettings settings =
+                    RenderSettings.of(scene).withSize(8, 8).withBudget(Budget.NONE.withSamples(samples));
+            String stats = StatsTable.of(Renderer.render(scene, settings, RenderProgress.NONE, () -> false)
+                    .report());
+            assertEquals(samples > 1, stats.contains("of linear light"), stats);
+            assertFalse(stats.contains("NaN"), stats);
+        }
     }
 }

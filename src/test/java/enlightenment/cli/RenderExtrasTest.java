@@ -267,9 +267,10 @@ class RenderExtrasTest extends SceneFixture {
     }
 
     /** Sixteen bits can keep what eight cannot; where nothing else ends the render it is refused before it begins. */
-    @Test
-    void anErrorBelowTheRoundingOfTheFileIsRefusedBeforeTheRender() {
-        CliRun run = render("--size", "256x160", "--error", "0.0005");
+    @ParameterizedTest
+    @ValueSource(strings = {"256x160", "16x16"})
+    void anErrorBelowTheRoundingOfTheFileIsRefusedBeforeTheRender(String size) {
+        CliRun run = render("--size", size, "--error", "0.0005");
         assertEquals(2, run.code());
         assertTrue(
                 run.err()
@@ -278,7 +279,7 @@ class RenderExtrasTest extends SceneFixture {
                                         + " of 0\\.0005[0-9]* that is asked for; more bits \\(--depth 16\\) or a .pfm file can\n"),
                 run.err());
         assertFalse(Files.exists(picture));
-        CliRun limited = render("--size", "256x160", "--error", "0.0005", "--samples", "2");
+        CliRun limited = render("--size", size, "--error", "0.0005", "--samples", "2");
         assertEquals(1, limited.code());
         assertTrue(limited.err().contains("it cannot be kept\n"), limited.err());
         assertTrue(Files.exists(picture));

@@ -1,19 +1,23 @@
 package enlightenment.compiled;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
+import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
@@ -50,6 +54,28 @@ class SceneHintsTest {
                 assertEquals(List.of(), hints(SceneReader.read(file)), file.toString());
             }
         }
+    }
+
+    @Test
+    void aLampInThePlaceOfAnotherIsNamedBecauseOnlyOneOfThemShines() {
+        Light.Sphere lamp = (Light.Sphere) LAMP;
+        Light fainter =
+                new Light.Sphere(lamp.center(), lamp.radius(), DisplayRgb.WHITE, Emission.radiance(Rgb.gray(0.5)));
+        Light point = new Light.Point(lamp.center(), DisplayRgb.WHITE);
+        List<String> found = hints(from(-5).object(BALL, WHITE)
+                .shading(PhysicalShading.DEFAULT)
+                .light(point)
+                .light(LAMP)
+                .light(fainter));
+        assertEquals(1, found.size());
+        assertTrue(
+                found.get(0).matches("/lights/[12]: is in exactly the same place .* it gives no light"), found.get(0));
+        assertEquals(
+                List.of(),
+                hints(from(-5).object(BALL, WHITE)
+                        .shading(PhysicalShading.DEFAULT)
+                        .light(point)
+                        .light(LAMP)));
     }
 
     @Test

@@ -55,6 +55,11 @@ class NamedFaultsTest {
                 "power: times the light's colour is beyond the range of doubles",
                 () -> new Light.Point(O, Rgb.gray(1e200), Emission.power(Rgb.gray(1e200))));
         fails(
+                "radiance: times the light's colour must be at most 1e100",
+                () -> new Light.Sphere(O, 1, Rgb.gray(2), Emission.radiance(Rgb.gray(1e100))));
+        fails("radiance: must be at most 1e100", () -> new Background.Constant(new Rgb(0, 1.5e100, 0)));
+        fails("ultraviolet: must be at most 1e100", () -> Emission.RADIANCE_1.withUltraviolet(2e100));
+        fails(
                 "color: reflects more than it receives: no component of a surface's colour may be above 1, as 1.25 is",
                 () -> Material.Glossy.of(Texture.of(new Rgb(0, 1.25, 0)), 0.5));
         fails(

@@ -1,0 +1,78 @@
+package enlightenment.physical;
+
+import static enlightenment.physical.PhysicalScenes.at;
+import static enlightenment.physical.PhysicalScenes.ball;
+import static enlightenment.physical.PhysicalScenes.linear;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Shape;
+import enlightenment.image.Image;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.math.InvalidValueException;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** At the end of the range of numbers: light that is refused by its place, and light that is rendered. */
+class BrightestLightsTest {
+    private static final Shape BALL = ball(0, 0.5, 0, 0.5);
+
+    private static RenderResult render(Light light, Material material, BuiltInMethod method) {
+        Scene scene =
+                PhysicalScenes.view(8, 8).object(BALL, material).light(light).build();
+        RenderSettings settings = RenderSettings.of(scene).withMethod(method).withAntialias(2);
+        return Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
+    }
+
+    private static void assertRefused(String key, Light light) {
+        InvalidValueException e = assertThrows(
+                InvalidValueException.class, () -> render(light, PhysicalScenes.WHITE, BuiltInMethod.RAYTRACE));
+        assertEquals(key, e.key());
+        assertTrue(e.problem().contains("of this size"), e.problem());
+    }
+
+    @Test
+    void powerThatATinyLightCannotHaveIsRefusedAtItsPlace() {
+        Emission ten = Emission.power(Rgb.gray(10));
+        assertRefused("lights/0/power", new Light.Sphere(at(0, 2, 0), 1e-160, Rgb.WHITE, ten));
+        assertRefused("lights/0/power", new Light.Sphere(at(0, 2, 0), 1, Rgb.WHITE, Emission.power(Rgb.gray(1e308))));
+        assertRefused(
+                "lights/0/intensity", new Light.Point(at(0, 2, 0), Rgb.WHITE, Emission.intensity(Rgb.gray(1e308))));
+    }
+
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void theBrightestLightThatIsAllowedLosesNoSample(BuiltInMethod method) {
+        Light light = new Light.Sphere(at(0, 2, 0), 0.3, Rgb.WHITE, Emission.radiance(Rgb.gray(1e100)));
+        assertEquals(0, render(light, PhysicalScenes.WHITE, method).report().lostSamples());
+    }
+
+    /** Absorption over the largest length of a scene is beyond all numbers: nothing comes through, as with much less of it. */
+    @Test
+    void glassThatAbsorbsWithoutBoundsIsLikeGlassThatAbsorbsMuch() {
+        Light light = PhysicalScenes.sphereLight(0, 2, -1, 0.3, 10);
+        Image boundless =
+                render(light, glass(Double.MAX_VALUE), BuiltInMethod.RAYTRACE).image();
+        Image much = render(light, glass(1e30), BuiltInMethod.RAYTRACE).image();
+        for (int k = 0; k < 64; k++) {
+            assertEquals(much.component(k % 8, k / 8, 1), boundless.component(k % 8, k / 8, 1), 0.0);
+        }
+    }
+
+    private static Material glass(double absorption) {
+        return new Material.Glass(
+                linear(1, 1, 1), 1.5, 1, 0, true, 0, Rgb.gray(absorption), true, OptionalDouble.empty());
+    }
+}

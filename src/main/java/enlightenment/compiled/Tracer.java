@@ -341,7 +341,7 @@ public final class Tracer {
     public boolean occluded(Ray ray, double tMax, LightBody target) {
         counters.shadowRays++;
         EndFaces on = target.lyingOn();
-        if (on.hasBorders() && on.isLeftAtEnd(ray, tMax, end)) {
+        if (on.isLeftAtEnd(ray, tMax, end)) {
             return true;
         }
         ray.endsOn(on, tMax);

@@ -58,6 +58,6 @@ final class DistantRays {
     /** Returns whether something is in the ray's way at once. */
     private boolean start(double dx, double dy, double dz, boolean atBorder, boolean through) {
         ray.set(path.hit.px, path.hit.py, path.hit.pz, dx, dy, dz, 0);
-        return path.depart(ray, atBorder, through);
+        return Departure.from(path, ray, atBorder, through);
     }
 }

@@ -96,6 +96,6 @@ final class EyeConnection {
     /** Returns whether something is in the ray's way at once. */
     private boolean start(boolean isBorder, boolean isBeyond) {
         ray.set(path.hit.px, path.hit.py, path.hit.pz, eye.toEyeX, eye.toEyeY, eye.toEyeZ, 0);
-        return path.depart(ray, isBorder, isBeyond);
+        return Departure.from(path, ray, isBorder, isBeyond);
     }
 }

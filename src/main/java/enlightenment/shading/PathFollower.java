@@ -132,25 +132,6 @@ final class PathFollower {
         }
     }
 
-    /**
-     * Lets a ray whose origin is the vertex that the path is at depart from all surfaces there.
-     *
-     * @param atBorder whether the vertex is on a rough border of two media
-     * @param through whether the ray leaves it on the side that the path did not come from
-     * @return whether a surface that coincides with the vertex is in its way, wherever rounding puts that; a walk may pass it
-     */
-    boolean depart(Ray ray, boolean atBorder, boolean through) {
-        ray.from(hit.primitive, through ? -hit.side : hit.side);
-        if (atBorder) {
-            glass.startAtBorder(ray, through);
-            return glass.comesToOpaque(through);
-        }
-        if (glass.surfaces() > 1) {
-            glass.startOnAll(ray);
-        }
-        return glass.entersAtOnce();
-    }
-
     private void begin(int left) {
         key = 0;
         surfaces = left;
@@ -322,11 +303,6 @@ final class PathFollower {
     /** How glass scatters where the path is at a rough border of two media, and where; null elsewhere. */
     Bsdf roughBorder(Ray ray, Scattering s) {
         return glass.roughBorder(ray, hit, s);
-    }
-
-    /** The same, but none where one of its sides is an opaque surface, which has no distance from it. */
-    Bsdf roughBorderApart(Ray ray, Scattering s) {
-        return glass.comesToOpaque(true) || glass.comesToOpaque(false) ? null : roughBorder(ray, s);
     }
 
     /** How many scattering events it has had. */

@@ -71,7 +71,7 @@ final class SegmentRays {
     /** Returns whether something is in the ray's way at once. */
     private boolean start() {
         ray.set(hit.px, hit.py, hit.pz, dx, dy, dz, 0);
-        return path.depart(ray, isBorder, isBeyond);
+        return Departure.from(path, ray, isBorder, isBeyond);
     }
 
     private boolean walks() {

@@ -152,6 +152,6 @@ final class ShadowRays {
     /** Returns whether something is in its way at once. */
     private boolean start(LightSample to) {
         ray.set(x, y, z, to.dx, to.dy, to.dz, 0);
-        return path.depart(ray, isBorder, isBeyond);
+        return Departure.from(path, ray, isBorder, isBeyond);
     }
 }

@@ -244,7 +244,10 @@ abstract class Subpath extends CarriedLight {
                 return Event.SURFACE;
             }
         }
-        Bsdf rough = physical.hasRoughGlass && path.mayScatter() ? path.roughBorderApart(ray, border) : null;
+        // An opaque surface at such a border has no distance from it: the path goes on as through smooth glass.
+        boolean isApart = !path.glass.comesToOpaque(true) && !path.glass.comesToOpaque(false);
+        boolean mayConnect = physical.hasRoughGlass && isApart && path.mayScatter();
+        Bsdf rough = mayConnect ? path.roughBorder(ray, border) : null;
         if (rough == null) {
             return pass(sampler);
         }

@@ -1,5 +1,6 @@
 package enlightenment.light;
 
+import enlightenment.check.Check;
 import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import java.util.Objects;
@@ -35,12 +36,17 @@ public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
     /**
      * Checks that nothing is missing.
      *
-     * @throws enlightenment.math.InvalidValueException (key {@code ultraviolet}) if that is negative or not finite
+     * @throws enlightenment.math.InvalidValueException (key {@code ultraviolet}) if that is negative or not finite, or a radiance above
+     *     {@link Radiance#LARGEST}
      */
     public Emission {
         Objects.requireNonNull(quantity, "quantity");
         Objects.requireNonNull(value, "value");
-        Radiance.check("ultraviolet", ultraviolet);
+        Check.notNegative("ultraviolet", ultraviolet);
+        // How bright power and intensity are is a matter of the scene's size.
+        if (quantity == Quantity.RADIANCE) {
+            Radiance.check("ultraviolet", ultraviolet);
+        }
     }
 
     /** Visible light alone. */

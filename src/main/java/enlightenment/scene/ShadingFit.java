@@ -22,6 +22,10 @@ final class ShadingFit {
     private static final String SOLIDS = "; give it thickness, as a \"box\" has it, or close its ends";
 
     private final Shading.Model model;
+
+    /** Whether a medium fills the whole scene. */
+    private final boolean hasMedium;
+
     private final Map<String, Material> named;
 
     /** What is wrong, by its place. */
@@ -35,6 +39,7 @@ final class ShadingFit {
 
     ShadingFit(Shading shading, Map<String, Material> named) {
         this.model = shading.model();
+        hasMedium = shading instanceof PhysicalShading p && p.medium().isPresent();
         this.named = named;
     }
 
@@ -49,6 +54,12 @@ final class ShadingFit {
                     "camera/pupilRadius",
                     "must be 0 in physical shading: a lens is not modelled, and all light comes to the eye in one point;"
                             + " leave it out");
+        }
+        if (hasMedium && camera instanceof Camera.Isometric) {
+            throw new InvalidValueException(
+                    "camera/type",
+                    "must not be \"isometric\" in a scene that a \"medium\" fills: this view is from infinitely far, from"
+                            + " where nothing is seen through it; \"orthographic\" has an eye");
         }
     }
 

@@ -254,14 +254,14 @@ final class PathFollower {
 
     /** How far the ray went to what {@link #next} found: nowhere if that coincides with the glass that it left. */
     double distance(Ray ray) {
-        return tookNext ? 0 : hit.t * Math.sqrt(ray.dd);
+        return tookNext ? 0 : (hit.t - ray.tMin) * Math.sqrt(ray.dd);
     }
 
     /**
      * The same for a ray that goes no further than this, in lengths of the frame: {@link Event#NOTHING} if it meets nothing on that way.
      */
     Event next(Ray ray, double length) {
-        tracer.limit = Math.min(length / Math.sqrt(ray.dd), Double.MAX_VALUE);
+        tracer.limit = Math.min(ray.tMin + length / Math.sqrt(ray.dd), Double.MAX_VALUE);
         Event event = next(ray);
         tracer.limit = Double.MAX_VALUE;
         return event;
@@ -277,9 +277,9 @@ final class PathFollower {
         s.ox = -ray.dx * scale;
         s.oy = -ray.dy * scale;
         s.oz = -ray.dz * scale;
-        hit.px = Math.fma(-length, s.ox, ray.ox);
-        hit.py = Math.fma(-length, s.oy, ray.oy);
-        hit.pz = Math.fma(-length, s.oz, ray.oz);
+        hit.px = Math.fma(-length, s.ox, Math.fma(ray.tMin, ray.dx, ray.ox));
+        hit.py = Math.fma(-length, s.oy, Math.fma(ray.tMin, ray.dy, ray.oy));
+        hit.pz = Math.fma(-length, s.oz, Math.fma(ray.tMin, ray.dz, ray.oz));
         hit.nx = 0;
         hit.ny = 0;
         hit.nz = 0;

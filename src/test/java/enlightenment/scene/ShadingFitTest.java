@@ -17,6 +17,8 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.util.Collections;
+import java.util.Optional;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 
 class ShadingFitTest {
@@ -53,6 +55,17 @@ class ShadingFitTest {
         InvalidValueException e = refused(scene(PhysicalShading.DEFAULT).camera(eye));
         assertEquals("camera/pupilRadius", e.key());
         assertTrue(e.problem().contains("a lens is not modelled"), e.problem());
+    }
+
+    @Test
+    void aViewFromInfinitelyFarIsRefusedWhereAMediumHasNoEnd() {
+        Medium medium = Medium.Coefficients.of(Rgb.BLACK, Rgb.WHITE);
+        Shading fog = new PhysicalShading(OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(medium));
+        InvalidValueException e = refused(scene(fog));
+        assertEquals("camera/type", e.key());
+        assertTrue(e.problem().startsWith("must not be \"isometric\""), e.problem());
+        scene(fog).camera(eye(0)).build();
+        scene(PhysicalShading.DEFAULT).build();
     }
 
     private static Camera eye(double pupilRadius) {

@@ -95,7 +95,7 @@ final class RandomScenes {
                 NAMES[random.nextInt(NAMES.length)],
                 1 + random.nextInt(Scene.MAX_SIDE),
                 1 + random.nextInt(Scene.MAX_SIDE),
-                retry(this::camera),
+                camera(shading),
                 shading,
                 random.nextBoolean()
                         ? Display.DEFAULT
@@ -229,6 +229,16 @@ final class RandomScenes {
             keys.put(random.nextInt(i + 1) * 1000, decimal());
         }
         return keys;
+    }
+
+    private Camera camera(Shading shading) {
+        boolean hasMedium =
+                shading instanceof PhysicalShading physical && physical.medium().isPresent();
+        Camera camera = retry(this::camera);
+        while (hasMedium && camera instanceof Camera.Isometric) {
+            camera = retry(this::camera);
+        }
+        return camera;
     }
 
     private Camera camera() {

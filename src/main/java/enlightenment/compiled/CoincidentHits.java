@@ -66,7 +66,7 @@ public final class CoincidentHits {
 
     private void findOther(Ray ray, int other, int face, double reach, Hit hit) {
         Primitive p = scene.primitives[other];
-        if (!leaves(ray, p)) {
+        if (!leaves(ray, p) && !(ray.sideOf(p) != 0 && isAtStart(ray, reach, hit))) {
             probe(other, face, reach, hit);
             return;
         }
@@ -85,6 +85,12 @@ public final class CoincidentHits {
         } else {
             addLeft(other, ray.sideOf(p));
         }
+    }
+
+    /** Whether a ray is where it starts, up to rounding: it has not risen above the surface there. */
+    private static boolean isAtStart(Ray ray, double reach, Hit hit) {
+        double height = (hit.px - ray.ox) * hit.nx + (hit.py - ray.oy) * hit.ny + (hit.pz - ray.oz) * hit.nz;
+        return Math.abs(height) <= reach;
     }
 
     private void addLeft(int id, int side) {
@@ -144,7 +150,7 @@ public final class CoincidentHits {
             return id;
         }
         find(ray, id, hit);
-        int best = seen(false);
+        int best = seen();
         Hit chosen = hits[best];
         // The ray's own crossing, to the last bit, as if the other surfaces were not there.
         if (best > 0) {
@@ -157,16 +163,15 @@ public final class CoincidentHits {
     /**
      * Which of the opaque surfaces is seen: one met from outside, or an open one, before the inside of a solid.
      *
-     * @param metFromOutside whether the insides of solids do not count, except for the first surface's
      * @return its index, or -1 if none is opaque
      */
-    public int seen(boolean metFromOutside) {
+    public int seen() {
         int best = -1;
         boolean bestInside = true;
         for (int k = 0; k < size; k++) {
             Hit h = hits[k];
             boolean inside = h.side == Ray.INSIDE && scene.primitives[ids[k]].isSolid();
-            if (scene.isGlass(ids[k], h.face) || metFromOutside && inside && k > 0) {
+            if (scene.isGlass(ids[k], h.face)) {
                 continue;
             }
             boolean first = best < 0

@@ -127,7 +127,7 @@ public final class CompiledScene {
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
         physical = shading instanceof PhysicalShading p
-                ? new PhysicalScene(p, frame, surroundings, compiled, points)
+                ? new PhysicalScene(p, frame, surroundings, compiled, points, camera.startBounds())
                 : null;
         this.lights = lights;
         this.primitives = compiled.primitives();

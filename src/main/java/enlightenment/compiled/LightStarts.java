@@ -9,9 +9,6 @@ import java.util.Arrays;
  * bounding sphere. One of them is sampled proportionally to its power, then a point and a direction. Immutable.
  */
 public final class LightStarts {
-    /** With more boxes to compare than these, lights are taken to shine from both sides. */
-    private static final long MOST_COMPARISONS = 1 << 24;
-
     private static final int[] NO_MEDIA = {};
 
     private final CompiledScene scene;
@@ -58,11 +55,11 @@ public final class LightStarts {
         for (PhysicalLight light : lights) {
             brightest = Math.max(brightest, brightness(light));
         }
-        boolean looks = (long) n * scene.primitives.length <= MOST_COMPARISONS;
+        Bounds eye = scene.camera.startBounds();
         double sum = 0;
         for (int l = 0; l <= n && brightest > 0; l++) {
             if (l < n) {
-                shinesBothWays[l] = shinesBothWays(lights[l], looks);
+                shinesBothWays[l] = lights[l].shinesBothWays(scene::material, eye);
                 media[l] = lights[l].solidsAround(scene.primitives, scene.glassSolids);
                 probability[l] = brightness(lights[l]) / brightest * reach(l);
             } else if (withBackground) {
@@ -105,23 +102,6 @@ public final class LightStarts {
             return 4 * Math.PI;
         }
         return (shinesBothWays[l] ? 2 : 1) * Math.PI * lights[l].form.area();
-    }
-
-    /** Whether the inside of a light counts, too: not that of a closed surface with nothing in it. */
-    private boolean shinesBothWays(PhysicalLight light, boolean looks) {
-        if (light.isPoint || !scene.material(light.id, light.face).glowsInside) {
-            return false;
-        }
-        if (!looks || !light.surface.isSolid()) {
-            return true;
-        }
-        Bounds own = light.bounds();
-        for (int id = 0; id < scene.primitives.length; id++) {
-            if (id != light.id && scene.primitives[id].bounds().overlaps(own)) {
-                return true;
-            }
-        }
-        return scene.camera.startBounds().overlaps(own);
     }
 
     /** The light that a number chooses, 0..1; -1 if nothing shines. */

@@ -4,11 +4,13 @@ import enlightenment.color.Rgb;
 import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.AreaLights;
 import enlightenment.emitter.SphereLight;
+import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.RectanglePrimitive;
 import enlightenment.primitive.SupportSurface;
 import java.util.Arrays;
+import java.util.function.BiFunction;
 
 /**
  * A light of physical shading: a face of a primitive that glows, or a point. What glows is a surface like any other: rays meet it, and it
@@ -114,6 +116,23 @@ public final class PhysicalLight extends LightBody {
      */
     public boolean isBallOf(int otherId) {
         return isBall && id == otherId;
+    }
+
+    /**
+     * Whether light that its inside emits may be seen: not that of an opaque solid, unless the eye is in it.
+     *
+     * @param materials tells the material of a face of a primitive
+     * @param eye a box around the places where camera rays start
+     */
+    boolean shinesBothWays(BiFunction<Integer, Integer, SurfaceMaterial> materials, Bounds eye) {
+        if (isPoint || !materials.apply(id, face).glowsInside) {
+            return false;
+        }
+        boolean isOpen = !surface.isSolid();
+        for (int k = 0; !isOpen && k < surface.faceCount(); k++) {
+            isOpen = materials.apply(id, k).isGlass;
+        }
+        return isOpen || eye.overlaps(bounds());
     }
 
     /** Luminance of radiance or intensity. */

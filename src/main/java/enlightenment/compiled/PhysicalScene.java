@@ -3,6 +3,7 @@ package enlightenment.compiled;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.LightPicker;
+import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -87,7 +88,8 @@ public final class PhysicalScene {
             SceneFrame frame,
             Surroundings surroundings,
             CompiledPrimitives compiled,
-            List<PhysicalLight> points) {
+            List<PhysicalLight> points,
+            Bounds eye) {
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
         Rgb clear = seen(Rgb.WHITE, around);
         this.surroundings = surroundings == null || clear.equals(Rgb.WHITE)
@@ -145,7 +147,7 @@ public final class PhysicalScene {
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
         Sun sun = this.surroundings == null ? null : this.surroundings.sun;
-        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
+        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, eye, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }

@@ -152,7 +152,7 @@ final class GlassTracer {
         if (!glass && inside.size() == 0 && coincident.size() == 1) {
             return false;
         }
-        int opaque = coincident.seen(true);
+        int opaque = coincident.seen();
         boolean leaving = false;
         for (int k = 0; k < coincident.size(); k++) {
             leaving |=

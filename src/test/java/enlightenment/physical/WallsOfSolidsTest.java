@@ -1,0 +1,90 @@
+package enlightenment.physical;
+
+import static enlightenment.physical.PhysicalScenes.at;
+import static enlightenment.physical.PhysicalScenes.linear;
+import static enlightenment.physical.PhysicalScenes.matte;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Box;
+import enlightenment.image.Image;
+import enlightenment.material.Material;
+import enlightenment.material.Medium;
+import enlightenment.math.Vec3;
+import enlightenment.render.Renderer;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The walls of opaque solids that solids of glass or fog touch: nothing comes through them, from inside or outside. */
+class WallsOfSolidsTest {
+    private static final int WIDTH = 12;
+    private static final int HEIGHT = 8;
+
+    private static Material fog(double scattering) {
+        return Material.Scattering.of(Medium.Coefficients.of(Rgb.gray(scattering), Rgb.gray(scattering / 4)));
+    }
+
+    private static Material glass() {
+        return new Material.Glass(linear(1, 1, 1), 1.3, 1, 0, true);
+    }
+
+    /** A room that is the inside of a box, with a pool on its floor that reaches to the walls or nearly so. */
+    private static Scene pool(Material filling, double gap) {
+        return PhysicalScenes.view(WIDTH, HEIGHT)
+                .camera(new Camera.Perspective(at(0, 1.2, -0.9), at(0, 0.6, 0.5), Vec3.Y, 60))
+                .object(new Box(at(-1, 0, -1), at(1, 2, 1)), matte(0.6, 0.6, 0.6))
+                .object(new Box(at(-1 + gap, gap, -1 + gap), at(1 - gap, 0.8, 1 - gap)), filling)
+                .light(PhysicalScenes.sphereLight(0.2, 1.6, 0.2, 0.15, 8))
+                .build();
+    }
+
+    /** A white box that glows, in a box of almost nothing that stands on the same plane. */
+    private static Scene lantern(double gap) {
+        Material.Matte white = matte(0.9, 0.9, 0.9);
+        return PhysicalScenes.view(WIDTH, HEIGHT)
+                .camera(new Camera.Perspective(at(0, 1, -3), at(0, 0.4, 0), Vec3.Y, 40))
+                .object(new Box(at(-2, 0, -2), at(2, 0.1, 2)), matte(0.7, 0.7, 0.7))
+                .object(new Box(at(-0.3, 0.3, -0.3), at(0.3, 0.9, 0.3)), white.withRadiance(Rgb.gray(1)))
+                .object(new Box(at(-0.5, 0.3 - gap, -0.5), at(0.5, 1.5, 0.5)), fog(1e-9))
+                .build();
+    }
+
+    private static double mean(BuiltInMethod method, Scene scene) {
+        RenderSettings settings = RenderSettings.of(scene).withMethod(method).withAntialias(8);
+        Image image = Renderer.render(scene, settings);
+        double sum = 0;
+        for (int k = 0; k < WIDTH * HEIGHT; k++) {
+            sum += image.component(k % WIDTH, k / WIDTH, 0);
+        }
+        return sum / (WIDTH * HEIGHT);
+    }
+
+    /** Two renders of the same seed: what they differ by is much less than their noise. */
+    private static void assertSame(double gap, double contact) {
+        assertEquals(1, contact / gap, 0.03);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE", "BIDIRECTIONAL", "LIGHT", "CLUSTER"})
+    void fogThatReachesTheWallsOfARoomStaysInIt(BuiltInMethod method) {
+        assertSame(mean(method, pool(fog(0.4), 1e-5)), mean(method, pool(fog(0.4), 0)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE", "BIDIRECTIONAL", "CLUSTER"})
+    void lightInAPoolStaysInTheRoom(BuiltInMethod method) {
+        assertSame(mean(method, pool(glass(), 1e-5)), mean(method, pool(glass(), 0)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE", "BIDIRECTIONAL", "LIGHT"})
+    void lightInsideOfAGlowingSolidStaysThere(BuiltInMethod method) {
+        double outside = mean(method, lantern(1e-5));
+        assertSame(outside, mean(method, lantern(0)));
+        assertSame(mean(BuiltInMethod.RAYTRACE, lantern(0)), outside);
+    }
+}

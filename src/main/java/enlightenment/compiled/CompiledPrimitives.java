@@ -92,7 +92,7 @@ record CompiledPrimitives(
         int[] glass = new int[primitives.length];
         int n = 0;
         for (int i = 0; i < primitives.length; i++) {
-            if (primitives[i].isSolid() && materials.of(i, 0).isGlass) {
+            if (primitives[i].isSolid() && materials.inside(i).isGlass) {
                 glass[n++] = i;
             }
         }
@@ -106,7 +106,7 @@ record CompiledPrimitives(
         Integer[] order = Arrays.stream(glass).boxed().toArray(Integer[]::new);
         Arrays.sort(
                 order,
-                Comparator.<Integer>comparingInt(i -> -materials.of(i, 0).priority)
+                Comparator.<Integer>comparingInt(i -> -materials.inside(i).priority)
                         .thenComparingDouble(i -> primitives[i].volume())
                         .thenComparingInt(i -> i));
         int[] rank = new int[primitives.length];

@@ -216,6 +216,11 @@ public final class CompiledScene {
         return material(id, face).isGlass;
     }
 
+    /** The material that fills a solid of glass. */
+    public SurfaceMaterial inside(int glassSolid) {
+        return materials.inside(glassSolid);
+    }
+
     /** The material of a face of a primitive. */
     public SurfaceMaterial material(int id, int face) {
         return materials.of(id, face);

@@ -38,6 +38,18 @@ final class FaceMaterials {
         return Arrays.stream(materials).anyMatch(such);
     }
 
+    /** What fills a solid of glass: the material of the first of its faces that is of glass; face 0 of another one. */
+    SurfaceMaterial inside(int id) {
+        int start = first == null ? id : first[id];
+        int end = first == null ? id + 1 : first[id + 1];
+        for (int k = start; k < end; k++) {
+            if (materials[k].isGlass) {
+                return materials[k];
+            }
+        }
+        return materials[start];
+    }
+
     /** The material of a face of a primitive. */
     SurfaceMaterial of(int id, int face) {
         if (first == null) {

@@ -131,12 +131,12 @@ public final class PhysicalScene {
         }
         hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
         hasDispersion = Arrays.stream(compiled.glassSolids())
-                .anyMatch(id -> compiled.materials().of(id, 0).dispersion != 0);
+                .anyMatch(id -> compiled.materials().inside(id).dispersion != 0);
         hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
         hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
-                        .anyMatch(id -> compiled.materials().of(id, 0).absorbs);
+                        .anyMatch(id -> compiled.materials().inside(id).absorbs);
         hasStraightGlass = hasPanes(compiled) || hasEqualIndices(compiled);
         showsMirrored = compiled.materials().any(m -> !m.isGlass && m.isDelta && !m.isBlack)
                 || hasClearGlass(compiled)
@@ -208,14 +208,14 @@ public final class PhysicalScene {
     /** Whether a solid of smooth glass turns rays. */
     private static boolean hasClearGlass(CompiledPrimitives compiled) {
         return Arrays.stream(compiled.glassSolids())
-                .mapToObj(id -> compiled.materials().of(id, 0))
+                .mapToObj(id -> compiled.materials().inside(id))
                 .anyMatch(m -> m.isDelta && m.indexOfRefraction != 1);
     }
 
     /** Whether there are two media of the same index of refraction, one of which may be empty space. */
     private static boolean hasEqualIndices(CompiledPrimitives compiled) {
         double[] indices = Arrays.stream(compiled.glassSolids())
-                .mapToDouble(id -> compiled.materials().of(id, 0).indexOfRefraction)
+                .mapToDouble(id -> compiled.materials().inside(id).indexOfRefraction)
                 .sorted()
                 .toArray();
         double last = 1;

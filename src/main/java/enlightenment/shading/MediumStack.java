@@ -124,6 +124,6 @@ final class MediumStack {
     /** The material of the medium; null in empty space. */
     private SurfaceMaterial material() {
         int id = current();
-        return id < 0 ? null : scene.material(id, 0);
+        return id < 0 ? null : scene.inside(id);
     }
 }

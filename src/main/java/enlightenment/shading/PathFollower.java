@@ -297,7 +297,7 @@ final class PathFollower {
     /** The same, or that behind the rough border that the path is at. */
     SurfaceMaterial medium(boolean isBeyond) {
         int solid = glass.medium(isBeyond);
-        return solid < 0 ? around : scene.material(solid, 0);
+        return solid < 0 ? around : scene.inside(solid);
     }
 
     /** How glass scatters where the path is at a rough border of two media, and where; null elsewhere. */

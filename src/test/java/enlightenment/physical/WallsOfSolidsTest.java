@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
+import enlightenment.geometry.Cube;
 import enlightenment.image.Image;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -16,6 +17,9 @@ import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import java.util.List;
+import java.util.OptionalDouble;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -86,5 +90,24 @@ class WallsOfSolidsTest {
         double outside = mean(method, lantern(1e-5));
         assertSame(outside, mean(method, lantern(0)));
         assertSame(mean(BuiltInMethod.RAYTRACE, lantern(0)), outside);
+    }
+
+    /** A cube of dark glass of which the left or the right face is opaque, turned so that it is the same cube. */
+    private static Scene painted(boolean isLeft) {
+        Material dark =
+                new Material.Glass(linear(1, 1, 1), 1.5, 1, 0, true, 0, Rgb.gray(2), true, OptionalDouble.empty());
+        Material[] faces = {dark, dark, dark, dark, dark, dark};
+        faces[isLeft ? 0 : 1] = matte(0.5, 0.5, 0.5);
+        Cube cube = new Cube(at(0, 1, 0), 0.5, new Vec3(0, isLeft ? 20 : 200, 0));
+        return PhysicalScenes.view(WIDTH, HEIGHT)
+                .shading(PhysicalScenes.shading(1))
+                .object(new SceneObject("", cube, faces[2], List.of(faces)))
+                .build();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE", "BIDIRECTIONAL", "CLUSTER"})
+    void aCubeIsOfGlassWhicheverOfItsFacesIsNot(BuiltInMethod method) {
+        assertSame(mean(method, painted(false)), mean(method, painted(true)));
     }
 }

@@ -302,15 +302,11 @@ public final class CoincidentHits {
         }
     }
 
-    /**
-     * Starts a ray that leaves one of the surfaces, on the side that it came from, on all others.
-     *
-     * @param glassSolids whether borders of glass solids are among them
-     */
-    public void startOn(Ray ray, boolean glassSolids) {
+    /** Starts a ray that leaves one of the surfaces, on the side that it came from, on all others. */
+    public void startOn(Ray ray) {
         for (int k = 0; k < size; k++) {
             Primitive p = scene.primitives[ids[k]];
-            if (p != ray.start && (glassSolids || !isGlassSolid(k))) {
+            if (p != ray.start) {
                 ray.alsoFrom(p, hits[k].side);
             }
         }

@@ -353,12 +353,7 @@ final class GlassTracer {
 
     /** Starts a ray that leaves one of the surfaces that {@link #arrive} found, on the side it came from, on all of them. */
     void startOnAll(Ray ray) {
-        coincident.startOn(ray, true);
-    }
-
-    /** The same for a reflected ray, except for boundaries of glass solids, which it must cross again. */
-    void reflectFromAll(Ray ray) {
-        coincident.startOn(ray, false);
+        coincident.startOn(ray);
     }
 
     /** The number of coincident surfaces. */

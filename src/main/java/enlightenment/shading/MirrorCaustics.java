@@ -124,7 +124,7 @@ final class MirrorCaustics {
         Hit at = path.hit;
         MirrorImage image = images[k];
         ray.set(at.px, at.py, at.pz, image.dx, image.dy, image.dz, 0).from(at.primitive, at.side);
-        path.glass.reflectFromAll(ray);
+        path.glass.startOnAll(ray);
         return !path.glass.entersAtOnce() && mirrored.isMetBy(ray, balls.id[k], LightImage.ANY_FACE, balls.light[k]);
     }
 

@@ -234,8 +234,8 @@ final class PathFollower {
     /** Lets the ray leave that surface in the direction that was sampled. */
     void leave(Ray ray, Scattering s) {
         Optics.leave(ray, hit, s);
+        glass.startOnAll(ray);
         glass.settle(ray, id);
-        glass.reflectFromAll(ray);
     }
 
     /**

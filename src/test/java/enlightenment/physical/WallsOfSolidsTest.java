@@ -14,6 +14,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -109,5 +110,20 @@ class WallsOfSolidsTest {
     @CsvSource({"RAYTRACE", "BIDIRECTIONAL", "CLUSTER"})
     void aCubeIsOfGlassWhicheverOfItsFacesIsNot(BuiltInMethod method) {
         assertSame(mean(method, painted(false)), mean(method, painted(true)));
+    }
+
+    /** In a white furnace a poster on the outside of a block of glass, and a box sunk into it, show nothing. */
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE", "BIDIRECTIONAL", "CLUSTER", "METROPOLIS"})
+    void whatIsFlushWithGlassReflectsLightAwayFromIt(BuiltInMethod method) {
+        Material white = matte(1, 1, 1);
+        Scene scene = PhysicalScenes.view(WIDTH, HEIGHT)
+                .camera(new Camera.Perspective(at(1.5, 2, -2.5), at(0, 0.9, 0), Vec3.Y, 25))
+                .shading(PhysicalScenes.atMost(100, 1))
+                .object(new Box(at(-1, 0, -1), at(1, 1, 1)), glass())
+                .object(new Box(at(-0.5, 0.5, -0.5), at(0, 1, 0.5)), white)
+                .object(TestScenes.rectangle(0.2, 1, -0.5, 0.2, 1, 0.5, 0.9, 1, 0.5, 0.9, 1, -0.5), white)
+                .build();
+        assertEquals(1, mean(method, scene), 0.01);
     }
 }

@@ -11,6 +11,8 @@ import java.util.Arrays;
  * hit; which of them comes first means nothing, so they are treated as one event. A mutable work object, one per thread.
  */
 public final class CoincidentHits {
+    private static final int NONE = -1;
+
     /** Surfaces whose normals have a smaller cosine than this only meet in an edge. */
     private static final double SAME_DIRECTION = 0.5;
 
@@ -25,7 +27,7 @@ public final class CoincidentHits {
     private Hit[] hits = {new Hit(), new Hit(), new Hit(), new Hit()};
     private int size;
 
-    /** Opaque surfaces in the same place that the ray starts on, so that it is on its way from them to the first surface: by their ids. */
+    /** Surfaces in the same place that the ray starts on, so that it is on its way from them to the first surface: by their ids. */
     private int[] left = new int[2];
 
     private int[] leftSides = new int[2];
@@ -33,6 +35,9 @@ public final class CoincidentHits {
 
     /** Whether the ray starts on borders of solids of glass in the same place, so that it is on its way out of them to the first surface. */
     private boolean leftGlass;
+
+    /** The last opaque one of those, or -1. */
+    private int leftOpaque = NONE;
 
     /** No surfaces yet. */
     public CoincidentHits(CompiledScene scene) {
@@ -44,6 +49,7 @@ public final class CoincidentHits {
         size = 0;
         leftCount = 0;
         leftGlass = false;
+        leftOpaque = NONE;
     }
 
     /** Finds the surfaces that coincide with a hit; that of the hit itself comes first. */
@@ -80,11 +86,7 @@ public final class CoincidentHits {
             return;
         }
         size = before;
-        if (isGlass) {
-            leftGlass = true;
-        } else {
-            addLeft(other, ray.sideOf(p));
-        }
+        addLeft(other, ray.sideOf(p), isGlass);
     }
 
     /** Whether a ray is where it starts, up to rounding: it has not risen above the surface there. */
@@ -93,15 +95,20 @@ public final class CoincidentHits {
         return Math.abs(height) <= reach;
     }
 
-    private void addLeft(int id, int side) {
+    private void addLeft(int id, int side, boolean isGlass) {
         if (leftCount == left.length) {
             left = Arrays.copyOf(left, 2 * leftCount);
             leftSides = Arrays.copyOf(leftSides, 2 * leftCount);
         }
         left[leftCount] = id;
         leftSides[leftCount++] = side;
-        hits[size].side = side;
-        leftHit.set(hits[size]);
+        if (isGlass) {
+            leftGlass = true;
+        } else {
+            leftOpaque = id;
+            hits[size].side = side;
+            leftHit.set(hits[size]);
+        }
     }
 
     /**
@@ -111,16 +118,15 @@ public final class CoincidentHits {
      * @param out receives where that is, if there is one
      */
     public int left(Hit out) {
-        if (leftCount == 0) {
-            return -1;
+        if (leftOpaque != NONE) {
+            out.set(leftHit);
         }
-        out.set(leftHit);
-        return left[leftCount - 1];
+        return leftOpaque;
     }
 
     /** Whether the ray starts on an opaque surface in the same place: what stays on its side comes to that again at once. */
     public boolean hasLeftOpaque() {
-        return leftCount > 0;
+        return leftOpaque != NONE;
     }
 
     /** Whether the ray left solids of glass in the same place: what stays on its side enters them again at once. */
@@ -290,10 +296,12 @@ public final class CoincidentHits {
      * on those that it had left before.
      *
      * @param sign 1 if it stays, -1 if it passes
+     * @param covered whether it passes no further than to an opaque surface, so that it enters no solid
      */
-    public void startOn(Ray ray, int sign) {
-        for (int k = 1; k < size; k++) {
-            if (sign > 0 || isGlass(k)) {
+    public void startOn(Ray ray, int sign, boolean covered) {
+        for (int k = 0; k < size; k++) {
+            boolean isEntered = isGlassSolid(k) && hits[k].side == Ray.OUTSIDE;
+            if (scene.primitives[ids[k]] != ray.start && (sign > 0 || isGlass(k) && !(covered && isEntered))) {
                 ray.alsoFrom(scene.primitives[ids[k]], sign * hits[k].side);
             }
         }

@@ -13,6 +13,9 @@ import java.util.Arrays;
  * between: what comes from within crosses the border first, wherever rounding puts it, and what the light sends inwards enters there.
  */
 public final class EndFaces {
+    /** How far to search for a face, in tolerances: enough never to miss it. */
+    private static final double REACH = 4;
+
     private Primitive[] primitives = {};
     private int[] ids = {};
     private int[] faces = {};
@@ -81,21 +84,41 @@ public final class EndFaces {
     }
 
     /**
-     * Lets a ray that leaves the light start on these faces as well, but for borders that it crosses to the inside.
+     * Lets a ray that leaves the light start on these faces as well, but for borders that it crosses to the inside. It is inside of an opaque
+     * solid only where the face covers the light.
      *
      * @param side the side of the light's own surface that it travels on
+     * @param scratch is overwritten
      */
-    public void startOn(Ray ray, int side) {
+    public void startOn(Ray ray, int side, Ray scratch) {
         for (int k = 0; k < ids.length; k++) {
             int there = side;
             if (primitives[k].support(faces[k]) instanceof SupportSurface.Plane plane) {
                 Vec3 n = plane.unitNormal();
                 there = n.x() * ray.dx + n.y() * ray.dy + n.z() * ray.dz > 0 ? Ray.OUTSIDE : Ray.INSIDE;
             }
-            if (!isBorder[k] || there == Ray.OUTSIDE) {
+            if (there == Ray.OUTSIDE || !isBorder[k] && covers(k, ray, scratch)) {
                 ray.alsoFrom(primitives[k], there);
             }
         }
+    }
+
+    /** Whether a face is where the ray starts. A light may be larger than what it lies on. */
+    private boolean covers(int k, Ray ray, Ray scratch) {
+        if (!primitives[k].isSolid() || !(primitives[k].support(faces[k]) instanceof SupportSurface.Plane plane)) {
+            return true;
+        }
+        Vec3 n = plane.unitNormal();
+        double reach = REACH * tolerances[k];
+        scratch.set(
+                Math.fma(reach, n.x(), ray.ox),
+                Math.fma(reach, n.y(), ray.oy),
+                Math.fma(reach, n.z(), ray.oz),
+                -n.x(),
+                -n.y(),
+                -n.z(),
+                0);
+        return primitives[k].nearest(scratch, 2 * reach) != Primitive.MISS;
     }
 
     /** Whether any face of the primitive is one of these. */

@@ -114,7 +114,7 @@ final class CausticSource extends PathSource {
             density += probability(s) * coneDensity(s, thing, 0, l.x, l.y, l.z);
         }
         ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
-        l.lyingOn().startOn(ray, Ray.OUTSIDE);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, probe);
         return 1 / density;
     }
 
@@ -139,7 +139,7 @@ final class CausticSource extends PathSource {
                 dz,
                 0);
         ray.from(l.surface, Ray.OUTSIDE);
-        l.lyingOn().startOn(ray, Ray.OUTSIDE);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, probe);
         return Math.PI * l.radius * l.radius / density;
     }
 
@@ -167,7 +167,7 @@ final class CausticSource extends PathSource {
         }
         int side = cosine > 0 ? Ray.OUTSIDE : Ray.INSIDE;
         ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
-        l.lyingOn().startOn(ray, side);
+        l.lyingOn().startOn(ray, side, probe);
         return area.area() * Math.abs(cosine) / density;
     }
 

@@ -153,16 +153,15 @@ final class GlassTracer {
             return false;
         }
         int opaque = coincident.seen();
-        boolean leaving = false;
-        for (int k = 0; k < coincident.size(); k++) {
-            leaving |=
-                    coincident.isGlass(k) && coincident.hit(k).side == Ray.INSIDE && inside.contains(coincident.id(k));
+        if (opaque == NONE) {
+            next = NONE;
+            return true;
         }
-        if (opaque == NONE || leaving) {
-            next = opaque == NONE ? NONE : coincident.id(opaque);
-            if (next != NONE) {
-                nextHit.set(coincident.hit(opaque));
-            }
+        int leaving = leaving();
+        if (leaving != NONE) {
+            next = coincident.id(opaque);
+            nextHit.set(coincident.hit(opaque));
+            hit.set(coincident.hit(leaving));
             return true;
         }
         id = coincident.id(opaque);
@@ -170,6 +169,16 @@ final class GlassTracer {
             hit.set(coincident.hit(opaque));
         }
         return false;
+    }
+
+    /** The first of the surfaces at which the ray leaves a solid that it is inside of, or -1. */
+    private int leaving() {
+        for (int k = 0; k < coincident.size(); k++) {
+            if (coincident.isGlass(k) && coincident.hit(k).side == Ray.INSIDE && inside.contains(coincident.id(k))) {
+                return k;
+            }
+        }
+        return NONE;
     }
 
     /**
@@ -190,13 +199,13 @@ final class GlassTracer {
         }
         if (straight) {
             Optics.pass(ray, hit);
-            coincident.startOn(ray, -1);
+            coincident.startOn(ray, -1, next != NONE);
             return true;
         }
         lost = !scatter(ray, hit, coincident.id(boundary), coincident.hit(boundary).face, from / to);
         if (border.transmitted) {
             counters.refractedRays++;
-            coincident.startOn(ray, -1);
+            coincident.startOn(ray, -1, next != NONE);
             return true;
         }
         reflect(ray);
@@ -208,15 +217,15 @@ final class GlassTracer {
         inside.set(saved);
         next = coincident.left(nextHit);
         counters.mirrorRays++;
-        coincident.startOn(ray, 1);
+        coincident.startOn(ray, 1, false);
     }
 
-    /** Crosses all borders, and finds the one that counts. */
+    /** Crosses all borders that no opaque surface is before, and finds the one that counts. */
     private void changeMedia() {
         int before = inside.current();
         saved.set(inside);
         for (int k = 0; k < coincident.size(); k++) {
-            if (coincident.isGlassSolid(k)) {
+            if (coincident.isGlassSolid(k) && (next == NONE || coincident.hit(k).side == Ray.INSIDE)) {
                 inside.cross(coincident.id(k), coincident.hit(k).side);
             }
         }
@@ -243,7 +252,7 @@ final class GlassTracer {
             share = ThinDielectric.transmittance(cosine, inside.over(coincident.material(pane)));
         }
         Optics.pass(ray, hit);
-        coincident.startOn(ray, -1);
+        coincident.startOn(ray, -1, next != NONE);
         return share;
     }
 
@@ -348,7 +357,7 @@ final class GlassTracer {
 
     /** Starts a ray that leaves a rough border on all surfaces there. */
     void startAtBorder(Ray ray, boolean through) {
-        coincident.startOn(ray, through ? -1 : 1);
+        coincident.startOn(ray, through ? -1 : 1, through && next != NONE);
     }
 
     /** Starts a ray that leaves one of the surfaces that {@link #arrive} found, on the side it came from, on all of them. */

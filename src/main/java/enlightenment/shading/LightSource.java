@@ -111,7 +111,7 @@ final class LightSource extends PathSource {
     private void fromPoint(PhysicalLight l, double[] numbers, Ray ray) {
         toSphere(numbers);
         ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
-        l.lyingOn().startOn(ray, Ray.OUTSIDE);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, probe);
     }
 
     /** Any direction at all. */
@@ -168,6 +168,6 @@ final class LightSource extends PathSource {
         cosine = side * (dx * point.nx + dy * point.ny + dz * point.nz);
         isInside = side == Ray.INSIDE;
         ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
-        l.lyingOn().startOn(ray, side);
+        l.lyingOn().startOn(ray, side, probe);
     }
 }

@@ -15,6 +15,7 @@ abstract class PathSource {
     final Basis basis = new Basis();
     final SurfacePoint point = new SurfacePoint();
     final double[] disk = new double[3];
+    final Ray probe = new Ray();
 
     /** The direction. */
     double dx;

@@ -142,6 +142,8 @@ class FloatingLiteralsTest {
             new Explained(
                     "math/ExactPoint.java", "0x1p-40", "relative: when a sum of roundings asks for exact arithmetic"),
             new Explained(
+                    "primitive/EndFaces.java", "4", "tolerances: how far to look for a face that is known to coincide"),
+            new Explained(
                     "compiled/CoincidentHits.java",
                     "4",
                     "tolerances: how far to look for a face that is known to coincide"),

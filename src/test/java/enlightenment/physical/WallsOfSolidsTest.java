@@ -126,4 +126,36 @@ class WallsOfSolidsTest {
                 .build();
         assertEquals(1, mean(method, scene), 0.01);
     }
+
+    /** A sheet between two blocks of glass, which touch it or nearly so, seen through the upper one. */
+    private static Scene sandwich(double lower, double gap) {
+        return PhysicalScenes.view(WIDTH, HEIGHT)
+                .camera(new Camera.Perspective(at(0, 6, -0.5), at(0, 0, 0), Vec3.Z, 8))
+                .shading(PhysicalScenes.atMost(100, 1))
+                .object(new Box(at(-1, gap, -1), at(1, 1, 1)), glass())
+                .object(new Box(at(-1, -1, -1), at(1, -gap, 1)), new Material.Glass(linear(1, 1, 1), lower, 1, 0, true))
+                .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), matte(0.6, 0.6, 0.6))
+                .build();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE, 1.3", "RAYTRACE, 2", "BIDIRECTIONAL, 2", "CLUSTER, 2"})
+    void aSheetBetweenTwoBlocksOfGlassIsSeenFromThatBeforeIt(BuiltInMethod method, double lower) {
+        assertSame(mean(method, sandwich(lower, 1e-5)), mean(method, sandwich(lower, 0)));
+    }
+
+    /** A lamp that shines both ways and lies on a box that is smaller. */
+    private static Scene shade(double gap) {
+        return PhysicalScenes.view(WIDTH, HEIGHT)
+                .object(TestScenes.rectangle(-6, 0, -6, -6, 0, 6, 6, 0, 6, 6, 0, -6), matte(0.7, 0.7, 0.7))
+                .object(new Box(at(0, 0, 0), at(0.5, 1, 0.5)), matte(0.8, 0.8, 0.8))
+                .light(PhysicalScenes.panel(0, 1 + gap, 0, 0.5, Rgb.gray(4), true))
+                .build();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"RAYTRACE", "BIDIRECTIONAL", "LIGHT"})
+    void aLampShinesBesideTheBoxThatItLiesOn(BuiltInMethod method) {
+        assertSame(mean(method, shade(1e-5)), mean(method, shade(0)));
+    }
 }

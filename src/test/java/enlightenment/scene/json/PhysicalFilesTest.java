@@ -29,7 +29,7 @@ class PhysicalFilesTest {
     Path folder;
 
     private static String scene(String parts) {
-        return "{\"image\": {\"width\": 4, \"height\": 2}, \"camera\": {\"type\": \"isometric\", \"lookAt\": [0, 0, 0],"
+        return "{\"image\": {\"width\": 4, \"height\": 2}, \"camera\": {\"type\": \"orthographic\", \"eye\": [0, 0, -9], \"lookAt\": [0, 0, 0],"
                 + " \"height\": 5}, \"shading\": {\"model\": \"physical\"}, " + parts
                 + (parts.contains("\"objects\"") ? "}" : ", \"objects\": []}");
     }

@@ -33,7 +33,7 @@ public final class CoincidentHits {
     private int[] leftSides = new int[2];
     private int leftCount;
 
-    /** Whether the ray starts on borders of solids of glass in the same place, so that it is on its way out of them to the first surface. */
+    /** Whether the ray starts on borders of solids of glass in the same place, on its way out of them to the first surface. */
     private boolean leftGlass;
 
     /** The last opaque one of those, or -1. */
@@ -112,8 +112,8 @@ public final class CoincidentHits {
     }
 
     /**
-     * The opaque surface in the same place that the ray starts on, or -1: light that the first surface throws back comes to it again, as if a
-     * hair of air were between them.
+     * The opaque surface in the same place that the ray starts on, or -1: light that the first surface reflects comes to it again, as if
+     * a hair of air were between them.
      *
      * @param out receives where that is, if there is one
      */
@@ -292,8 +292,8 @@ public final class CoincidentHits {
     }
 
     /**
-     * Starts a ray that leaves the first surface on all others of glass as well, and, if it stays on its side, on opaque ones; if it passes,
-     * on those that it had left before.
+     * Starts a ray that leaves the first surface on all others of glass as well, and, if it stays on its side, on opaque ones; if it
+     * passes, on those that it had left before.
      *
      * @param sign 1 if it stays, -1 if it passes
      * @param covered whether it passes no further than to an opaque surface, so that it enters no solid

@@ -84,8 +84,8 @@ public final class EndFaces {
     }
 
     /**
-     * Lets a ray that leaves the light start on these faces as well, but for borders that it crosses to the inside. It is inside of an opaque
-     * solid only where the face covers the light.
+     * Lets a ray that leaves the light start on these faces as well, but for borders that it crosses to the inside. It is inside of an
+     * opaque solid only where the face covers the light.
      *
      * @param side the side of the light's own surface that it travels on
      * @param scratch is overwritten

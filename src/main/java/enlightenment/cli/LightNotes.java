@@ -51,11 +51,7 @@ final class LightNotes {
                             + " This is a fault of Enlightenment; please report it with the scene and the command line",
                     lost));
         }
-        int beyond = 0;
-        for (int k = 0; k < 3 * shown.width() * shown.height(); k++) {
-            int pixel = k / 3;
-            beyond += Float.isInfinite(shown.component(pixel % shown.width(), pixel / shown.width(), k % 3)) ? 1 : 0;
-        }
+        long beyond = shown.encoding() == Encoding.LINEAR ? infinite(shown) : 0;
         if (beyond > 0) {
             throw CliException.failed(String.format(
                     Locale.ROOT,
@@ -63,5 +59,17 @@ final class LightNotes {
                             + " give the lights less",
                     beyond));
         }
+    }
+
+    private static long infinite(Image image) {
+        long found = 0;
+        for (int y = 0; y < image.height(); y++) {
+            for (int x = 0; x < image.width(); x++) {
+                for (int c = 0; c < 3; c++) {
+                    found += Float.isInfinite(image.component(x, y, c)) ? 1 : 0;
+                }
+            }
+        }
+        return found;
     }
 }

@@ -1,6 +1,5 @@
 package enlightenment.compiled;
 
-import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.surroundings.Sun;
 import java.util.Arrays;
@@ -60,12 +59,7 @@ public final class CausticPass {
     private final int[][] media;
 
     private CausticPass(
-            PhysicalLight[] lights,
-            Sun sun,
-            double ofUltraviolet,
-            SpecularThings balls,
-            CompiledPrimitives compiled,
-            Bounds eye) {
+            PhysicalLight[] lights, Sun sun, double ofUltraviolet, SpecularThings balls, CompiledPrimitives compiled) {
         this.lights = lights;
         this.sun = sun;
         this.ofUltraviolet = ofUltraviolet;
@@ -91,7 +85,7 @@ public final class CausticPass {
         probability = new double[pairs];
         cumulative = new double[pairs];
         for (int l = 0; l < n; l++) {
-            prepare(l, compiled, eye);
+            prepare(l, compiled);
         }
         for (int s = 0; sun != null && s < things && brightest > 0; s++) {
             probability[n * things + s] =
@@ -113,15 +107,9 @@ public final class CausticPass {
      * paths end before.
      *
      * @param ofUltraviolet how much of ultraviolet light is seen
-     * @param eye a box around the places where camera rays start
      */
     static CausticPass of(
-            PhysicalLight[] lights,
-            Sun sun,
-            double ofUltraviolet,
-            CompiledPrimitives compiled,
-            Bounds eye,
-            int maxBounces) {
+            PhysicalLight[] lights, Sun sun, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
         int n = sun == null ? lights.length : lights.length + 1;
         if (n == 0 || maxBounces < LEAST_BOUNCES) {
             return null;
@@ -131,11 +119,11 @@ public final class CausticPass {
         if (balls.count() == 0) {
             return null;
         }
-        CausticPass pass = new CausticPass(lights, sun, ofUltraviolet, balls, compiled, eye);
+        CausticPass pass = new CausticPass(lights, sun, ofUltraviolet, balls, compiled);
         return pass.cumulative[pass.cumulative.length - 1] > 0 ? pass : null;
     }
 
-    private void prepare(int l, CompiledPrimitives compiled, Bounds eye) {
+    private void prepare(int l, CompiledPrimitives compiled) {
         PhysicalLight light = lights[l];
         media[l] = light.solidsAround(compiled.primitives(), compiled.glassSolids());
         boolean isApart = true;
@@ -144,8 +132,7 @@ public final class CausticPass {
         }
         isBeam[l] = isApart && light.isBall;
         // What is outside of a solid is never met from its inside.
-        shinesBothWays[l] =
-                light.shinesBothWays(compiled.materials()::of, eye) && !(isApart && light.surface.isSolid());
+        shinesBothWays[l] = light.shinesInside && !(isApart && light.surface.isSolid());
         for (int s = 0; s < things; s++) {
             probability[l * things + s] = brightest > 0 ? brightness(light) / brightest * reach(l, s) : 0;
         }

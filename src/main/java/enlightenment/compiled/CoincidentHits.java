@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -17,7 +18,7 @@ public final class CoincidentHits {
     private static final double SAME_DIRECTION = 0.5;
 
     /** How far to search for a face that is known to coincide, in tolerances: enough never to miss it. */
-    static final double REACH = 4;
+    static final double REACH = EndFaces.REACH;
 
     private final CompiledScene scene;
     private final Ray probe = new Ray();
@@ -292,20 +293,19 @@ public final class CoincidentHits {
     }
 
     /**
-     * Starts a ray that leaves the first surface on all others of glass as well, and, if it stays on its side, on opaque ones; if it
-     * passes, on those that it had left before.
+     * Starts a ray that passes the surfaces on those of glass, behind them, and on the surfaces that it had left before.
      *
-     * @param sign 1 if it stays, -1 if it passes
      * @param covered whether it passes no further than to an opaque surface, so that it enters no solid
      */
-    public void startOn(Ray ray, int sign, boolean covered) {
+    public void startBehind(Ray ray, boolean covered) {
         for (int k = 0; k < size; k++) {
+            Primitive p = scene.primitives[ids[k]];
             boolean isEntered = isGlassSolid(k) && hits[k].side == Ray.OUTSIDE;
-            if (scene.primitives[ids[k]] != ray.start && (sign > 0 || isGlass(k) && !(covered && isEntered))) {
-                ray.alsoFrom(scene.primitives[ids[k]], sign * hits[k].side);
+            if (p != ray.start && isGlass(k) && !(covered && isEntered)) {
+                ray.alsoFrom(p, -hits[k].side);
             }
         }
-        for (int k = 0; sign < 0 && k < leftCount; k++) {
+        for (int k = 0; k < leftCount; k++) {
             ray.alsoFrom(scene.primitives[left[k]], leftSides[k]);
         }
     }

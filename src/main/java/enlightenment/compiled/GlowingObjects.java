@@ -21,7 +21,6 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /** The lights of a scene of physical shading: those with extent become objects with a black surface that glows, the others points. */
@@ -115,7 +114,7 @@ final class GlowingObjects {
      */
     private static double bounded(double value, Light light, int index) {
         if (!(value <= Radiance.LARGEST)) {
-            String key = light.emission().quantity().name().toLowerCase(Locale.ROOT);
+            String key = light.emission().quantity().key();
             throw new InvalidValueException(
                     "lights/" + index + "/" + key,
                     light instanceof Light.Point

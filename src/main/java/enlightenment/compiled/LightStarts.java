@@ -1,6 +1,5 @@
 package enlightenment.compiled;
 
-import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import java.util.Arrays;
 
@@ -55,11 +54,10 @@ public final class LightStarts {
         for (PhysicalLight light : lights) {
             brightest = Math.max(brightest, brightness(light));
         }
-        Bounds eye = scene.camera.startBounds();
         double sum = 0;
         for (int l = 0; l <= n && brightest > 0; l++) {
             if (l < n) {
-                shinesBothWays[l] = lights[l].shinesBothWays(scene::material, eye);
+                shinesBothWays[l] = lights[l].shinesInside;
                 media[l] = lights[l].solidsAround(scene.primitives, scene.glassSolids);
                 probability[l] = brightness(lights[l]) / brightest * reach(l);
             } else if (withBackground) {

@@ -4,13 +4,11 @@ import enlightenment.color.Rgb;
 import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.AreaLights;
 import enlightenment.emitter.SphereLight;
-import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.RectanglePrimitive;
 import enlightenment.primitive.SupportSurface;
 import java.util.Arrays;
-import java.util.function.BiFunction;
 
 /**
  * A light of physical shading: a face of a primitive that glows, or a point. What glows is a surface like any other: rays meet it, and it
@@ -49,11 +47,21 @@ public final class PhysicalLight extends LightBody {
     /** The same of ultraviolet; 0 if nothing in the scene shows it. */
     public final double ultraviolet;
 
+    /** Whether light that its inside emits may be seen. */
+    final boolean shinesInside;
+
     /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
     public final boolean hidesNothingOfItself;
 
     private PhysicalLight(
-            Place place, AreaLight form, Primitive surface, int id, int face, Rgb glow, double ultraviolet) {
+            Place place,
+            AreaLight form,
+            Primitive surface,
+            int id,
+            int face,
+            Rgb glow,
+            double ultraviolet,
+            boolean shinesInside) {
         super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
         this.form = form;
         this.id = id;
@@ -65,6 +73,7 @@ public final class PhysicalLight extends LightBody {
         g = glow.g();
         b = glow.b();
         this.ultraviolet = ultraviolet;
+        this.shinesInside = shinesInside;
         hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex() && surface.isSolid());
     }
 
@@ -86,7 +95,7 @@ public final class PhysicalLight extends LightBody {
 
     /** A point light of an intensity per squared unit of length of the frame. */
     static PhysicalLight point(Vec3 position, Rgb intensity, double ultraviolet) {
-        return new PhysicalLight(Place.ball(position, 0), null, null, NO_PRIMITIVE, 0, intensity, ultraviolet);
+        return new PhysicalLight(Place.ball(position, 0), null, null, NO_PRIMITIVE, 0, intensity, ultraviolet, false);
     }
 
     /** This point light without its ultraviolet, which nothing shows. */
@@ -94,10 +103,19 @@ public final class PhysicalLight extends LightBody {
         return ultraviolet == 0 ? this : point(new Vec3(x, y, z), new Rgb(r, g, b), 0);
     }
 
-    /** A face of a primitive that glows; null if it has no area in the frame. */
-    static PhysicalLight glowing(Primitive p, int id, int face, Rgb radiance, double ultraviolet, boolean isTwoSided) {
+    /**
+     * A face of a primitive that glows; null if it has no area in the frame.
+     *
+     * @param isTwoSided whether it glows to its inside as well
+     * @param isInsideSeen whether paths from the eye may come to its inside
+     */
+    static PhysicalLight glowing(
+            Primitive p, int id, int face, Rgb radiance, double ultraviolet, boolean isTwoSided, boolean isInsideSeen) {
         AreaLight form = AreaLights.of(p, face, isTwoSided);
-        return form == null ? null : new PhysicalLight(Place.of(p, form), form, p, id, face, radiance, ultraviolet);
+        return form == null
+                ? null
+                : new PhysicalLight(
+                        Place.of(p, form), form, p, id, face, radiance, ultraviolet, isTwoSided && isInsideSeen);
     }
 
     /**
@@ -116,23 +134,6 @@ public final class PhysicalLight extends LightBody {
      */
     public boolean isBallOf(int otherId) {
         return isBall && id == otherId;
-    }
-
-    /**
-     * Whether light that its inside emits may be seen: not that of an opaque solid, unless the eye is in it.
-     *
-     * @param materials tells the material of a face of a primitive
-     * @param eye a box around the places where camera rays start
-     */
-    boolean shinesBothWays(BiFunction<Integer, Integer, SurfaceMaterial> materials, Bounds eye) {
-        if (isPoint || !materials.apply(id, face).glowsInside) {
-            return false;
-        }
-        boolean isOpen = !surface.isSolid();
-        for (int k = 0; !isOpen && k < surface.faceCount(); k++) {
-            isOpen = materials.apply(id, k).isGlass;
-        }
-        return isOpen || eye.overlaps(bounds());
     }
 
     /** Luminance of radiance or intensity. */

@@ -112,7 +112,7 @@ public final class PhysicalScene {
             int faces = compiled.primitives()[id].faceCount();
             int first = ofFaces.size();
             for (int face = 0; face < faces; face++) {
-                PhysicalLight light = lightOf(compiled, id, face);
+                PhysicalLight light = lightOf(compiled, id, face, eye);
                 ofFaces.add(light == null ? NO_LIGHT : all.size());
                 if (light != null) {
                     firstFace[id] = first;
@@ -147,7 +147,7 @@ public final class PhysicalScene {
                 && Arrays.stream(lights)
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
         Sun sun = this.surroundings == null ? null : this.surroundings.sun;
-        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, eye, maxBounces);
+        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }
@@ -184,13 +184,16 @@ public final class PhysicalScene {
         return builder.build();
     }
 
-    private PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face) {
+    private PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face, Bounds eye) {
         SurfaceMaterial m = compiled.materials().of(id, face);
         if (!m.glows || !hasUltraviolet && !m.glowsVisibly()) {
             return null;
         }
         double ultraviolet = hasUltraviolet ? m.glowUltraviolet : 0;
-        return PhysicalLight.glowing(compiled.primitives()[id], id, face, m.glow(), ultraviolet, m.glowsInside);
+        Primitive p = compiled.primitives()[id];
+        // Nothing comes into an opaque solid, or out of it.
+        boolean isInsideSeen = !p.isSolid() || compiled.materials().inside(id).isGlass || eye.overlaps(p.bounds());
+        return PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.glowsInside, isInsideSeen);
     }
 
     private static boolean hasPanes(CompiledPrimitives compiled) {

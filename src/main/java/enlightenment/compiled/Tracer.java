@@ -294,14 +294,13 @@ public final class Tracer {
         int[] entries = scene.coincident.of(endId);
         for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
             int other = entries[k + 1];
+            int face = entries[k + 2];
             Primitive p = scene.primitives[other];
             if (entries[k] == endFace
                     && p.isSolid()
-                    && scene.isGlass(other, entries[k + 2])
-                    && p.intersect(ray, end)
-                    && end.face == entries[k + 2]
-                    && end.side == Ray.INSIDE
-                    && isAt(ray, Math.abs(length - end.t), p, end)) {
+                    && scene.isGlass(other, face)
+                    && EndFaces.leavesAtEnd(
+                            ray, length, p, face, p.support(face).isFlat(), tolerance(p), end)) {
                 return true;
             }
         }
@@ -319,16 +318,12 @@ public final class Tracer {
         }
         Primitive p = scene.primitives[met];
         boolean leavesGlass = at.side == Ray.INSIDE && p.isSolid() && scene.isGlass(met, at.face);
-        return !(leavesGlass && met != endId) && isAt(ray, left, p, at);
+        return !(leavesGlass && met != endId)
+                && EndFaces.isAtEnd(ray, at, left, p.support(at.face).isFlat(), tolerance(p));
     }
 
-    private static boolean isAt(Ray ray, double left, Primitive p, Hit at) {
-        // A line meets a plane once, but it may meet a curved face earlier as well.
-        if (p.support(at.face).isFlat()) {
-            return true;
-        }
-        double across = Math.abs(at.nx * ray.dx + at.ny * ray.dy + at.nz * ray.dz);
-        return left * across <= CoincidentSurfaces.tolerance(p.bounds(), p.bounds());
+    private static double tolerance(Primitive p) {
+        return CoincidentSurfaces.tolerance(p.bounds(), p.bounds());
     }
 
     /**

@@ -3,6 +3,7 @@ package enlightenment.light;
 import enlightenment.check.Check;
 import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
+import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -24,7 +25,12 @@ public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
         POWER,
 
         /** Intensity, W/sr: what a light without extent sends into each direction. */
-        INTENSITY
+        INTENSITY;
+
+        /** Its key in the scene format. */
+        public String key() {
+            return name().toLowerCase(Locale.ROOT);
+        }
     }
 
     /** Radiance 1. */

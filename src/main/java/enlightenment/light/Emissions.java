@@ -4,7 +4,6 @@ import enlightenment.check.Check;
 import enlightenment.color.Color;
 import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
-import java.util.Locale;
 import java.util.Objects;
 
 /** Which quantities which lights have. */
@@ -34,7 +33,7 @@ final class Emissions {
         Rgb light = color.linear();
         Rgb value = emission.value();
         double most = Math.max(light.r() * value.r(), Math.max(light.g() * value.g(), light.b() * value.b()));
-        String key = emission.quantity().name().toLowerCase(Locale.ROOT);
+        String key = emission.quantity().key();
         Check.that(most < Double.POSITIVE_INFINITY, key, "times the light's colour is beyond the range of doubles");
         // How bright power and intensity are is a matter of the scene's size.
         boolean isRadiance = emission.quantity() == Emission.Quantity.RADIANCE;

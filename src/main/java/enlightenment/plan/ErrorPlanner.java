@@ -39,11 +39,13 @@ final class ErrorPlanner {
         TrialBlocks blocks =
                 new TrialBlocks(settings, trial.display(), plans.traits().blockSide());
         ErrorTrials trials = new ErrorTrials(settings, blocks, (n, some) -> trial.render(n, some, stop), stop);
+        double found = 1;
         if (trials.areTooFew()) {
             // The first round is the trial of all but the file.
             trials.findRounding();
+        } else {
+            found = search(trials, most);
         }
-        double found = trials.areTooFew() ? 1 : search(trials, most);
         if (!stop.getAsBoolean()) {
             checkRounding(trials);
         }

@@ -14,7 +14,7 @@ import java.util.Arrays;
  */
 public final class EndFaces {
     /** How far to search for a face, in tolerances: enough never to miss it. */
-    private static final double REACH = 4;
+    public static final double REACH = 4;
 
     private Primitive[] primitives = {};
     private int[] ids = {};
@@ -147,13 +147,34 @@ public final class EndFaces {
     }
 
     private boolean isEnd(int k, Ray ray, Hit hit, double left) {
-        return !(isBorder[k] && hit.side == Ray.INSIDE) && isAtEnd(k, ray, hit, left);
+        return !(isBorder[k] && hit.side == Ray.INSIDE) && isAtEnd(ray, hit, left, isFlat[k], tolerances[k]);
     }
 
-    private boolean isAtEnd(int k, Ray ray, Hit hit, double left) {
-        // A line meets a plane once, and this one in the light; it may meet a curved face earlier as well.
+    /**
+     * Whether a crossing of a face that coincides with the end of a segment is that end.
+     *
+     * @param left how far behind the crossing the segment ends, in lengths of its direction
+     * @param isFlat whether the face is
+     * @param tolerance bounds the distance between the face and the end that rounding may cause
+     */
+    public static boolean isAtEnd(Ray ray, Hit hit, double left, boolean isFlat, double tolerance) {
+        // A line meets a plane once, and this one in the end; it may meet a curved face earlier as well.
         double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
-        return isFlat[k] || left * across <= tolerances[k];
+        return isFlat || left * across <= tolerance;
+    }
+
+    /**
+     * Whether a ray comes out of a solid by a face that coincides with its end: there is a border before that.
+     *
+     * @param tEnd the t at which the ray ends
+     * @param scratch is overwritten
+     */
+    public static boolean leavesAtEnd(
+            Ray ray, double tEnd, Primitive solid, int face, boolean isFlat, double tolerance, Hit scratch) {
+        return solid.intersect(ray, scratch)
+                && scratch.face == face
+                && scratch.side == Ray.INSIDE
+                && isAtEnd(ray, scratch, Math.abs(tEnd - scratch.t), isFlat, tolerance);
     }
 
     /**
@@ -164,11 +185,7 @@ public final class EndFaces {
      */
     public boolean isLeftAtEnd(Ray ray, double tMax, Hit scratch) {
         for (int k = 0; hasBorders && k < ids.length; k++) {
-            if (isBorder[k]
-                    && primitives[k].intersect(ray, scratch)
-                    && scratch.face == faces[k]
-                    && scratch.side == Ray.INSIDE
-                    && isAtEnd(k, ray, scratch, Math.abs(tMax - scratch.t))) {
+            if (isBorder[k] && leavesAtEnd(ray, tMax, primitives[k], faces[k], isFlat[k], tolerances[k], scratch)) {
                 return true;
             }
         }

@@ -17,11 +17,14 @@ final class Departure {
         ray.from(path.hit.primitive, through ? -path.hit.side : path.hit.side);
         if (atBorder) {
             path.glass.startAtBorder(ray, through);
-            return path.glass.comesToOpaque(through);
-        }
-        if (path.glass.surfaces() > 1) {
+        } else if (path.glass.surfaces() > 1) {
             path.glass.startOnAll(ray);
         }
-        return path.glass.entersAtOnce();
+        return isStopped(path, atBorder, through);
+    }
+
+    /** Whether such a ray has a surface in its way that coincides with the vertex. */
+    static boolean isStopped(PathFollower path, boolean atBorder, boolean through) {
+        return atBorder ? path.glass.comesToOpaque(through) : path.glass.entersAtOnce();
     }
 }

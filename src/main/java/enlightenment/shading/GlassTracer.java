@@ -199,13 +199,13 @@ final class GlassTracer {
         }
         if (straight) {
             Optics.pass(ray, hit);
-            coincident.startOn(ray, -1, next != NONE);
+            coincident.startBehind(ray, next != NONE);
             return true;
         }
         lost = !scatter(ray, hit, coincident.id(boundary), coincident.hit(boundary).face, from / to);
         if (border.transmitted) {
             counters.refractedRays++;
-            coincident.startOn(ray, -1, next != NONE);
+            coincident.startBehind(ray, next != NONE);
             return true;
         }
         reflect(ray);
@@ -217,7 +217,7 @@ final class GlassTracer {
         inside.set(saved);
         next = coincident.left(nextHit);
         counters.mirrorRays++;
-        coincident.startOn(ray, 1, false);
+        coincident.startOn(ray);
     }
 
     /** Crosses all borders that no opaque surface is before, and finds the one that counts. */
@@ -252,7 +252,7 @@ final class GlassTracer {
             share = ThinDielectric.transmittance(cosine, inside.over(coincident.material(pane)));
         }
         Optics.pass(ray, hit);
-        coincident.startOn(ray, -1, next != NONE);
+        coincident.startBehind(ray, next != NONE);
         return share;
     }
 
@@ -357,7 +357,11 @@ final class GlassTracer {
 
     /** Starts a ray that leaves a rough border on all surfaces there. */
     void startAtBorder(Ray ray, boolean through) {
-        coincident.startOn(ray, through ? -1 : 1, through && next != NONE);
+        if (through) {
+            coincident.startBehind(ray, next != NONE);
+        } else {
+            coincident.startOn(ray);
+        }
     }
 
     /** Starts a ray that leaves one of the surfaces that {@link #arrive} found, on the side it came from, on all of them. */
@@ -400,7 +404,7 @@ final class GlassTracer {
 
     /** Whether a ray that leaves a border to one side comes at once to an opaque surface there. */
     boolean comesToOpaque(boolean through) {
-        return through ? next != NONE : coincident.hasLeftOpaque();
+        return through ? hasNext() : coincident.hasLeftOpaque();
     }
 
     /** Whether an opaque surface is where a path goes on from the border that it crossed, or that reflected it. */

@@ -39,11 +39,12 @@ final class MissedBorders {
             if (isInside ? side != Ray.INSIDE : side == Ray.INSIDE) {
                 // Its normal is found by tracing back.
                 back.set(ray.ox, ray.oy, ray.oz, -ray.dx, -ray.dy, -ray.dz, 0);
+                int metFrom = isInside ? Ray.INSIDE : Ray.OUTSIDE;
                 if (p.intersect(back, place)) {
-                    place.side = isInside ? Ray.INSIDE : Ray.OUTSIDE;
+                    place.side = metFrom;
                     return solid;
                 }
-                inside.cross(solid, isInside ? Ray.INSIDE : Ray.OUTSIDE);
+                inside.cross(solid, metFrom);
             }
         }
         return NONE;

@@ -114,7 +114,7 @@ final class ShadowRays {
 
     /** What is known without a ray, of all of the light. Comes before {@link #isBlocked}. */
     Tracer.Visibility visibility(PhysicalLight l) {
-        if (isBorder ? glass.comesToOpaque(isBeyond) : glass.entersAtOnce()) {
+        if (Departure.isStopped(path, isBorder, isBeyond)) {
             isHidden = true;
             return walk == null ? Tracer.Visibility.NONE : Tracer.Visibility.UNKNOWN;
         }

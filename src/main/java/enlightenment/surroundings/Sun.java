@@ -29,6 +29,9 @@ public final class Sun {
 
     private final double oneMinusCosine;
 
+    /** Half of that angle, in degrees. */
+    private final double radius;
+
     /**
      * A disk.
      *
@@ -39,6 +42,7 @@ public final class Sun {
         x = direction.x();
         y = direction.y();
         z = direction.z();
+        this.radius = radius;
         r = radiance.r();
         g = radiance.g();
         b = radiance.b();
@@ -50,23 +54,9 @@ public final class Sun {
         solidAngle = 2 * Math.PI * oneMinusCosine;
     }
 
-    /** The same disk with another radiance. */
-    private Sun(Sun other, Rgb radiance) {
-        x = other.x;
-        y = other.y;
-        z = other.z;
-        r = radiance.r();
-        g = radiance.g();
-        b = radiance.b();
-        sine = other.sine;
-        cosine = other.cosine;
-        solidAngle = other.solidAngle;
-        oneMinusCosine = other.oneMinusCosine;
-    }
-
     /** The same disk behind something that leaves this share of each band. */
     Sun filtered(Rgb share) {
-        return new Sun(this, new Rgb(share.r() * r, share.g() * g, share.b() * b));
+        return new Sun(new Vec3(x, y, z), radius, share.times(new Rgb(r, g, b)));
     }
 
     /** The greatest band of its radiance. */

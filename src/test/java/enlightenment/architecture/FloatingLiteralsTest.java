@@ -143,10 +143,6 @@ class FloatingLiteralsTest {
                     "math/ExactPoint.java", "0x1p-40", "relative: when a sum of roundings asks for exact arithmetic"),
             new Explained(
                     "primitive/EndFaces.java", "4", "tolerances: how far to look for a face that is known to coincide"),
-            new Explained(
-                    "compiled/CoincidentHits.java",
-                    "4",
-                    "tolerances: how far to look for a face that is known to coincide"),
             new Explained("bsdf/RoughDiffuse.java", "0.0012624911", "arc cosine: Abramowitz and Stegun 4.4.46"),
             new Explained("bsdf/RoughDiffuse.java", "0.0066700901", "arc cosine: Abramowitz and Stegun 4.4.46"),
             new Explained("bsdf/RoughDiffuse.java", "0.0170881256", "arc cosine: Abramowitz and Stegun 4.4.46"),

@@ -10,11 +10,9 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
-import enlightenment.image.Image;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
-import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -105,12 +103,7 @@ class FurnaceOfBlocksTest {
                 .withMethod(method)
                 .withAntialias(antialias)
                 .withSeed(seed);
-        Image image = Renderer.render(scene, settings);
-        double sum = 0;
-        for (int i = 0; i < WIDTH * HEIGHT; i++) {
-            sum += image.component(i % WIDTH, i / WIDTH, 0);
-        }
-        return sum / (WIDTH * HEIGHT);
+        return Rendered.mean(scene, settings);
     }
 
     /** What roulette leaves, and what tables of rough glass are off by, is below the tolerance. */

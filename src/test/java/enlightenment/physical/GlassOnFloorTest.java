@@ -9,11 +9,8 @@ import enlightenment.camera.Camera;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
-import enlightenment.image.Image;
 import enlightenment.material.Material;
-import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -50,27 +47,18 @@ class GlassOnFloorTest {
         return mean(
                 method,
                 PhysicalScenes.view(SIDE, SIDE)
-                        .camera(new Camera.Perspective(exact(foot.plus(up.times(6))), exact(foot), Vec3.Z, 14))
+                        .camera(new Camera.Perspective(at(foot.plus(up.times(6))), at(foot), Vec3.Z, 14))
                         .shading(PhysicalScenes.atMost(100, 1))
                         .object(
-                                new Disk(exact(foot.minus(up.times(gap))), n, 5),
+                                new Disk(at(foot.minus(up.times(gap))), n, 5),
                                 matte(reflectance, reflectance, reflectance))
-                        .object(new Cylinder(exact(foot), exact(foot.plus(up)), 0.9, true), glass(roughness))
+                        .object(new Cylinder(at(foot), at(foot.plus(up)), 0.9, true), glass(roughness))
                         .build());
-    }
-
-    private static ExactPoint exact(Vec3 v) {
-        return at(v.x(), v.y(), v.z());
     }
 
     private static double mean(BuiltInMethod method, Scene scene) {
         RenderSettings settings = RenderSettings.of(scene).withMethod(method).withAntialias(16);
-        Image image = Renderer.render(scene, settings);
-        double sum = 0;
-        for (int k = 0; k < SIDE * SIDE; k++) {
-            sum += image.component(k % SIDE, k / SIDE, 0);
-        }
-        return sum / (SIDE * SIDE);
+        return Rendered.mean(scene, settings);
     }
 
     /** Nothing absorbs, and the surroundings are the same everywhere: all is as bright as they. What roulette adds is below a percent. */

@@ -3,20 +3,16 @@ package enlightenment.physical;
 import static enlightenment.physical.PhysicalScenes.at;
 import static enlightenment.physical.PhysicalScenes.linear;
 import static enlightenment.physical.PhysicalScenes.matte;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
-import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -63,28 +59,18 @@ class LampOnGlassTest {
     private static Scene cylinder(double gap) {
         Vec3 up = new Vec3(0.3, 1, 0.2).normalized();
         Vec3 foot = new Vec3(0.1, 0.6, 0.3);
-        return room().object(new Cylinder(exact(foot), exact(foot.plus(up.times(0.5))), 0.9, true), glass(0))
-                .light(new Light.Point(exact(foot.minus(up.times(gap))), Rgb.WHITE, Emission.intensity(Rgb.gray(4))))
+        return room().object(new Cylinder(at(foot), at(foot.plus(up.times(0.5))), 0.9, true), glass(0))
+                .light(new Light.Point(at(foot.minus(up.times(gap))), Rgb.WHITE, Emission.intensity(Rgb.gray(4))))
                 .build();
-    }
-
-    private static ExactPoint exact(Vec3 v) {
-        return at(v.x(), v.y(), v.z());
     }
 
     private static double mean(BuiltInMethod method, Scene scene) {
         RenderSettings settings = RenderSettings.of(scene).withMethod(method).withAntialias(8);
-        Image image = Renderer.render(scene, settings);
-        double sum = 0;
-        for (int k = 0; k < WIDTH * HEIGHT; k++) {
-            sum += image.component(k % WIDTH, k / WIDTH, 0);
-        }
-        return sum / (WIDTH * HEIGHT);
+        return Rendered.mean(scene, settings);
     }
 
-    /** Two renders of the same seed: what they differ by is much less than their noise. */
     private static void assertSame(double gap, double contact) {
-        assertEquals(1, contact / gap, 0.04);
+        Rendered.assertContactIsLimit(gap, contact, 0.04);
     }
 
     @ParameterizedTest

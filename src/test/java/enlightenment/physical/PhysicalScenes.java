@@ -28,6 +28,10 @@ final class PhysicalScenes {
         return ExactPoint.of(x, y, z);
     }
 
+    static ExactPoint at(Vec3 v) {
+        return at(v.x(), v.y(), v.z());
+    }
+
     static Texture linear(double r, double g, double b) {
         return Texture.of(new Rgb(r, g, b));
     }

@@ -43,4 +43,14 @@ final class Rendered {
                 })
                 .toArray();
     }
+
+    /** The mean of the red band over one picture. */
+    static double mean(Scene scene, RenderSettings settings) {
+        return means(List.of(Renderer.render(scene, settings)), 0, 0, scene.width(), scene.height(), 0)[0];
+    }
+
+    /** Fails unless contact shows what a thin gap does: the means of two renders of the same seed, which differ by less than their noise. */
+    static void assertContactIsLimit(double gap, double contact, double relative) {
+        assertEquals(1, contact / gap, relative);
+    }
 }

@@ -9,11 +9,9 @@ import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cube;
-import enlightenment.image.Image;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
-import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -60,17 +58,11 @@ class WallsOfSolidsTest {
 
     private static double mean(BuiltInMethod method, Scene scene) {
         RenderSettings settings = RenderSettings.of(scene).withMethod(method).withAntialias(8);
-        Image image = Renderer.render(scene, settings);
-        double sum = 0;
-        for (int k = 0; k < WIDTH * HEIGHT; k++) {
-            sum += image.component(k % WIDTH, k / WIDTH, 0);
-        }
-        return sum / (WIDTH * HEIGHT);
+        return Rendered.mean(scene, settings);
     }
 
-    /** Two renders of the same seed: what they differ by is much less than their noise. */
     private static void assertSame(double gap, double contact) {
-        assertEquals(1, contact / gap, 0.03);
+        Rendered.assertContactIsLimit(gap, contact, 0.03);
     }
 
     @ParameterizedTest

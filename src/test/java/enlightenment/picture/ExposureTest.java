@@ -46,6 +46,9 @@ class ExposureTest {
     @Test
     void blackAndWhatIsNoNumberHaveNoSay() {
         assertEquals(0, Exposure.automatic(grey(0, 0)));
+        assertEquals(
+                Exposure.automatic(grey(0.2f, 0, 0)),
+                Exposure.automatic(grey(0.2f, Float.NaN, Float.POSITIVE_INFINITY)));
         double alone = Exposure.automatic(grey(0.2f, 0.4f));
         assertEquals(alone, Exposure.automatic(grey(0.2f, 0, 0.4f, 0, 0, 0)));
         assertEquals(alone, Exposure.automatic(grey(0.2f, Float.NaN, Float.POSITIVE_INFINITY, 0.4f)));

@@ -124,8 +124,10 @@ class LightSourceTest {
     @Test
     void theInsideOfAGlowingBallCountsOnlyIfTheEyeIsInIt() {
         Material glow = Material.Matte.of(Texture.of(Rgb.gray(0.5))).withRadiance(Rgb.gray(1));
+        SceneBuilder lonely = scene(0).object(Sphere.of(at(0, -2, 0), 0.5), glow);
         SceneBuilder filled = scene(0).object(Sphere.of(at(0, -2, 0), 0.5), glow)
                 .object(Sphere.of(at(0, -2, 0), 0.2), Material.Matte.of(Texture.of(Rgb.gray(0.5))));
+        assertFalse(isAnyBallTwoSided(compile(lonely)));
         assertFalse(isAnyBallTwoSided(compile(filled)));
         Camera within = new Camera.Perspective(at(0, -2, -0.4), at(0, -2, 0), Vec3.Y, 40);
         assertTrue(isAnyBallTwoSided(compile(filled.camera(within))));

@@ -168,29 +168,24 @@ public final class CoincidentHits {
     }
 
     /**
-     * Which of the opaque surfaces is seen: one met from outside, or an open one, before the inside of a solid.
+     * Which of the opaque surfaces is seen.
      *
      * @return its index, or -1 if none is opaque
      */
     public int seen() {
         int best = -1;
-        boolean bestInside = true;
         for (int k = 0; k < size; k++) {
-            Hit h = hits[k];
-            boolean inside = h.side == Ray.INSIDE && scene.primitives[ids[k]].isSolid();
-            if (scene.isGlass(ids[k], h.face)) {
-                continue;
-            }
-            boolean first = best < 0
-                    || (inside == bestInside
-                            ? scene.coincident.precedes(ids[k], h.face, ids[best], hits[best].face)
-                            : bestInside);
-            if (first) {
+            if (!isGlass(k) && (best < 0 || precedes(k, best))) {
                 best = k;
-                bestInside = inside;
             }
         }
         return best;
+    }
+
+    private boolean precedes(int k, int m) {
+        Hit h = hits[k];
+        Hit o = hits[m];
+        return scene.coincident.precedes(ids[k], h.face, h.side, ids[m], o.face, o.side);
     }
 
     /** Whether the ray starts on the primitive and cannot meet it again. */

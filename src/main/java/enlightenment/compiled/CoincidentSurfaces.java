@@ -6,6 +6,7 @@ import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import enlightenment.primitive.SupportSurface;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -19,9 +20,9 @@ import java.util.List;
  * crossings, whose last bits are noise. Faces coincide if their surfaces are no farther apart than rounding can move copies of
  * the same surface; if they are farther apart, there is a gap.
  *
- * <p>What is seen (docs/geometry.md): of opaque faces in the same place the one of smaller {@linkplain SupportSurface#extent
- * extent}, so that a carpet shows on the floor and a poster on the wall; at equal extents, the first in alphabetical order of
- * material. An opaque face hides one of glass.
+ * <p>What is seen (docs/geometry.md): of opaque faces in the same place one that glows to the side where one looks from; else the one of
+ * smaller {@linkplain SupportSurface#extent extent}, so that a carpet shows on the floor and a poster on the wall; at equal extents, the
+ * first in alphabetical order of material. An opaque face hides one of glass.
  */
 public final class CoincidentSurfaces {
     /**
@@ -49,7 +50,7 @@ public final class CoincidentSurfaces {
     /** By id: for each entry, a box outside of which no point of this surface has the other one within {@link CoincidentHits#REACH}. */
     private double[][] places;
 
-    /** By id: the rank of each face, the lowest is seen; null where nothing coincides. */
+    /** By id: the rank of each face, the lowest is seen of those that glow to the viewer, or do not; null where nothing coincides. */
     private int[][] order;
 
     private CoincidentSurfaces(CompiledPrimitives compiled) {
@@ -104,9 +105,29 @@ public final class CoincidentSurfaces {
         return x >= p[at] && x <= p[at + 3] && y >= p[at + 1] && y <= p[at + 4] && z >= p[at + 2] && z <= p[at + 5];
     }
 
-    /** Whether the first of two coincident opaque faces is seen rather than the second. */
-    boolean precedes(int id, int face, int other, int otherFace) {
+    /**
+     * Whether the first of two coincident opaque faces is seen rather than the second, by who sees these sides of them: one from outside, or
+     * of an open shape, before the inside of a solid; then one that glows to its side.
+     */
+    boolean precedes(int id, int face, int side, int other, int otherFace, int otherSide) {
+        boolean inside = isInside(id, side);
+        if (inside != isInside(other, otherSide)) {
+            return !inside;
+        }
+        boolean glows = glows(id, face, side);
+        if (glows != glows(other, otherFace, otherSide)) {
+            return glows;
+        }
         return rank(id, face) < rank(other, otherFace);
+    }
+
+    private boolean isInside(int id, int side) {
+        return side == Ray.INSIDE && compiled.primitives()[id].isSolid();
+    }
+
+    private boolean glows(int id, int face, int side) {
+        SurfaceMaterial m = compiled.materials().of(id, face);
+        return m.glows && m.glowsTo(side);
     }
 
     private int rank(int id, int face) {
@@ -286,7 +307,6 @@ public final class CoincidentSurfaces {
         static final int ROUNDINGS = 16;
 
         static final Comparator<Face> SEEN_FIRST = Comparator.<Face, Boolean>comparing(f -> f.isGlass)
-                .thenComparing(f -> !f.glows)
                 .thenComparingInt(f -> f.size)
                 .thenComparing(f -> f.appearance)
                 .thenComparingInt(f -> f.id)
@@ -296,7 +316,6 @@ public final class CoincidentSurfaces {
         final int face;
         final double extent;
         final boolean isGlass;
-        final boolean glows;
         final String appearance;
         int size;
 
@@ -305,7 +324,6 @@ public final class CoincidentSurfaces {
             this.face = face;
             this.extent = extent;
             isGlass = material.isGlass;
-            glows = material.glows;
             appearance = material.appearance();
         }
     }

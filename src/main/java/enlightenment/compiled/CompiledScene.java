@@ -153,7 +153,7 @@ public final class CompiledScene {
         boolean anyLies = false;
         LightBody[] bodies = physical == null ? lights : physical.lights;
         if (physical != null) {
-            physical.lieOn(primitives, glassSolids, few);
+            physical.lieOn(compiled, coincident, few);
         }
         for (CompiledLight light : lights) {
             light.lieOn(primitives);

@@ -6,7 +6,6 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.SupportSurface;
-import java.util.function.IntPredicate;
 
 /** Where a light is, as far as shadow rays and what may occlude it go by. Immutable once the scene is compiled. */
 public class LightBody {
@@ -85,9 +84,41 @@ public class LightBody {
         return lyingOn;
     }
 
+    /** What a light needs to know of the primitives that it lies on. */
+    interface Touched {
+        /** Whether light enters a primitive. */
+        boolean isEntered(int id);
+
+        /**
+         * The sides of a face, as {@link EndFaces#bit}s, on which it is seen rather than the light.
+         *
+         * @param isTurned whether the face's outside is on the light's inside
+         */
+        int covered(int id, int face, boolean isTurned);
+    }
+
+    /** Nothing is entered, or seen in the light's place. */
+    private static final Touched NOTHING_SPECIAL = new Touched() {
+        @Override
+        public boolean isEntered(int id) {
+            return false;
+        }
+
+        @Override
+        public int covered(int id, int face, boolean isTurned) {
+            return 0;
+        }
+    };
+
+    private static boolean isTurned(SupportSurface a, SupportSurface b) {
+        return a instanceof SupportSurface.Plane p
+                && b instanceof SupportSurface.Plane q
+                && p.unitNormal().dot(q.unitNormal()) < 0;
+    }
+
     /** Finds the faces of these primitives that the light lies on: that coincide with it or, for a point, pass through it. */
     final void lieOn(Primitive[] primitives) {
-        lieOn(primitives, 0, -1, id -> false);
+        lieOn(primitives, 0, -1, NOTHING_SPECIAL);
     }
 
     /**
@@ -95,9 +126,9 @@ public class LightBody {
      *
      * @param ownFace the light's face
      * @param left the id of a primitive that is left out; -1 for none
-     * @param isEntered tells by its id whether light enters a primitive
+     * @param touched tells about the primitives
      */
-    final void lieOn(Primitive[] primitives, int ownFace, int left, IntPredicate isEntered) {
+    final void lieOn(Primitive[] primitives, int ownFace, int left, Touched touched) {
         Bounds own = bounds();
         SupportSurface shape = surface == null ? null : surface.support(ownFace);
         for (int id = 0; id < primitives.length; id++) {
@@ -116,7 +147,9 @@ public class LightBody {
                         ? s.passes(new Vec3(x, y, z), tolerance)
                         : s.coincides(shape, tolerance) && s.overlaps(shape, tolerance);
                 if (on) {
-                    lyingOn.add(p, id, face, tolerance, isEntered.test(id));
+                    boolean isEntered = touched.isEntered(id);
+                    int covered = shape == null || isEntered ? 0 : touched.covered(id, face, isTurned(shape, s));
+                    lyingOn.add(p, id, face, tolerance, isEntered, covered);
                 }
             }
         }

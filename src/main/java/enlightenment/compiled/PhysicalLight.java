@@ -5,7 +5,9 @@ import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.AreaLights;
 import enlightenment.emitter.SphereLight;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import enlightenment.primitive.RectanglePrimitive;
 import enlightenment.primitive.SupportSurface;
 import java.util.Arrays;
@@ -151,12 +153,28 @@ public final class PhysicalLight extends LightBody {
     }
 
     /** Finds the faces that the light lies on, and that therefore do not occlude it. */
-    void lieOn(Primitive[] primitives, int[] glassSolids, boolean few) {
+    void lieOn(CompiledPrimitives compiled, CoincidentSurfaces coincident, boolean few) {
         // Among few primitives, candidates for occlusion are listed for each light, and its own need not be among them.
-        lieOn(
-                primitives,
-                face,
-                few && hidesNothingOfItself ? id : NO_PRIMITIVE,
-                solid -> Arrays.binarySearch(glassSolids, solid) >= 0);
+        int left = few && hidesNothingOfItself ? id : NO_PRIMITIVE;
+        lieOn(compiled.primitives(), face, left, new Touched() {
+            @Override
+            public boolean isEntered(int other) {
+                return Arrays.binarySearch(compiled.glassSolids(), other) >= 0;
+            }
+
+            @Override
+            public int covered(int other, int otherFace, boolean isTurned) {
+                return compiled.materials().of(other, otherFace).isGlass
+                        ? 0
+                        : covered(other, otherFace, isTurned, Ray.OUTSIDE)
+                                | covered(other, otherFace, isTurned, Ray.INSIDE);
+            }
+
+            private int covered(int other, int otherFace, boolean isTurned, int side) {
+                int own = isTurned ? -side : side;
+                boolean shines = own == Ray.OUTSIDE || shinesInside;
+                return shines && coincident.precedes(other, otherFace, side, id, face, own) ? EndFaces.bit(side) : 0;
+            }
+        });
     }
 }

@@ -252,9 +252,9 @@ public final class PhysicalScene {
     }
 
     /** Finds for each light the faces that it lies on. */
-    void lieOn(Primitive[] primitives, int[] glassSolids, boolean few) {
+    void lieOn(CompiledPrimitives compiled, CoincidentSurfaces coincident, boolean few) {
         for (PhysicalLight light : lights) {
-            light.lieOn(primitives, glassSolids, few);
+            light.lieOn(compiled, coincident, few);
         }
     }
 

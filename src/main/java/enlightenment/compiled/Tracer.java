@@ -299,8 +299,15 @@ public final class Tracer {
             if (entries[k] == endFace
                     && p.isSolid()
                     && scene.isGlass(other, face)
-                    && EndFaces.leavesAtEnd(
-                            ray, length, p, face, p.support(face).isFlat(), tolerance(p), end)) {
+                    && EndFaces.crossesAtEnd(
+                            ray,
+                            length,
+                            p,
+                            face,
+                            EndFaces.bit(Ray.INSIDE),
+                            p.support(face).isFlat(),
+                            tolerance(p),
+                            end)) {
                 return true;
             }
         }
@@ -336,7 +343,7 @@ public final class Tracer {
     public boolean occluded(Ray ray, double tMax, LightBody target) {
         counters.shadowRays++;
         EndFaces on = target.lyingOn();
-        if (on.isLeftAtEnd(ray, tMax, end)) {
+        if (on.isHiddenAtEnd(ray, tMax, end)) {
             return true;
         }
         ray.endsOn(on, tMax);

@@ -11,6 +11,9 @@ import java.util.Arrays;
  *
  * <p>Some faces are borders of solids that light enters. A light that lies on a border is outside of the solid, as if a hair of air were
  * between: what comes from within crosses the border first, wherever rounding puts it, and what the light sends inwards enters there.
+ *
+ * <p>And some cover the light on one side or on both, as a small lamp does that lies on a large one: what comes from that side crosses the
+ * face first, and what the light sends there is lost.
  */
 public final class EndFaces {
     /** How far to search for a face, in tolerances: enough never to miss it. */
@@ -22,7 +25,13 @@ public final class EndFaces {
     private boolean[] isFlat = {};
     private double[] tolerances = {};
     private boolean[] isBorder = {};
+
+    /** The sides of each face, as {@link #bit}s, that what arrives on them does not see the light behind it. */
+    private int[] hiding = {};
+
     private boolean hasBorders;
+    private boolean hides;
+    private boolean covers;
 
     /** No faces yet. */
     public EndFaces() {}
@@ -35,8 +44,9 @@ public final class EndFaces {
      * @param face which of its faces
      * @param tolerance bounds the distance between face and light that rounding may cause: a length in the frame
      * @param border whether light enters the primitive there
+     * @param covered the sides of the face, as {@link #bit}s, on which it covers the light; 0 for a border
      */
-    public void add(Primitive primitive, int id, int face, double tolerance, boolean border) {
+    public void add(Primitive primitive, int id, int face, double tolerance, boolean border, int covered) {
         int n = ids.length;
         primitives = Arrays.copyOf(primitives, n + 1);
         ids = Arrays.copyOf(ids, n + 1);
@@ -44,13 +54,27 @@ public final class EndFaces {
         isFlat = Arrays.copyOf(isFlat, n + 1);
         tolerances = Arrays.copyOf(tolerances, n + 1);
         isBorder = Arrays.copyOf(isBorder, n + 1);
+        hiding = Arrays.copyOf(hiding, n + 1);
         primitives[n] = primitive;
         ids[n] = id;
         faces[n] = face;
         isFlat[n] = primitive.support(face).isFlat();
         tolerances[n] = tolerance;
         isBorder[n] = border;
+        hiding[n] = border ? bit(Ray.INSIDE) : covered;
         hasBorders |= border;
+        hides |= hiding[n] != 0;
+        covers |= covered != 0;
+    }
+
+    /** A side of a surface ({@link Hit#side}) as one of a set of sides. */
+    public static int bit(int side) {
+        return side == Ray.INSIDE ? 2 : 1;
+    }
+
+    /** Whether a side is one of a set. */
+    private static boolean contains(int sides, int side) {
+        return (sides & bit(side)) != 0;
     }
 
     /** Whether there are none. */
@@ -61,6 +85,11 @@ public final class EndFaces {
     /** Whether any of them is the border of a solid. */
     public boolean hasBorders() {
         return hasBorders;
+    }
+
+    /** Whether some of them cover the light, or a part of it, on a side. */
+    public boolean cover() {
+        return covers;
     }
 
     /** Whether one of them is the border of this solid. */
@@ -92,15 +121,20 @@ public final class EndFaces {
      */
     public void startOn(Ray ray, int side, Ray scratch) {
         for (int k = 0; k < ids.length; k++) {
-            int there = side;
-            if (primitives[k].support(faces[k]) instanceof SupportSurface.Plane plane) {
-                Vec3 n = plane.unitNormal();
-                there = n.x() * ray.dx + n.y() * ray.dy + n.z() * ray.dz > 0 ? Ray.OUTSIDE : Ray.INSIDE;
-            }
+            int there = sideOf(k, ray, side);
             if (there == Ray.OUTSIDE || !isBorder[k] && covers(k, ray, scratch)) {
                 ray.alsoFrom(primitives[k], there);
             }
         }
+    }
+
+    /** The side of a face that a ray from the light travels on. */
+    private int sideOf(int k, Ray ray, int side) {
+        if (primitives[k].support(faces[k]) instanceof SupportSurface.Plane plane) {
+            Vec3 n = plane.unitNormal();
+            return n.x() * ray.dx + n.y() * ray.dy + n.z() * ray.dz > 0 ? Ray.OUTSIDE : Ray.INSIDE;
+        }
+        return side;
     }
 
     /** Whether a face is where the ray starts. A light may be larger than what it lies on. */
@@ -109,16 +143,36 @@ public final class EndFaces {
             return true;
         }
         Vec3 n = plane.unitNormal();
+        return isAt(k, ray, n.x(), n.y(), n.z(), scratch);
+    }
+
+    private boolean isAt(int k, Ray ray, double nx, double ny, double nz, Ray scratch) {
         double reach = REACH * tolerances[k];
         scratch.set(
-                Math.fma(reach, n.x(), ray.ox),
-                Math.fma(reach, n.y(), ray.oy),
-                Math.fma(reach, n.z(), ray.oz),
-                -n.x(),
-                -n.y(),
-                -n.z(),
+                Math.fma(reach, nx, ray.ox),
+                Math.fma(reach, ny, ray.oy),
+                Math.fma(reach, nz, ray.oz),
+                -nx,
+                -ny,
+                -nz,
                 0);
         return primitives[k].nearest(scratch, 2 * reach) != Primitive.MISS;
+    }
+
+    /**
+     * Whether the light is covered where a ray leaves it.
+     *
+     * @param side the side of the light's own surface that it travels on
+     * @param nx the light's unit normal there: nx, ny, nz
+     * @param scratch is overwritten
+     */
+    public boolean isCovered(Ray ray, int side, double nx, double ny, double nz, Ray scratch) {
+        for (int k = 0; covers && k < ids.length; k++) {
+            if (!isBorder[k] && contains(hiding[k], sideOf(k, ray, side)) && isAt(k, ray, nx, ny, nz, scratch)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether any face of the primitive is one of these. */
@@ -147,7 +201,7 @@ public final class EndFaces {
     }
 
     private boolean isEnd(int k, Ray ray, Hit hit, double left) {
-        return !(isBorder[k] && hit.side == Ray.INSIDE) && isAtEnd(ray, hit, left, isFlat[k], tolerances[k]);
+        return !contains(hiding[k], hit.side) && isAtEnd(ray, hit, left, isFlat[k], tolerances[k]);
     }
 
     /**
@@ -164,28 +218,32 @@ public final class EndFaces {
     }
 
     /**
-     * Whether a ray comes out of a solid by a face that coincides with its end: there is a border before that.
+     * Whether a ray crosses a face that coincides with its end from one of some sides: the border of a solid that it comes out of, or what
+     * covers a light. Then that is before its end.
      *
      * @param tEnd the t at which the ray ends
+     * @param sides as {@link #bit}s
      * @param scratch is overwritten
      */
-    public static boolean leavesAtEnd(
-            Ray ray, double tEnd, Primitive solid, int face, boolean isFlat, double tolerance, Hit scratch) {
-        return solid.intersect(ray, scratch)
+    public static boolean crossesAtEnd(
+            Ray ray, double tEnd, Primitive p, int face, int sides, boolean isFlat, double tolerance, Hit scratch) {
+        return p.intersect(ray, scratch)
                 && scratch.face == face
-                && scratch.side == Ray.INSIDE
+                && contains(sides, scratch.side)
                 && isAtEnd(ray, scratch, Math.abs(tEnd - scratch.t), isFlat, tolerance);
     }
 
     /**
-     * Whether a ray comes to the light out of a solid that this lies on.
+     * Whether a ray comes to the light out of a solid that this lies on, or where it is covered.
      *
      * @param tMax the t at which the ray ends on the light
      * @param scratch is overwritten
      */
-    public boolean isLeftAtEnd(Ray ray, double tMax, Hit scratch) {
-        for (int k = 0; hasBorders && k < ids.length; k++) {
-            if (isBorder[k] && leavesAtEnd(ray, tMax, primitives[k], faces[k], isFlat[k], tolerances[k], scratch)) {
+    public boolean isHiddenAtEnd(Ray ray, double tMax, Hit scratch) {
+        for (int k = 0; hides && k < ids.length; k++) {
+            int sides = hiding[k];
+            if (sides != 0
+                    && crossesAtEnd(ray, tMax, primitives[k], faces[k], sides, isFlat[k], tolerances[k], scratch)) {
                 return true;
             }
         }

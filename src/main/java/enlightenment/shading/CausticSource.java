@@ -167,6 +167,9 @@ final class CausticSource extends PathSource {
         }
         int side = cosine > 0 ? Ray.OUTSIDE : Ray.INSIDE;
         ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
+        if (l.lyingOn().isCovered(ray, side, point.nx, point.ny, point.nz, probe)) {
+            return 0;
+        }
         l.lyingOn().startOn(ray, side, probe);
         return area.area() * Math.abs(cosine) / density;
     }

@@ -91,8 +91,16 @@ final class LightSource extends PathSource {
                 fromSurface(l, numbers, ray);
             }
             weigh(l.r, l.g, l.b, l.ultraviolet);
+            if (!l.isPoint && isCovered(l, ray)) {
+                return false;
+            }
         }
         return directionDensity > 0 && (red > 0 || green > 0 || blue > 0 || ultraviolet > 0);
+    }
+
+    private boolean isCovered(PhysicalLight l, Ray ray) {
+        int side = isInside ? Ray.INSIDE : Ray.OUTSIDE;
+        return l.lyingOn().isCovered(ray, side, point.nx, point.ny, point.nz, probe);
     }
 
     private void weigh(double r, double g, double b, double u) {

@@ -124,9 +124,10 @@ final class ShadowRays {
         }
         Tracer.Visibility known = tracer.prepareShadows(cone, starts, count, 1);
         // What is absorbed depends on the way, so that there are no closed forms; and what is in the way may let light
-        // pass.
+        // pass. Where another light covers this one is found by each ray.
         isHidden = known == Tracer.Visibility.NONE;
-        boolean isOpen = known == Tracer.Visibility.ALL ? medium != null : walk != null;
+        boolean isOpen =
+                known == Tracer.Visibility.ALL ? medium != null || l.lyingOn().cover() : walk != null;
         return isOpen ? Tracer.Visibility.UNKNOWN : known;
     }
 

@@ -217,15 +217,24 @@ public final class PathTracer extends EyePathTracer {
         if (cut != null && cut.isLeft(history) && glowAtCut(ray, material)) {
             return;
         }
-        double weight = history.gathered
-                ? light.weight(ray)
-                : history.isThere ? 1 : history.scattered ? weightOfCaustic() : images.weight();
+        double weight = weightOfGlow(ray);
         if (weight > 0 && material.glowsTo(path.hit.side)) {
             value.addEmission(material, weight);
         }
     }
 
-    /** The same where the path has come straight from where it was cut: whether light that is sampled there might find it, too. */
+    /** By what share of it light that the surface emits is found here, not in another way. */
+    private double weightOfGlow(Ray ray) {
+        if (history.gathered) {
+            return light.weight(ray);
+        }
+        if (history.isThere) {
+            return 1;
+        }
+        return history.scattered ? weightOfCaustic() : images.weight();
+    }
+
+    /** Tells it to the cut where the path has come straight from there: returns whether light that is sampled there might find it, too. */
     private boolean glowAtCut(Ray ray, SurfaceMaterial material) {
         double density = light.density(ray);
         if (density > 0 && material.glowsTo(path.hit.side)) {

@@ -85,9 +85,20 @@ public final class Surroundings {
         Vec3 direction = new Vec3(level * StrictMath.sin(turn), StrictMath.sin(height), level * StrictMath.cos(turn));
         Sun sun =
                 hasSun ? new Sun(direction, Daylight.SUN_RADIUS, daylight.sun().times(scale)) : null;
+        return of(() -> skyMap(daylight, height, ground, sun, scale), azimuth, sun);
+    }
+
+    /** A map that is computed, not read. */
+    @FunctionalInterface
+    private interface ComputedMap {
+        DirectionMap get() throws IOException;
+    }
+
+    private static Surroundings of(ComputedMap map, double degrees, Sun sun) {
         try {
-            return new Surroundings(skyMap(daylight, height, ground, sun, scale), azimuth, sun);
+            return new Surroundings(map.get(), degrees, sun);
         } catch (IOException e) {
+            // Its numbers are right, so that it is memory that it lacks.
             throw new OutOfMemoryError(e.getMessage());
         }
     }
@@ -149,12 +160,7 @@ public final class Surroundings {
      * @param share what is left, by band
      */
     public Surroundings filtered(Rgb share) {
-        try {
-            Sun left = sun == null ? null : sun.filtered(share);
-            return new Surroundings(map.filtered(share), 360 * rotation, left);
-        } catch (IOException e) {
-            throw new OutOfMemoryError(e.getMessage());
-        }
+        return of(() -> map.filtered(share), 360 * rotation, sun == null ? null : sun.filtered(share));
     }
 
     /** Whether nothing comes from anywhere, but for the sun. */

@@ -1,25 +1,16 @@
 package enlightenment.physical;
 
 import static enlightenment.physical.PhysicalScenes.at;
-import static enlightenment.physical.PhysicalScenes.linear;
 import static enlightenment.physical.PhysicalScenes.matte;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import enlightenment.camera.Camera;
-import enlightenment.color.Rgb;
-import enlightenment.geometry.Box;
-import enlightenment.geometry.Cylinder;
-import enlightenment.geometry.Shape;
-import enlightenment.material.Material;
-import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
-import java.util.OptionalDouble;
-import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -32,56 +23,15 @@ class FurnaceOfBlocksTest {
     private static final int WIDTH = 12;
     private static final int HEIGHT = 8;
 
-    private final Random random;
-
-    FurnaceOfBlocksTest() {
-        random = new Random(14);
-    }
-
-    private double grid(int from, int steps) {
-        return 0.5 * (from + random.nextInt(steps));
-    }
-
-    private Material material() {
-        int priority = random.nextInt(3) == 0 ? 1 : 0;
-        return switch (random.nextInt(8)) {
-            case 0 -> Material.Matte.of(linear(1, 1, 1)).withRoughness(random.nextBoolean() ? 0 : 0.8);
-            case 1 -> Material.Mirror.of(linear(1, 1, 1));
-            case 2 -> glass(random.nextBoolean() ? 1.5 : 1.3, 0, priority);
-            case 3 -> glass(1.5, 0.5, priority);
-            case 4 -> glass(1, 0, priority);
-            case 5 -> fog(1, 0, priority);
-            case 6 -> fog(1.4, random.nextBoolean() ? 0 : 0.4, priority);
-            default -> Material.Glossy.of(linear(1, 1, 1), 0.5);
-        };
-    }
-
-    private static Material glass(double index, double roughness, int priority) {
-        return new Material.Glass(
-                linear(1, 1, 1), index, 1, priority, true, roughness, Rgb.BLACK, true, OptionalDouble.empty());
-    }
-
-    private static Material fog(double index, double roughness, int priority) {
-        return new Material.Scattering(Medium.Coefficients.of(Rgb.gray(1), Rgb.BLACK), index, roughness, priority);
-    }
-
-    private Shape block() {
-        double y = grid(0, 2);
-        if (random.nextInt(3) == 0) {
-            return new Cylinder(at(0, y, 0), at(0, y + grid(1, 2), 0), grid(1, 2), true);
-        }
-        double x = grid(-2, 4);
-        double z = grid(-2, 4);
-        return new Box(at(x, y, z), at(x + grid(1, 3), y + grid(1, 2), z + grid(1, 3)));
-    }
+    private final RandomBlocks blocks = new RandomBlocks(14);
 
     private Scene scene() {
         SceneBuilder builder = PhysicalScenes.view(WIDTH, HEIGHT)
                 .camera(new Camera.Perspective(at(0, 1.2, -5), at(0, 0.8, 0), Vec3.Y, 40))
                 .shading(PhysicalScenes.atMost(200, 1))
                 .object(TestScenes.rectangle(-6, 0, -6, -6, 0, 6, 6, 0, 6, 6, 0, -6), matte(1, 1, 1));
-        for (int k = 2 + random.nextInt(4); k > 0; k--) {
-            builder.object(block(), material());
+        for (int k = 2 + blocks.random.nextInt(4); k > 0; k--) {
+            builder.object(blocks.shape(), blocks.material());
         }
         return builder.build();
     }

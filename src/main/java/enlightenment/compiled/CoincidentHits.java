@@ -207,6 +207,7 @@ public final class CoincidentHits {
         double cosine = other.nx * hit.nx + other.ny * hit.ny + other.nz * hit.nz;
         if (other.face == face && Math.abs(cosine) > SAME_DIRECTION) {
             other.side = cosine > 0 ? hit.side : -hit.side;
+            other.t = hit.t;
             ids[k] = id;
             size++;
         }

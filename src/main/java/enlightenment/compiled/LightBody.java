@@ -86,8 +86,8 @@ public class LightBody {
 
     /** What a light needs to know of the primitives that it lies on. */
     interface Touched {
-        /** Whether light enters a primitive. */
-        boolean isEntered(int id);
+        /** Whether light enters a primitive by a face. */
+        boolean isEntered(int id, int face);
 
         /**
          * The sides of a face, as {@link EndFaces#bit}s, on which it is seen rather than the light.
@@ -100,7 +100,7 @@ public class LightBody {
     /** Nothing is entered, or seen in the light's place. */
     private static final Touched NOTHING_SPECIAL = new Touched() {
         @Override
-        public boolean isEntered(int id) {
+        public boolean isEntered(int id, int face) {
             return false;
         }
 
@@ -147,7 +147,7 @@ public class LightBody {
                         ? s.passes(new Vec3(x, y, z), tolerance)
                         : s.coincides(shape, tolerance) && s.overlaps(shape, tolerance);
                 if (on) {
-                    boolean isEntered = touched.isEntered(id);
+                    boolean isEntered = touched.isEntered(id, face);
                     int covered = shape == null || isEntered ? 0 : touched.covered(id, face, isTurned(shape, s));
                     lyingOn.add(p, id, face, tolerance, isEntered, covered);
                 }

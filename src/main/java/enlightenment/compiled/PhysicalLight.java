@@ -158,8 +158,9 @@ public final class PhysicalLight extends LightBody {
         int left = few && hidesNothingOfItself ? id : NO_PRIMITIVE;
         lieOn(compiled.primitives(), face, left, new Touched() {
             @Override
-            public boolean isEntered(int other) {
-                return Arrays.binarySearch(compiled.glassSolids(), other) >= 0;
+            public boolean isEntered(int other, int otherFace) {
+                return Arrays.binarySearch(compiled.glassSolids(), other) >= 0
+                        && compiled.materials().of(other, otherFace).isGlass;
             }
 
             @Override

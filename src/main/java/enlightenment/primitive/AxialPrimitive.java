@@ -305,7 +305,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
 
     @Override
     public int faceCount() {
-        return 3;
+        return capped ? 3 : 1;
     }
 
     @Override

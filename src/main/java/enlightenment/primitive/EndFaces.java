@@ -117,12 +117,13 @@ public final class EndFaces {
      * opaque solid only where the face covers the light.
      *
      * @param side the side of the light's own surface that it travels on
+     * @param nx the light's unit normal there: nx, ny, nz; zero for a point
      * @param scratch is overwritten
      */
-    public void startOn(Ray ray, int side, Ray scratch) {
+    public void startOn(Ray ray, int side, double nx, double ny, double nz, Ray scratch) {
         for (int k = 0; k < ids.length; k++) {
             int there = sideOf(k, ray, side);
-            if (there == Ray.OUTSIDE || !isBorder[k] && covers(k, ray, scratch)) {
+            if (there == Ray.OUTSIDE || !isBorder[k] && covers(k, ray, nx, ny, nz, scratch)) {
                 ray.alsoFrom(primitives[k], there);
             }
         }
@@ -138,12 +139,15 @@ public final class EndFaces {
     }
 
     /** Whether a face is where the ray starts. A light may be larger than what it lies on. */
-    private boolean covers(int k, Ray ray, Ray scratch) {
-        if (!primitives[k].isSolid() || !(primitives[k].support(faces[k]) instanceof SupportSurface.Plane plane)) {
+    private boolean covers(int k, Ray ray, double nx, double ny, double nz, Ray scratch) {
+        if (!primitives[k].isSolid()) {
             return true;
         }
-        Vec3 n = plane.unitNormal();
-        return isAt(k, ray, n.x(), n.y(), n.z(), scratch);
+        if (primitives[k].support(faces[k]) instanceof SupportSurface.Plane plane) {
+            Vec3 n = plane.unitNormal();
+            return isAt(k, ray, n.x(), n.y(), n.z(), scratch);
+        }
+        return nx == 0 && ny == 0 && nz == 0 || isAt(k, ray, nx, ny, nz, scratch);
     }
 
     private boolean isAt(int k, Ray ray, double nx, double ny, double nz, Ray scratch) {

@@ -114,7 +114,7 @@ final class CausticSource extends PathSource {
             density += probability(s) * coneDensity(s, thing, 0, l.x, l.y, l.z);
         }
         ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
-        l.lyingOn().startOn(ray, Ray.OUTSIDE, probe);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
         return 1 / density;
     }
 
@@ -139,7 +139,7 @@ final class CausticSource extends PathSource {
                 dz,
                 0);
         ray.from(l.surface, Ray.OUTSIDE);
-        l.lyingOn().startOn(ray, Ray.OUTSIDE, probe);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
         return Math.PI * l.radius * l.radius / density;
     }
 
@@ -170,7 +170,7 @@ final class CausticSource extends PathSource {
         if (l.lyingOn().isCovered(ray, side, point.nx, point.ny, point.nz, probe)) {
             return 0;
         }
-        l.lyingOn().startOn(ray, side, probe);
+        l.lyingOn().startOn(ray, side, point.nx, point.ny, point.nz, probe);
         return area.area() * Math.abs(cosine) / density;
     }
 

@@ -79,7 +79,7 @@ final class GlassTracer {
     }
 
     /**
-     * Starts a ray that may start in some solids, and finds in which.
+     * Starts a ray that may start in some solids, and finds in which. If it starts on one of them, the side that it leaves that on decides.
      *
      * @param on the faces that it starts on, which it is outside of; null if there are none
      */
@@ -87,7 +87,11 @@ final class GlassTracer {
         next = NONE;
         inside.clear();
         for (int solid : solids) {
-            if (on != null && on.hasBorderOf(solid)) {
+            int side = ray.sideOf(scene.primitives[solid]);
+            if (side == Ray.INSIDE) {
+                inside.add(solid);
+            }
+            if (side != 0 || on != null && on.hasBorderOf(solid)) {
                 continue;
             }
             double x = Math.fma(ray.tMin, ray.dx, ray.ox);

@@ -119,7 +119,7 @@ final class LightSource extends PathSource {
     private void fromPoint(PhysicalLight l, double[] numbers, Ray ray) {
         toSphere(numbers);
         ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
-        l.lyingOn().startOn(ray, Ray.OUTSIDE, probe);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
     }
 
     /** Any direction at all. */
@@ -176,6 +176,6 @@ final class LightSource extends PathSource {
         cosine = side * (dx * point.nx + dy * point.ny + dz * point.nz);
         isInside = side == Ray.INSIDE;
         ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
-        l.lyingOn().startOn(ray, side, probe);
+        l.lyingOn().startOn(ray, side, point.nx, point.ny, point.nz, probe);
     }
 }

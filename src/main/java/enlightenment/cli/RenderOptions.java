@@ -80,9 +80,12 @@ final class RenderOptions {
 
     /** What to tell of a value that the renderer refused: the option's fault where it was given, else the scene's. */
     RuntimeException blame(InvalidValueException e, String sceneFile) {
-        return e.key().equals("error")
-                ? CliException.wrongUsage("--error " + e.problem() + "; more bits (--depth 16) or a .pfm file can")
-                : settings.blame(e, sceneFile);
+        return switch (e.key()) {
+            case "error" ->
+                CliException.wrongUsage("--error " + e.problem() + "; more bits (--depth 16) or a .pfm file can");
+            case "samples" -> CliException.wrongUsage("--samples " + e.problem());
+            default -> settings.blame(e, sceneFile);
+        };
     }
 
     static final class Methods extends WordOption<Method> {

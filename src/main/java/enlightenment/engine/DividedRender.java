@@ -77,12 +77,26 @@ public final class DividedRender implements UnitSource {
      */
     public static DividedRender prepare(
             Scene scene, RenderSettings settings, SharedImages images, BooleanSupplier cancelled) {
+        return prepare(scene, settings, images, cancelled, false);
+    }
+
+    /**
+     * The same of a render whose {@link #next} is never asked for: its plan is all that keeps an error.
+     *
+     * @throws enlightenment.math.InvalidValueException also if an error is all that limits a method that has no trials for it
+     */
+    public static DividedRender prepareOnce(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        return prepare(scene, settings, new SharedImages(), cancelled, true);
+    }
+
+    private static DividedRender prepare(
+            Scene scene, RenderSettings settings, SharedImages images, BooleanSupplier cancelled, boolean isLast) {
         Stopwatch time = Stopwatch.started();
         PictureMemory.check(settings, 0);
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images));
         Planner planner = new Planner(compiled, settings, Cancellation.of(cancelled));
-        RenderPlan plan = phases.run("plan", () -> planner.plan(time, 0));
+        RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
         return new DividedRender(scene.name(), compiled, settings, plan, phases, planner, rounds, 1, time);
     }

@@ -63,7 +63,7 @@ public final class EngineJob implements Closeable {
         if (checkpoint != null && settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException("a render with a checkpoint must not depend on the time that it takes");
         }
-        DividedRender render = DividedRender.prepare(scene, settings, cancelled);
+        DividedRender render = DividedRender.prepareOnce(scene, settings, cancelled);
         render.notes().forEach(log);
         FilmAssembly film = render.assembly();
         ServerJob job = ServerJob.of(render, film, JobContent.of(scene, render.outline(), Build.number()), log);

@@ -54,7 +54,7 @@ public final class RenderParts {
         if (settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException("parts of a render must not depend on the time that they take");
         }
-        DividedRender render = DividedRender.prepare(scene, settings, cancelled);
+        DividedRender render = DividedRender.prepareOnce(scene, settings, cancelled);
         render.notes().forEach(progress::note);
         ContentHash job = JobContent.of(scene, render.outline(), Build.number()).hash();
         int[] tiles = IntStream.range(0, render.units())

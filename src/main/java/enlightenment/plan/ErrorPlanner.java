@@ -20,13 +20,21 @@ final class ErrorPlanner {
     private final Trial trial;
     private final BooleanSupplier stop;
     private final Consumer<String> notes;
+    private final boolean isLast;
 
     /**
      * @param stop once true, nothing more is tried
      * @param notes hears what cannot be kept, or only at a price
+     * @param isLast whether no round follows the picture that is planned
      */
     ErrorPlanner(
-            RenderSettings settings, SamplePlans plans, Trial trial, BooleanSupplier stop, Consumer<String> notes) {
+            RenderSettings settings,
+            SamplePlans plans,
+            Trial trial,
+            BooleanSupplier stop,
+            Consumer<String> notes,
+            boolean isLast) {
+        this.isLast = isLast;
         this.settings = settings;
         this.plans = plans;
         this.trial = trial;
@@ -38,7 +46,7 @@ final class ErrorPlanner {
     double samples(double most) {
         TrialBlocks blocks =
                 new TrialBlocks(settings, trial.display(), plans.traits().blockSide());
-        ErrorTrials trials = new ErrorTrials(settings, blocks, (n, some) -> trial.render(n, some, stop), stop);
+        ErrorTrials trials = new ErrorTrials(settings, blocks, (n, some) -> trial.render(n, some, stop), stop, isLast);
         double found = 1;
         if (trials.areTooFew()) {
             // The first round is the trial of all but the file.

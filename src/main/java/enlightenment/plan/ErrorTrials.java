@@ -11,7 +11,7 @@ import java.util.function.BooleanSupplier;
 /**
  * Finds out by trials how many samples per pixel an error takes. What is sought is the number for which the upper end of the
  * interval that the finished picture will give itself is as asked, rounding included. All trials together take at most about half
- * of what the render will: what they miss, the finished picture tells ({@link Rounds}).
+ * of what the render will, unless the picture is small: what they miss, the finished picture tells ({@link Rounds}).
  */
 final class ErrorTrials {
     /** A trial renders a sixteenth of the blocks, or {@link #LEAST_BLOCKS} of them if that is more, but at most an eighth. */
@@ -25,6 +25,9 @@ final class ErrorTrials {
 
     /** What is aimed at, as a share of the error asked for: the trial has seen only some of the picture. */
     private static final double AIM = 0.97;
+
+    /** The same where no round follows: the picture's own chance must not put it beyond what is asked. */
+    private static final double LAST_AIM = 0.9;
 
     private static final int MOST_TRIALS = 7;
 
@@ -47,6 +50,9 @@ final class ErrorTrials {
     private final TrialBlocks blocks;
     private final double share;
 
+    /** Whether no picture follows that could make up for what trials miss. */
+    private final boolean isLast;
+
     /** What was spent, in samples per pixel of the whole render. */
     private double work;
 
@@ -58,19 +64,25 @@ final class ErrorTrials {
     /**
      * @param blocks of the same settings
      * @param stop once true, nothing more is tried
+     * @param isLast whether no round follows the picture that is planned: what is too small for trials of some blocks is tried as a whole
      */
-    ErrorTrials(RenderSettings settings, TrialBlocks blocks, Sampler sampler, BooleanSupplier stop) {
+    ErrorTrials(RenderSettings settings, TrialBlocks blocks, Sampler sampler, BooleanSupplier stop, boolean isLast) {
         asked = settings.budget().error().orElseThrow();
         depth = settings.budget().depth();
         this.sampler = sampler;
         this.stop = stop;
         this.blocks = blocks;
-        share = Math.max(SHARE, Math.min(MOST_SHARE, LEAST_BLOCKS / blocks.count()));
+        this.isLast = isLast;
+        share = isLast && isSmall() ? 1 : Math.max(SHARE, Math.min(MOST_SHARE, LEAST_BLOCKS / blocks.count()));
     }
 
-    /** Whether what is rendered is so small that trials tell nothing: then the picture itself is the cheapest trial. */
-    boolean areTooFew() {
+    private boolean isSmall() {
         return blocks.count() * MOST_SHARE < TOO_FEW_BLOCKS;
+    }
+
+    /** Whether what is rendered is so small that trials tell nothing: then the picture itself is the cheapest trial, if others follow. */
+    boolean areTooFew() {
+        return isSmall() && !isLast;
     }
 
     /** Whether rounding alone makes the error as large as it may be; known after a search, or after {@link #findRounding}. */
@@ -117,14 +129,14 @@ final class ErrorTrials {
                 break;
             }
             n = Math.min(Math.max(Tidy.of(search.next()), least), most);
-            if (work + planning + share * n > MOST_COST * n) {
+            if (share < 1 && work + planning + share * n > MOST_COST * n) {
                 return search.isFound() ? search.answer() : n < most ? n : Double.POSITIVE_INFINITY;
             }
         }
         if (!search.isFound()) {
             return search.answer() < most ? Tidy.of(search.answer()) : Double.POSITIVE_INFINITY;
         }
-        return confirmed(search.answer(), most);
+        return share < 1 ? confirmed(search.answer(), most) : search.answer();
     }
 
     /** The answer, or more where twice as many blocks say so. */
@@ -165,7 +177,7 @@ final class ErrorTrials {
         }
         double high = Math.sqrt(
                 ErrorEstimate.of(tiles).high() * ErrorEstimate.of(whole).high());
-        return high / AIM * asked / Math.sqrt(asked * asked - square);
+        return high / (isLast ? LAST_AIM : AIM) * asked / Math.sqrt(asked * asked - square);
     }
 
     private double squaredRounding(List<FilmTile> tiles) {

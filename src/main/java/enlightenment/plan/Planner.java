@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.check.Check;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.film.FilmTile;
 import enlightenment.scene.Budget;
@@ -44,6 +45,19 @@ public final class Planner {
      *     nothing else limits the render
      */
     public RenderPlan plan(Stopwatch time, double previewed) {
+        return plan(time, previewed, false);
+    }
+
+    /**
+     * The same of a picture that is rendered once, however exact it becomes.
+     *
+     * @throws enlightenment.math.InvalidValueException also if an error is all that limits a method that has no trials
+     */
+    public RenderPlan planOnce(Stopwatch time) {
+        return plan(time, 0, true);
+    }
+
+    private RenderPlan plan(Stopwatch time, double previewed, boolean isLast) {
         Budget budget = settings.budget();
         noteScene();
         if (budget.isNone()) {
@@ -52,7 +66,7 @@ public final class Planner {
         double samples = budget.samples().orElse(Budget.MAX_SAMPLES);
         String by = "samples";
         if (budget.error().isPresent()) {
-            double n = samplesForError(samples, time);
+            double n = samplesForError(samples, time, isLast);
             by = n < samples ? "error" : by;
             samples = Math.min(samples, n);
         }
@@ -77,9 +91,17 @@ public final class Planner {
         noteCrop();
     }
 
-    private double samplesForError(double most, Stopwatch time) {
+    private double samplesForError(double most, Stopwatch time, boolean isLast) {
         if (!plans.areMostlyPaths()) {
-            return new ErrorPlanner(settings, plans, trial, endOfErrorTrials(time), notes::add).samples(most);
+            return new ErrorPlanner(settings, plans, trial, endOfErrorTrials(time), notes::add, isLast).samples(most);
+        }
+        if (isLast) {
+            Check.that(
+                    most < Budget.MAX_SAMPLES,
+                    "samples",
+                    "must be given beside the error: " + settings.method()
+                            + " has no trials for an error, and this picture is rendered once");
+            return most;
         }
         notes.add(settings.method() + " has no trials for an error: a first picture with " + Rounds.number(FIRST_PATHS)
                 + " paths per pixel tells how many it takes");

@@ -108,12 +108,19 @@ public final class Rounds {
     }
 
     /**
-     * About how many samples per pixel would keep the error that was asked for, whatever other limits there were; empty if it is
-     * kept, or no number of samples would do.
+     * About how many samples per pixel would keep the error that was asked for, whatever other limits there were, if it falls as that of
+     * independent samples does; empty if it is kept, or no number of samples would do.
      */
     public static OptionalDouble samplesForError(RenderReport report) {
-        OptionalDouble error = report.settings().budget().error();
-        return error.isEmpty() ? error : new Rounds(Budget.NONE.withError(error.getAsDouble())).next(report, 0, 0);
+        OptionalDouble asked = report.settings().budget().error();
+        RenderReport.Sampling outcome = report.sampling();
+        if (asked.isEmpty() || report.isErrorMet()) {
+            return OptionalDouble.empty();
+        }
+        double aim = new Rounds(Budget.NONE.withError(asked.getAsDouble())).aim(outcome.rounding());
+        double factor = StrictMath.pow(outcome.errorHigh() / aim, 1 / LEAST_SLOPE);
+        double n = outcome.plannedSamples() * Math.max(factor, LEAST_FACTOR);
+        return aim > 0 && n <= Budget.MAX_SAMPLES ? OptionalDouble.of(Tidy.of(n)) : OptionalDouble.empty();
     }
 
     /** Whether the error has fallen so slowly that a render which goes on so would hardly end. */
@@ -138,10 +145,10 @@ public final class Rounds {
         if (outOfReach == 0) {
             return Optional.empty();
         }
-        String many = outOfReach <= Budget.MAX_SAMPLES
-                ? "about " + number(Tidy.of(outOfReach)) + " samples per pixel would be needed"
-                : "no number of samples would do";
-        return Optional.of("the error falls too slowly with this method: at this rate " + many
+        String rate = outOfReach <= Budget.MAX_SAMPLES
+                ? "at this rate about " + number(Tidy.of(outOfReach)) + " samples per pixel would be needed"
+                : "it has hardly fallen over the last rounds";
+        return Optional.of("the error falls too slowly with this method: " + rate
                 + "; try another method, or --time or --samples for the best within a limit");
     }
 

@@ -149,6 +149,21 @@ class MergeCommandTest extends SceneFixture {
         assertArrayEquals(Files.readAllBytes(picture), Files.readAllBytes(merged));
     }
 
+    /** Parts have no further rounds, so that a picture too small for trials of some blocks is tried as a whole. */
+    @Test
+    void aSmallPictureOfPartsKeepsTheError() throws IOException {
+        Path room = Path.of("scenes/cornell-box.json").toAbsolutePath();
+        Path a = folder.resolve("a.film");
+        assertEquals(
+                0,
+                CliRun.of("render", room, "-o", a, "--part", "1/1", "--size", "40x30", "--error", "0.03")
+                        .code());
+        assertEquals(0, CliRun.of("merge", a, "-o", merged).code());
+        CliRun light = CliRun.of(
+                "render", room, "-o", a, "--part", "1/1", "--size", "40x30", "--error", "0.03", "--method", "light");
+        assertSays(light, 2, "--samples must be given beside the error: light has no trials");
+    }
+
     @Test
     void whatMakesNoSenseIsRefused() {
         Path film = folder.resolve("x.film");

@@ -121,6 +121,6 @@ class ErrorTrialsTest {
 
     private static ErrorTrials trials(RenderSettings settings, ErrorTrials.Sampler sampler, BooleanSupplier stop) {
         return new ErrorTrials(
-                settings, new TrialBlocks(settings, DisplayCurve.NONE, FilmTile.BLOCK_SIDE), sampler, stop);
+                settings, new TrialBlocks(settings, DisplayCurve.NONE, FilmTile.BLOCK_SIDE), sampler, stop, false);
     }
 }

@@ -119,6 +119,16 @@ class RoundsTest {
         assertEquals(1, render(Budget.NONE.withError(0.01).withSamples(1), 1, error, 0).rounds);
     }
 
+    /** Whatever the picture has: eight times as many were the most that was told. */
+    @Test
+    void theSamplesThatAreAdvisedAreEnoughForIndependentSamples() {
+        for (double n : new double[] {1, 3, 64, 1000}) {
+            End end = render(Budget.NONE.withError(0.01).withSamples(n), n, k -> 1 / Math.sqrt(k), 0);
+            double advised = Rounds.samplesForError(end.report).getAsDouble();
+            assertTrue(advised >= 1e4 && advised <= 1.2e4, advised + " after " + n);
+        }
+    }
+
     @Test
     void theTimeIsNotExceeded() {
         for (double seconds = 0.01; seconds < 1000; seconds *= 1.9) {
@@ -166,7 +176,7 @@ class RoundsTest {
         }
         // The first round that tells something has 256, and 64 times as many are enough.
         assertTrue(n >= 64 * 64 && all < 20_000, n + " of " + all);
-        assertTrue(rounds.resignation().orElseThrow().contains("no number of samples"));
+        assertTrue(rounds.resignation().orElseThrow().contains("hardly fallen"));
         Budget limited = Budget.NONE.withError(0.02).withSamples(100_000);
         assertEquals(100_000, render(limited, 4, error, 0).last);
     }

@@ -42,7 +42,13 @@ record Comparison(
         if (light != null) {
             line(text, "relative, of light", "%s", figure(light.relative()));
             line(text, "RMSE of light", "%s", figure(light.rmse()));
-            line(text, "ratio of means", "%.5f red, %.5f green, %.5f blue", light.red(), light.green(), light.blue());
+            line(
+                    text,
+                    "ratio of means",
+                    "%s red, %s green, %s blue",
+                    ratio(light.red()),
+                    ratio(light.green()),
+                    ratio(light.blue()));
         }
         line(
                 text,
@@ -72,6 +78,11 @@ record Comparison(
     }
 
     /** Six decimals, or an exponent where they would show too little of a small number. */
+    /** None where one of the two is black. */
+    private static String ratio(double value) {
+        return Double.isFinite(value) ? String.format(Locale.ROOT, "%.5f", value) : "none";
+    }
+
     private static String figure(double value) {
         boolean small = value != 0 && value < 1e-3;
         return value == 0 ? "0" : String.format(Locale.ROOT, small ? "%.4e" : "%.6f", value);

@@ -1,5 +1,7 @@
 package enlightenment.cli;
 
+import enlightenment.image.ImageFiles;
+import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Animation;
@@ -50,6 +52,10 @@ final class ValidateCommand extends Subcommand {
     /** Reads and compiles the scene, which also checks its textures. */
     private static Scene read(SceneInput input) {
         Scene scene = input.read(Optional.empty());
+        List<SceneException.Problem> images = problemsOfImages(scene);
+        if (!images.isEmpty()) {
+            throw SceneFailures.inFile(input.name(), new SceneException(images));
+        }
         try {
             Renderer.inspect(scene, RenderSettings.of(scene));
             return scene;
@@ -58,6 +64,23 @@ final class ValidateCommand extends Subcommand {
         } catch (SceneException e) {
             throw SceneFailures.inFile(input.name(), e);
         }
+    }
+
+    /** All images that cannot be read; a render ends at the first. */
+    private static List<SceneException.Problem> problemsOfImages(Scene scene) {
+        List<SceneException.Problem> problems = new ArrayList<>();
+        scene.textures().forEach((name, texture) -> {
+            if (texture instanceof Texture.File image) {
+                try {
+                    ImageFiles.read(image.file());
+                } catch (IOException e) {
+                    String key = name.replace("~", "~0").replace("/", "~1");
+                    problems.addAll(SceneException.of("/textures/" + key + "/file", e.getMessage())
+                            .problems());
+                }
+            }
+        });
+        return problems;
     }
 
     /** Says what is wrong with the frames: each problem once, in the first frame that has it. */

@@ -8,7 +8,6 @@ import enlightenment.texture.ImageTexture;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 
@@ -76,8 +75,7 @@ public final class SceneImages {
                     ? ImageTexture.readLinear(texture.file())
                     : ImageTexture.read(texture.file());
         } catch (IOException e) {
-            throw new SceneException(List.of(new SceneException.Problem(
-                    texture.file().toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));
+            throw SceneException.of("", "a texture cannot be used: " + e.getMessage());
         }
     }
 }

@@ -17,7 +17,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
@@ -91,8 +90,7 @@ public final class SceneDocument {
             ImageFiles.toPng(image, png, PngOptions.DEFAULT);
             return png.toByteArray();
         } catch (IOException e) {
-            throw new SceneException(List.of(new SceneException.Problem(
-                    file.toString(), 0, 0, "", "the texture cannot be used: " + e.getMessage())));
+            throw SceneException.of("", "a texture cannot be used: " + e.getMessage());
         }
     }
 

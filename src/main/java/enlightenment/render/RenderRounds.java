@@ -66,6 +66,11 @@ final class RenderRounds {
             double before = time.seconds();
             RenderResult result = render(plan, round);
             if (!result.complete()) {
+                if (best != null) {
+                    request.progress()
+                            .note("stopped: the picture is that of the round before, with "
+                                    + Rounds.number(best.report().sampling().plannedSamples()) + " samples per pixel");
+                }
                 return best == null ? result : best;
             }
             best = result;

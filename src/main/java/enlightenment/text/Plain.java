@@ -14,6 +14,20 @@ public final class Plain {
 
     private Plain() {}
 
+    /** Whether a text can be said in UTF-8, which has no halves of surrogate pairs. */
+    public static boolean isWellFormed(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            boolean pair = Character.isHighSurrogate(text.charAt(i))
+                    && i + 1 < text.length()
+                    && Character.isLowSurrogate(text.charAt(i + 1));
+            if (!pair && Character.isSurrogate(text.charAt(i))) {
+                return false;
+            }
+            i += pair ? 1 : 0;
+        }
+        return true;
+    }
+
     /**
      * One line.
      *

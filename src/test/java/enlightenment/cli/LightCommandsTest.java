@@ -258,6 +258,10 @@ class LightCommandsTest {
         assertTrue(run.out().contains("RMSE:                0\n"), run.out());
         assertTrue(run.out().contains("RMSE of light:       0.577350"), run.out());
         assertTrue(run.out().contains("1.00000 red, 2.00000 green, 1.00000 blue"), run.out());
+        // Where one picture is black there is no ratio.
+        ImageFiles.writePfm(new Image(1, 1, new float[] {0, 1, 0}, Encoding.LINEAR), b);
+        assertTrue(CliRun.of("compare", "--linear", a, b).out().contains("none red, 2.00000 green, none blue"));
+        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 1, 4}, Encoding.LINEAR), b);
         CliRun darker = CliRun.of("compare", "--linear", "--exposure", "-2", "--tone", "filmic", a, b);
         assertFalse(darker.out().contains("RMSE:                0\n"), darker.out());
         assertEquals(2, CliRun.of("compare", "--exposure", "1", a, b).code());

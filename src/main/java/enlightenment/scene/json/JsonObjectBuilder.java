@@ -8,6 +8,7 @@ import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneException;
+import enlightenment.text.Plain;
 import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -58,17 +59,9 @@ final class JsonObjectBuilder {
         return put(key, new JsonValue.Str(0, 0, wellFormed(v, key)));
     }
 
-    /** Half of a surrogate pair cannot be said in UTF-8. */
     private String wellFormed(String text, String key) {
-        for (int i = 0; i < text.length(); i++) {
-            boolean pair = Character.isHighSurrogate(text.charAt(i))
-                    && i + 1 < text.length()
-                    && Character.isLowSurrogate(text.charAt(i + 1));
-            if (pair) {
-                i++;
-            } else if (Character.isSurrogate(text.charAt(i))) {
-                throw SceneException.of(place.child(key).toString(), "is not a text: it holds half a character");
-            }
+        if (!Plain.isWellFormed(text)) {
+            throw SceneException.of(place.child(key).toString(), JsonTree.NO_TEXT);
         }
         return text;
     }

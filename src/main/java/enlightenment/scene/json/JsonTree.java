@@ -33,6 +33,10 @@ final class JsonTree {
 
     static final int LONGEST_TEXT = 1_000_000;
     static final int LONGEST_KEY = 10_000;
+
+    /** What is wrong with a text that UTF-8 cannot say. */
+    static final String NO_TEXT = "is not a text: it holds half a character";
+
     private static final int LONGEST_SHARED_TEXT = 64;
     private static final int MOST_SHARED_TEXTS = 10_000;
     private static final int FEW_KEYS = 16;
@@ -183,11 +187,19 @@ final class JsonTree {
         int line = at.getLineNr();
         int column = at.getColumnNr();
         return switch (token) {
-            case VALUE_STRING -> new JsonValue.Str(line, column, shared(parser.getString()));
+            case VALUE_STRING -> new JsonValue.Str(line, column, shared(wellFormed(parser.getString(), at)));
             case VALUE_TRUE, VALUE_FALSE -> new JsonValue.Bool(line, column, token == JsonToken.VALUE_TRUE);
             case VALUE_NULL -> new JsonValue.Null(line, column);
             default -> new JsonValue.Num(line, column, parser.getString());
         };
+    }
+
+    private String wellFormed(String text, TokenStreamLocation at) {
+        if (!Plain.isWellFormed(text)) {
+            String pointer = parser.streamReadContext().pathAsPointer().toString();
+            problems.add(at.getLineNr(), at.getColumnNr(), pointer, NO_TEXT);
+        }
+        return text;
     }
 
     private void open() {
@@ -225,7 +237,7 @@ final class JsonTree {
     }
 
     private void addKey() {
-        String key = parser.currentName();
+        String key = wellFormed(parser.currentName(), parser.currentTokenLocation());
         makeRoom();
         if (isTwice(key)) {
             TokenStreamLocation at = parser.currentTokenLocation();

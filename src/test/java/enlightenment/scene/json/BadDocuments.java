@@ -475,6 +475,9 @@ final class BadDocuments {
             edit("\"ice.png\"", "\"nice.png\"", "/textures/ice/file", "there is no file \"nice.png\""),
             edit("\"ice.png\"", "\".\"", "/textures/ice/file", "is not a file"),
             edit("\"ice.png\"", "\"a\\u0000b\"", "/textures/ice/file", "is not a path"),
+            // Halves of characters, which no file can hold.
+            edit("\"everything\"", "\"\\ud800\"", "/name", "holds half a character"),
+            edit("\"ball\"", "\"a\\udc00b\"", "/objects/0/name", "holds half a character"),
             // Keys that are there twice.
             edit("\"radius\": 1.5", "\"radius\": 1.5, \"radius\": 2", "/objects/0/radius", "written twice"),
             edit("\"width\": 40", "\"width\": 41, \"width\": 40", "/image/width", "written twice"));

@@ -164,19 +164,25 @@ final class ReferenceMaker {
 
     /**
      * An image that the user gave. The differences of two independent renders from it have only its own error in common, bias
-     * included: their mean product estimates its mean squared error.
+     * included: their mean product estimates its mean squared error, up to chance. It is not told to be smaller than the standard error of
+     * that mean, pixels taken as independent.
      */
     static Reference given(Image reference, Image a, Image b) {
         double sum = 0;
+        double squares = 0;
         for (int y = 0; y < reference.height(); y++) {
             for (int x = 0; x < reference.width(); x++) {
                 for (int c = 0; c < 3; c++) {
                     double r = reference.displayed(x, y, c);
-                    sum += (a.displayed(x, y, c) - r) * (b.displayed(x, y, c) - r);
+                    double product = (a.displayed(x, y, c) - r) * (b.displayed(x, y, c) - r);
+                    sum += product;
+                    squares += product * product;
                 }
             }
         }
-        double mean = sum / (3.0 * reference.width() * reference.height());
-        return new Reference(Optional.of(reference), Math.max(mean, 0), List.of());
+        double n = 3.0 * reference.width() * reference.height();
+        double mean = sum / n;
+        double chance = Math.sqrt(Math.max(squares / n - mean * mean, 0) / n);
+        return new Reference(Optional.of(reference), Math.max(mean, chance), List.of());
     }
 }

@@ -29,14 +29,18 @@ public final class SceneHints {
     private static final List<BiConsumer<SceneHints, List<String>>> ALL = List.of(
             SceneHints::nothingToSee,
             SceneHints::noLight,
+            SceneHints::cameraOnSurface,
             SceneHints::cameraInSolid,
             SceneHints::lightInSolid,
             SceneHints::narrowView,
             (hints, found) -> found.addAll(DistanceHint.of(hints.scene, hints.compiled)));
 
     /** Those of them that make sense where lights are surfaces and indirect light is solved. */
-    private static final List<BiConsumer<SceneHints, List<String>>> OF_PHYSICAL =
-            List.of(SceneHints::nothingToSee, SceneHints::narrowView, SceneHints::hiddenLight);
+    private static final List<BiConsumer<SceneHints, List<String>>> OF_PHYSICAL = List.of(
+            SceneHints::nothingToSee, SceneHints::cameraOnSurface, SceneHints::narrowView, SceneHints::hiddenLight);
+
+    /** Middle and corners of the picture. */
+    private static final List<double[]> PLACES = List.of(new double[][] {{0.5, 0.5}, {0, 0}, {0, 1}, {1, 0}, {1, 1}});
 
     private final Scene scene;
     private final CompiledScene compiled;
@@ -47,7 +51,7 @@ public final class SceneHints {
     private SceneHints(Scene scene, CompiledScene compiled) {
         this.scene = scene;
         this.compiled = compiled;
-        for (double[] place : new double[][] {{0.5, 0.5}, {0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+        for (double[] place : PLACES) {
             Ray r = ray(place[0], place[1]);
             starts.add(new Vec3(r.ox, r.oy, r.oz).plus(new Vec3(r.dx, r.dy, r.dz).times(r.tMin)));
         }
@@ -112,6 +116,24 @@ public final class SceneHints {
 
     private static List<Material> materials(SceneObject object) {
         return object.faces().isEmpty() ? List.of(object.material()) : object.faces();
+    }
+
+    /** Rays that start on a surface meet it there. */
+    private void cameraOnSurface(List<String> found) {
+        for (int id = 0; id < compiled.primitives.length; id++) {
+            Primitive p = compiled.primitives[id];
+            if (PLACES.stream().allMatch(place -> isMetAtOnce(p, ray(place[0], place[1])))) {
+                found.add("/camera: lies on the surface of " + name(id) + ", which fills the picture");
+            }
+        }
+    }
+
+    private static boolean isMetAtOnce(Primitive p, Ray ray) {
+        double t = p.nearest(ray, Double.MAX_VALUE);
+        Vec3 start = new Vec3(ray.ox, ray.oy, ray.oz);
+        return t != Primitive.MISS
+                && (t - ray.tMin) * Math.sqrt(ray.dd)
+                        <= Scale.gamma(64) * Math.max(start.maxAbs(), p.bounds().maxAbs());
     }
 
     /** A viewer in an opaque solid sees its inner wall; without a light inside, it is dark. */

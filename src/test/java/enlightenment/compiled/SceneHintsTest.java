@@ -22,6 +22,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -53,6 +54,17 @@ class SceneHintsTest {
             for (Path file : scenes) {
                 assertEquals(List.of(), hints(SceneReader.read(file)), file.toString());
             }
+        }
+    }
+
+    @Test
+    void anEyeExactlyOnASurfaceSeesNothingButThat() {
+        for (Shading shading : List.of(PhysicalShading.DEFAULT, ClassicShading.DEFAULT)) {
+            List<String> on = hints(from(-1).object(BALL, WHITE).light(LAMP).shading(shading));
+            assertEquals(List.of("/camera: lies on the surface of /objects/0, which fills the picture"), on);
+            List<String> beside =
+                    hints(from(-1.0000001).object(BALL, WHITE).light(LAMP).shading(shading));
+            assertEquals(List.of(), beside);
         }
     }
 
@@ -142,7 +154,7 @@ class SceneHintsTest {
         Box ground = new Box(ExactPoint.of("-9", "-9", "-9"), ExactPoint.of("9", "0.1", "9"));
         Camera standing = new Camera.Perspective(ExactPoint.of("0", "0.1", "-5"), ExactPoint.of(0, 1, 0), Vec3.Y, 40);
         assertEquals(
-                List.of(),
+                List.of("/camera: lies on the surface of /objects/0, which fills the picture"),
                 hints(Scene.builder()
                         .size(8, 8)
                         .camera(standing)

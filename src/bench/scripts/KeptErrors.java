@@ -151,9 +151,9 @@ public final class KeptErrors {
 
     private static void print(List<Row> rows, Map<String, Reference> references) {
         System.out.println(
-                "| scene | method | error | kept | true error: least, median, most | in the interval | warned | samples per pixel"
+                "| scene | method | error | kept | not, and told | true error: least, median, most | in the interval | warned | samples per pixel"
                         + " (median) | rounds | CPU-s per picture |");
-        System.out.println("|---|---|---|---|---|---|---|---|---|---|");
+        System.out.println("|---|---|---|---|---|---|---|---|---|---|---|");
         for (Row row : rows) {
             Reference reference = references.get(row.name);
             int n = row.results.size();
@@ -164,6 +164,7 @@ public final class KeptErrors {
             double[] samples = new double[n];
             double rounds = 0;
             int kept = 0;
+            int told = 0;
             int inside = 0;
             int warned = 0;
             for (int i = 0; i < n; i++) {
@@ -173,6 +174,7 @@ public final class KeptErrors {
                 errors[i] = e;
                 samples[i] = s.samplesPerPixel();
                 kept += e <= row.asked ? 1 : 0;
+                told += e > row.asked && !result.report().isErrorMet() ? 1 : 0;
                 inside += e >= s.errorLow() && e <= s.errorHigh() ? 1 : 0;
                 warned += s.light().orElseThrow().heavyTail() ? 1 : 0;
                 rounds += s.rounds();
@@ -181,12 +183,13 @@ public final class KeptErrors {
             java.util.Arrays.sort(samples);
             System.out.printf(
                     Locale.ROOT,
-                    "| %s | %s | %s | %d of %d | %.4f, %.4f, %.4f | %d | %d | %.0f | %.1f | %.1f |%n",
+                    "| %s | %s | %s | %d of %d | %d | %.4f, %.4f, %.4f | %d | %d | %.0f | %.1f | %.1f |%n",
                     row.name,
                     row.method.name().toLowerCase(Locale.ROOT),
                     row.asked,
                     kept,
                     n,
+                    told,
                     errors[0],
                     errors[n / 2],
                     errors[n - 1],

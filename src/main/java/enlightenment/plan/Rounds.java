@@ -41,6 +41,9 @@ public final class Rounds {
     /** A render that needs more samples per pixel than these is not begun unless its user says so. */
     private static final double TOO_MANY = 1 << 20;
 
+    /** The same of what independent samples would need, whose error falls as n^−½. */
+    private static final double MANY = 1 << 18;
+
     private final Budget budget;
 
     /** Of the first round that tells something; 0 before that. */
@@ -118,9 +121,14 @@ public final class Rounds {
             return OptionalDouble.empty();
         }
         double aim = new Rounds(Budget.NONE.withError(asked.getAsDouble())).aim(outcome.rounding());
-        double factor = StrictMath.pow(outcome.errorHigh() / aim, 1 / LEAST_SLOPE);
-        double n = outcome.plannedSamples() * Math.max(factor, LEAST_FACTOR);
+        double least = LEAST_FACTOR * outcome.plannedSamples();
+        double n = Math.max(asIndependent(outcome.plannedSamples(), outcome.errorHigh(), aim), least);
         return aim > 0 && n <= Budget.MAX_SAMPLES ? OptionalDouble.of(Tidy.of(n)) : OptionalDouble.empty();
+    }
+
+    /** How many samples would make the error as small as this if they were independent. */
+    private static double asIndependent(double n, double e, double aim) {
+        return n * StrictMath.pow(e / aim, 1 / LEAST_SLOPE);
     }
 
     /** Whether the error has fallen so slowly that a render which goes on so would hardly end. */
@@ -136,7 +144,8 @@ public final class Rounds {
         double last = StrictMath.log(error / e) / StrictMath.log(n / samples);
         double slope = Math.max(inAll, last);
         double needed = slope > 0 ? n * StrictMath.pow(e / aim, 1 / slope) : Double.POSITIVE_INFINITY;
-        outOfReach = needed > TOO_MANY ? needed : 0;
+        // Upper ends jump where rare bright samples come up first: what independent samples would do is tried.
+        outOfReach = needed > TOO_MANY && asIndependent(n, e, aim) > MANY ? needed : 0;
         return outOfReach > 0;
     }
 

@@ -161,6 +161,19 @@ class RoundsTest {
         assertFalse(report(budget, 4, 0.0101, 0).isErrorMet());
     }
 
+    /** The upper ends of a small picture of caustics, where rare bright samples come up first with 512 samples per pixel. */
+    @Test
+    void anErrorThatJumpsUpOnceIsNotGivenUp() {
+        Budget budget = Budget.NONE.withError(0.01);
+        Rounds rounds = new Rounds(budget);
+        double[] samples = {1, 8, 64, 512, 4100};
+        double[] errors = {0.206, 0.0683, 0.0389, 0.104, 0.0575};
+        for (int k = 0; k < samples.length; k++) {
+            assertTrue(
+                    rounds.next(report(budget, samples[k], errors[k], 0), 0, 0).isPresent(), "round " + (k + 1));
+        }
+    }
+
     /** The error of light paths in a scene of narrow lobes: it falls as n^-0.14, and a tenth of it is asked for. */
     @Test
     void anErrorThatHardlyFallsIsGivenUpUnlessSomethingElseLimitsTheRender() {

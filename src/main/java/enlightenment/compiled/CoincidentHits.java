@@ -236,14 +236,17 @@ public final class CoincidentHits {
         return size;
     }
 
-    /** The index of the surface of the medium that is entered; if none is entered, of the one that is left. */
+    /**
+     * The index of the surface of the medium that is entered; if that has no border here, of the one that is left. Painted faces are none:
+     * the ray may have been inside of their solid all along, where another medium filled it.
+     */
     public int ofMedium(int entered, int left) {
         int found = 0;
         for (int k = 0; k < size; k++) {
-            if (ids[k] == entered) {
+            if (isGlass(k) && ids[k] == entered) {
                 return k;
             }
-            found = ids[k] == left ? k : found;
+            found = isGlass(k) && ids[k] == left ? k : found;
         }
         return found;
     }

@@ -44,9 +44,11 @@ final class LobeShares {
 
     private double squares;
 
-    LobeShares() {}
+    LobeShares() {
+        makeRoom(0);
+    }
 
-    void makeRoom(int size) {
+    final void makeRoom(int size) {
         lobes = new Bsdf[size];
         at = new ScatteringBatch(size);
         red = new double[size];

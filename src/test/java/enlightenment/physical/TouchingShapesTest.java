@@ -176,6 +176,28 @@ class TouchingShapesTest {
         assertEquals(gap, mean(sleeve(0), method, 32), 0.005 * gap);
     }
 
+    /** A glass of six faces, of which the far one is painted and glows, and in its corner another glass that may reach to that. */
+    private static Scene painted(double gap) {
+        Material glass = absorbing(0);
+        Material paint = matte(0.3, 0.3, 0.3).withRadiance(Rgb.WHITE);
+        List<Material> faces = Stream.concat(Collections.nCopies(5, glass).stream(), Stream.of(paint))
+                .toList();
+        Cube cube = new Cube(at(0, 0, 0), Math.sqrt(0.75), Vec3.ZERO);
+        return small(new Vec3(0.25, 0.25, -3))
+                .object(new SceneObject("", cube, glass, faces))
+                .object(
+                        new Box(at(0, 0, 0), at(0.5, 0.5, 0.5 - gap)),
+                        new Material.Glass(linear(1, 1, 1), 1, 1, 1, true))
+                .build();
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"RAYTRACE", "CLUSTER", "BIDIRECTIONAL", "METROPOLIS"})
+    void aPaintedFaceIsNoBorderOfTheGlassThatEndsOnIt(BuiltInMethod method) {
+        assertEquals(1, mean(painted(GAP), method, 8), 1e-6);
+        assertEquals(1, mean(painted(0), method, 8), 1e-6);
+    }
+
     /** A lamp on the floor of a box room, under a cylinder of fog: three things in one plane. */
     private static Scene lampUnderFog(double gap) {
         return PhysicalScenes.view(WIDTH, HEIGHT)

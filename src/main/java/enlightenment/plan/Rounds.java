@@ -42,7 +42,7 @@ public final class Rounds {
     private static final double TOO_MANY = 1 << 20;
 
     /** The same of what independent samples would need, whose error falls as n^−½. */
-    private static final double MANY = 1 << 18;
+    private static final double MANY = 1 << 19;
 
     private final Budget budget;
 

@@ -77,12 +77,12 @@ record Comparison(
         text.append(String.format(Locale.ROOT, format, values)).append('\n');
     }
 
-    /** Six decimals, or an exponent where they would show too little of a small number. */
     /** None where one of the two is black. */
     private static String ratio(double value) {
         return Double.isFinite(value) ? String.format(Locale.ROOT, "%.5f", value) : "none";
     }
 
+    /** Six decimals, or an exponent where they would show too little of a small number. */
     private static String figure(double value) {
         boolean small = value != 0 && value < 1e-3;
         return value == 0 ? "0" : String.format(Locale.ROOT, small ? "%.4e" : "%.6f", value);

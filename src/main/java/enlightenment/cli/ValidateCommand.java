@@ -52,9 +52,9 @@ final class ValidateCommand extends Subcommand {
     /** Reads and compiles the scene, which also checks its textures. */
     private static Scene read(SceneInput input) {
         Scene scene = input.read(Optional.empty());
-        List<SceneException.Problem> images = problemsOfImages(scene);
+        List<SceneException.Problem> images = problemsOfImages(scene, input.name());
         if (!images.isEmpty()) {
-            throw SceneFailures.inFile(input.name(), new SceneException(images));
+            throw new SceneException(images);
         }
         try {
             Renderer.inspect(scene, RenderSettings.of(scene));
@@ -67,16 +67,15 @@ final class ValidateCommand extends Subcommand {
     }
 
     /** All images that cannot be read; a render ends at the first. */
-    private static List<SceneException.Problem> problemsOfImages(Scene scene) {
+    private static List<SceneException.Problem> problemsOfImages(Scene scene, String file) {
         List<SceneException.Problem> problems = new ArrayList<>();
         scene.textures().forEach((name, texture) -> {
             if (texture instanceof Texture.File image) {
                 try {
                     ImageFiles.read(image.file());
                 } catch (IOException e) {
-                    String key = name.replace("~", "~0").replace("/", "~1");
-                    problems.addAll(SceneException.of("/textures/" + key + "/file", e.getMessage())
-                            .problems());
+                    String pointer = "/textures/" + SceneException.escaped(name) + "/file";
+                    problems.add(new SceneException.Problem(file, 0, 0, pointer, e.getMessage()));
                 }
             }
         });

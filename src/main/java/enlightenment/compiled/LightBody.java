@@ -84,31 +84,22 @@ public class LightBody {
         return lyingOn;
     }
 
-    /** What a light needs to know of the primitives that it lies on. */
+    /** What a light needs to know of the primitives that it lies on; unless told, none is entered, or seen in its place. */
     interface Touched {
         /** Whether light enters a primitive by a face. */
-        boolean isEntered(int id, int face);
+        default boolean isEntered(int id, int face) {
+            return false;
+        }
 
         /**
          * The sides of a face, as {@link EndFaces#bit}s, on which it is seen rather than the light.
          *
          * @param isTurned whether the face's outside is on the light's inside
          */
-        int covered(int id, int face, boolean isTurned);
-    }
-
-    /** Nothing is entered, or seen in the light's place. */
-    private static final Touched NOTHING_SPECIAL = new Touched() {
-        @Override
-        public boolean isEntered(int id, int face) {
-            return false;
-        }
-
-        @Override
-        public int covered(int id, int face, boolean isTurned) {
+        default int covered(int id, int face, boolean isTurned) {
             return 0;
         }
-    };
+    }
 
     private static boolean isTurned(SupportSurface a, SupportSurface b) {
         return a instanceof SupportSurface.Plane p
@@ -118,7 +109,7 @@ public class LightBody {
 
     /** Finds the faces of these primitives that the light lies on: that coincide with it or, for a point, pass through it. */
     final void lieOn(Primitive[] primitives) {
-        lieOn(primitives, 0, -1, NOTHING_SPECIAL);
+        lieOn(primitives, 0, -1, new Touched() {});
     }
 
     /**

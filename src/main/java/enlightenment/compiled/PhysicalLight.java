@@ -159,7 +159,7 @@ public final class PhysicalLight extends LightBody {
         lieOn(compiled.primitives(), face, left, new Touched() {
             @Override
             public boolean isEntered(int other, int otherFace) {
-                return Arrays.binarySearch(compiled.glassSolids(), other) >= 0
+                return compiled.primitives()[other].isSolid()
                         && compiled.materials().of(other, otherFace).isGlass;
             }
 

@@ -26,12 +26,12 @@ public final class EndFaces {
     private double[] tolerances = {};
     private boolean[] isBorder = {};
 
-    /** The sides of each face, as {@link #bit}s, that what arrives on them does not see the light behind it. */
+    /** The sides of each face, as {@link #bit}s, from which the light is not seen there. */
     private int[] hiding = {};
 
     private boolean hasBorders;
     private boolean hides;
-    private boolean covers;
+    private boolean hasCovers;
 
     /** No faces yet. */
     public EndFaces() {}
@@ -64,7 +64,7 @@ public final class EndFaces {
         hiding[n] = border ? bit(Ray.INSIDE) : covered;
         hasBorders |= border;
         hides |= hiding[n] != 0;
-        covers |= covered != 0;
+        hasCovers |= covered != 0;
     }
 
     /** A side of a surface ({@link Hit#side}) as one of a set of sides. */
@@ -88,8 +88,8 @@ public final class EndFaces {
     }
 
     /** Whether some of them cover the light, or a part of it, on a side. */
-    public boolean cover() {
-        return covers;
+    public boolean hasCovers() {
+        return hasCovers;
     }
 
     /** Whether one of them is the border of this solid. */
@@ -171,7 +171,7 @@ public final class EndFaces {
      * @param scratch is overwritten
      */
     public boolean isCovered(Ray ray, int side, double nx, double ny, double nz, Ray scratch) {
-        for (int k = 0; covers && k < ids.length; k++) {
+        for (int k = 0; hasCovers && k < ids.length; k++) {
             if (!isBorder[k] && contains(hiding[k], sideOf(k, ray, side)) && isAt(k, ray, nx, ny, nz, scratch)) {
                 return true;
             }

@@ -66,12 +66,13 @@ final class RenderRounds {
             double before = time.seconds();
             RenderResult result = render(plan, round);
             if (!result.complete()) {
-                if (best != null) {
-                    request.progress()
-                            .note("stopped: the picture is that of the round before, with "
-                                    + Rounds.number(best.report().sampling().plannedSamples()) + " samples per pixel");
+                if (best == null) {
+                    return result;
                 }
-                return best == null ? result : best;
+                request.progress()
+                        .note("stopped: the picture is that of the round before, with "
+                                + Rounds.number(best.report().sampling().plannedSamples()) + " samples per pixel");
+                return best;
             }
             best = result;
             double now = time.seconds();

@@ -52,6 +52,11 @@ public final class SceneException extends RuntimeException {
         return new SceneException(List.of(new Problem("", 0, 0, pointer, message)));
     }
 
+    /** A key as a part of a JSON pointer (RFC 6901). */
+    public static String escaped(String key) {
+        return key.replace("~", "~0").replace("/", "~1");
+    }
+
     /** All the problems, in the order of their places. */
     public List<Problem> problems() {
         return problems;

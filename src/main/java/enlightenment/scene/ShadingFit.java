@@ -124,7 +124,7 @@ final class ShadingFit {
     static String placeOf(Map<String, Material> named, Material material, String place) {
         for (Map.Entry<String, Material> entry : named.entrySet()) {
             if (Objects.equals(entry.getValue(), material)) {
-                return "materials/" + entry.getKey().replace("~", "~0").replace("/", "~1");
+                return "materials/" + SceneException.escaped(entry.getKey());
             }
         }
         return place;

@@ -166,12 +166,7 @@ final class CausticSource extends PathSource {
             }
         }
         int side = cosine > 0 ? Ray.OUTSIDE : Ray.INSIDE;
-        ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
-        if (l.lyingOn().isCovered(ray, side, point.nx, point.ny, point.nz, probe)) {
-            return 0;
-        }
-        l.lyingOn().startOn(ray, side, point.nx, point.ny, point.nz, probe);
-        return area.area() * Math.abs(cosine) / density;
+        return leave(l, side, ray) ? area.area() * Math.abs(cosine) / density : 0;
     }
 
     private double probability(int thing) {

@@ -74,6 +74,7 @@ final class LightSource extends PathSource {
         probability = starts.probability(light);
         pointDensity = starts.pointDensity(light);
         cosine = 1;
+        boolean goes = true;
         if (isBackground()) {
             if (physical.surroundings == null) {
                 toSphere(numbers);
@@ -88,19 +89,11 @@ final class LightSource extends PathSource {
             if (l.isPoint) {
                 fromPoint(l, numbers, ray);
             } else {
-                fromSurface(l, numbers, ray);
+                goes = fromSurface(l, numbers, ray);
             }
             weigh(l.r, l.g, l.b, l.ultraviolet);
-            if (!l.isPoint && isCovered(l, ray)) {
-                return false;
-            }
         }
-        return directionDensity > 0 && (red > 0 || green > 0 || blue > 0 || ultraviolet > 0);
-    }
-
-    private boolean isCovered(PhysicalLight l, Ray ray) {
-        int side = isInside ? Ray.INSIDE : Ray.OUTSIDE;
-        return l.lyingOn().isCovered(ray, side, point.nx, point.ny, point.nz, probe);
+        return goes && directionDensity > 0 && (red > 0 || green > 0 || blue > 0 || ultraviolet > 0);
     }
 
     private void weigh(double r, double g, double b, double u) {
@@ -162,7 +155,8 @@ final class LightSource extends PathSource {
                 0);
     }
 
-    private void fromSurface(PhysicalLight l, double[] numbers, Ray ray) {
+    /** Returns false where the light is covered. */
+    private boolean fromSurface(PhysicalLight l, double[] numbers, Ray ray) {
         l.form.samplePoint(numbers[2], numbers[3], point);
         Warp.toDisk(numbers[4], numbers[5], disk);
         int side = starts.shinesBothWays(light) && numbers[1] < 0.5 ? Ray.INSIDE : Ray.OUTSIDE;
@@ -175,7 +169,6 @@ final class LightSource extends PathSource {
                 Math.sqrt(Math.max(1 - disk[2], 0)));
         cosine = side * (dx * point.nx + dy * point.ny + dz * point.nz);
         isInside = side == Ray.INSIDE;
-        ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
-        l.lyingOn().startOn(ray, side, point.nx, point.ny, point.nz, probe);
+        return leave(l, side, ray);
     }
 }

@@ -48,7 +48,7 @@ final class LobeShares {
         makeRoom(0);
     }
 
-    final void makeRoom(int size) {
+    void makeRoom(int size) {
         lobes = new Bsdf[size];
         at = new ScatteringBatch(size);
         red = new double[size];

@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.compiled.PhysicalLight;
 import enlightenment.emitter.SurfacePoint;
 import enlightenment.frame.Basis;
 import enlightenment.primitive.EndFaces;
@@ -54,6 +55,20 @@ abstract class PathSource {
     final double power(double ofUltraviolet) {
         double visible = red + green + blue;
         return ofUltraviolet > 0 ? Math.fma(ofUltraviolet, ultraviolet, visible) : visible;
+    }
+
+    /**
+     * Starts the ray in the direction from the point of a light with a surface, on a side of that.
+     *
+     * @return false if the light is covered there
+     */
+    final boolean leave(PhysicalLight l, int side, Ray ray) {
+        ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
+        if (l.lyingOn().isCovered(ray, side, point.nx, point.ny, point.nz, probe)) {
+            return false;
+        }
+        l.lyingOn().startOn(ray, side, point.nx, point.ny, point.nz, probe);
+        return true;
     }
 
     /** Sets the direction to (a, b, c) in a basis of which w is the third vector. */

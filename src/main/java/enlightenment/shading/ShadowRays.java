@@ -127,7 +127,7 @@ final class ShadowRays {
         // pass. Where another light covers this one is found by each ray.
         isHidden = known == Tracer.Visibility.NONE;
         boolean isOpen =
-                known == Tracer.Visibility.ALL ? medium != null || l.lyingOn().cover() : walk != null;
+                known == Tracer.Visibility.ALL ? medium != null || l.lyingOn().hasCovers() : walk != null;
         return isOpen ? Tracer.Visibility.UNKNOWN : known;
     }
 

@@ -45,11 +45,11 @@ class TouchingShapesTest {
     }
 
     private static void assertSame(BuiltInMethod method, Scene gap, Scene contact) {
-        Rendered.assertContactIsLimit(mean(method, gap), mean(method, contact), 0.03);
+        assertSame(method, gap, contact, 12, 0.03);
     }
 
-    private static double mean(BuiltInMethod method, Scene scene) {
-        return mean(scene, method, 12);
+    private static void assertSame(BuiltInMethod method, Scene gap, Scene contact, int antialias, double relative) {
+        Rendered.assertContactIsLimit(mean(gap, method, antialias), mean(contact, method, antialias), relative);
     }
 
     private static SceneBuilder small(Vec3 eye) {
@@ -155,8 +155,7 @@ class TouchingShapesTest {
     @ParameterizedTest
     @EnumSource(names = {"RAYTRACE", "CLUSTER", "BIDIRECTIONAL", "LIGHT"})
     void aLampOnTheRimOfATubeShinesThroughNoWall(BuiltInMethod method) {
-        double gap = mean(lampshade(GAP), method, 32);
-        assertEquals(gap, mean(lampshade(0), method, 32), 0.005 * gap);
+        assertSame(method, lampshade(GAP), lampshade(0), 32, 0.005);
     }
 
     /** A glowing sleeve that reaches beyond the post that it is on. */
@@ -172,8 +171,7 @@ class TouchingShapesTest {
     @ParameterizedTest
     @EnumSource(names = {"RAYTRACE", "CLUSTER", "BIDIRECTIONAL", "LIGHT"})
     void aSleeveThatIsLongerThanItsPostLightsItsEnd(BuiltInMethod method) {
-        double gap = mean(sleeve(GAP), method, 32);
-        assertEquals(gap, mean(sleeve(0), method, 32), 0.005 * gap);
+        assertSame(method, sleeve(GAP), sleeve(0), 32, 0.005);
     }
 
     /** A glass of six faces, of which the far one is painted and glows, and in its corner another glass that may reach to that. */

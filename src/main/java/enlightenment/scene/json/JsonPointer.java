@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.scene.SceneException;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -42,7 +43,7 @@ final class JsonPointer {
         if (parent == null) {
             return "";
         }
-        return parent + "/" + (key == null ? Integer.toString(index) : escape(key));
+        return parent + "/" + (key == null ? Integer.toString(index) : SceneException.escaped(key));
     }
 
     /** The parts of a JSON pointer, or null if it is not one. */
@@ -61,10 +62,6 @@ final class JsonPointer {
             tokens.add(unescape(token));
         }
         return tokens;
-    }
-
-    static String escape(String token) {
-        return token.replace("~", "~0").replace("/", "~1");
     }
 
     private static String unescape(String token) {

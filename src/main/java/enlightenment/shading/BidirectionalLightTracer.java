@@ -30,7 +30,7 @@ final class BidirectionalLightTracer extends LightPathTracer {
 
     private BidirectionalLightTracer(
             CompiledScene scene, LightSubpath light, long seed, int width, int height, RayCounters counters) {
-        super(scene, light.path, true, width, height, counters);
+        super(scene, light.path, width, height, counters);
         this.light = light;
         sampler = new PathSampler(seed);
     }

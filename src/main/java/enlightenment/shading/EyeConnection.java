@@ -15,7 +15,7 @@ final class EyeConnection {
     private final EyeProjection eye;
     private final boolean absorbs;
 
-    /** Follows rays to the eye through glass that does not turn them; null if there is none, or it hides. */
+    /** Follows rays to the eye through glass that does not turn them; null if there is none. */
     private final ShadowWalk walk;
 
     private final Ray ray = new Ray();
@@ -23,12 +23,11 @@ final class EyeConnection {
     /** What comes through on the way to the eye, by band. */
     final double[] through = new double[3];
 
-    /** @param passesGlass whether light that glass does not turn comes to the eye */
-    EyeConnection(CompiledScene scene, RayCounters counters, PathFollower path, boolean passesGlass) {
+    EyeConnection(CompiledScene scene, RayCounters counters, PathFollower path) {
         this.path = path;
         eye = new EyeProjection(scene.camera);
         absorbs = scene.physical.hasAbsorption;
-        walk = passesGlass && scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
+        walk = scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
     }
 
     /** The place in the picture, 0..1 from the left. */

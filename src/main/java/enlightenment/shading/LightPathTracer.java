@@ -30,16 +30,14 @@ public abstract class LightPathTracer {
      * For one thread.
      *
      * @param path follows the paths
-     * @param passesGlass whether the eye sees light through glass that does not turn it
      * @param width of the whole picture in pixels
      * @param height of the whole picture in pixels
      */
-    LightPathTracer(
-            CompiledScene scene, PathFollower path, boolean passesGlass, int width, int height, RayCounters counters) {
+    LightPathTracer(CompiledScene scene, PathFollower path, int width, int height, RayCounters counters) {
         this.path = path;
         this.width = width;
         this.height = height;
-        eye = new EyeConnection(scene, counters, path, passesGlass);
+        eye = new EyeConnection(scene, counters, path);
     }
 
     /**

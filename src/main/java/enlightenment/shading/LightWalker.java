@@ -95,13 +95,7 @@ abstract class LightWalker extends LightPathTracer {
             int width,
             int height,
             RayCounters counters) {
-        super(
-                scene,
-                new PathFollower(scene, counters, scene.physical.maxBounces),
-                !onlyCaustics,
-                width,
-                height,
-                counters);
+        super(scene, new PathFollower(scene, counters, scene.physical.maxBounces), width, height, counters);
         this.seed = seed;
         this.source = source;
         this.onlyCaustics = onlyCaustics;

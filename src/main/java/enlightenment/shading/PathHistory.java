@@ -1,6 +1,9 @@
 package enlightenment.shading;
 
-/** Of what kinds the events of a path from the eye were: that decides which technique finds the light that it comes to. */
+/**
+ * Of what kinds the events of a path from the eye were: that decides which technique finds the light that it comes to. Surfaces that the
+ * path passes straight are no events: connections pass them, too.
+ */
 final class PathHistory {
     /** How many scattering events there were. */
     int events;
@@ -50,11 +53,6 @@ final class PathHistory {
         scattered = true;
         scatteredFirst = false;
         gathered = hasGathered;
-    }
-
-    /** Notes surfaces that the path passed straight: no event, and the last vertex stays what it was. */
-    void pass() {
-        deltaFirst |= !scattered;
     }
 
     /** Whether the eye sees the surface that the path is at, or the first that it was scattered by, in a mirror or through glass. */

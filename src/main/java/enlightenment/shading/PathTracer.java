@@ -364,7 +364,6 @@ public final class PathTracer extends EyePathTracer {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
             // stays what it was.
             history.events--;
-            history.pass();
             value.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }

@@ -19,6 +19,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -268,6 +269,61 @@ class CausticTest {
         }
         double error = Math.sqrt((squares - sum * sum) / (SEEDS - 1));
         assertTrue(Math.abs(sum - expected) < 5 * error + 0.002 * expected, sum + " ± " + error + ", not " + expected);
+    }
+
+    /** What stands between eye and caustic turns no ray: the pass sees through it, so that even the light of points is found. */
+    @Test
+    void aBorderOfIndexOneBeforeTheEyeDimsACausticByItsAbsorption() {
+        String camera =
+                """
+                "camera": { "type": "orthographic", "eye": [0, 5, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "height": 1 },
+                """;
+        String light = "{ \"type\": \"point\", \"position\": [0, 1, 0.5], \"color\": \"#ffffff\", \"intensity\": 2 }";
+        String wall =
+                """
+                { "type": "rectangle", "corners": [[-9, 0, 1.5], [-9, 9, 1.5], [9, 9, 1.5], [9, 0, 1.5]],
+                  "material": { "type": "mirror", "color": { "linear": [0.9, 0.9, 0.9] } } }
+                """;
+        String smoke =
+                """
+                { "type": "box", "min": [-1, 3, -1], "max": [1, 4, 1],
+                  "material": { "type": "glass", "color": "#ffffff", "indexOfRefraction": 1, "absorption": [0.5, 0, 2] } }
+                """;
+        double[] clear = causticOfAPoint(camera, light, wall);
+        double[] dimmed = causticOfAPoint(camera, light, wall, smoke);
+        double[] factors = {Math.exp(-0.5), 1, Math.exp(-2)};
+        for (int c = 0; c < factors.length; c++) {
+            assertTrue(clear[c] > 0.01, clear[c] + " in band " + c);
+            assertEquals(factors[c], dimmed[c] / clear[c], 0.02, "band " + c);
+        }
+    }
+
+    private static double[] causticOfAPoint(String camera, String light, String... things) {
+        String[] objects = Arrays.copyOf(things, things.length + 1);
+        objects[things.length] = FLOOR;
+        double[] rgb = new double[3 * PIXELS];
+        fromLights(scene(", \"maxBounces\": 2", camera, light, objects), 1, 1 << 19, rgb);
+        double[] sums = new double[3];
+        for (int k = 0; k < rgb.length; k++) {
+            sums[k % 3] += rgb[k] / PIXELS;
+        }
+        return sums;
+    }
+
+    @Test
+    void aPaneAndFogBeforeTheEye() {
+        String pane =
+                """
+                { "type": "rectangle", "corners": [[-2, 1.8, -3], [-2, 2.8, -2], [2, 2.8, -2], [2, 1.8, -3]],
+                  "material": { "type": "glass", "color": { "linear": [0.9, 0.8, 1] }, "indexOfRefraction": 1.5 } }
+                """;
+        assertSame(scene(fov(50), LAMP, FLOOR, MIRROR, pane), 256, 8_192);
+        String fog =
+                """
+                { "type": "box", "min": [-3, -1, -3], "max": [3, 1.5, 3],
+                  "material": { "type": "scattering", "scatteringCoefficient": [0.2, 0.1, 0.3], "absorptionCoefficient": [0.1, 0.2, 0] } }
+                """;
+        assertSame(scene(fov(50), LAMP, FLOOR, MIRROR, fog), 256, 8_192);
     }
 
     @Test

@@ -95,7 +95,7 @@ final class ReportJson {
         RenderReport.Sampling s = report.sampling();
         json.writeObjectPropertyStart("sampling");
         json.writeStringProperty("method", s.method().word());
-        json.writeStringProperty("decidedBy", s.decidedBy());
+        json.writeStringProperty("decidedBy", report.decidedBy());
         json.writeNumberProperty("plannedSamples", s.plannedSamples());
         json.writeNumberProperty("samplesPerPixel", s.samplesPerPixel());
         json.writeNumberProperty("estimatedError", s.estimatedError());

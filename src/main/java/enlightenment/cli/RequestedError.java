@@ -24,7 +24,7 @@ final class RequestedError {
                 Math.hypot(sampling.estimatedError(), sampling.rounding()),
                 sampling.errorInFile(),
                 DecimalNumber.plain(asked),
-                sampling.decidedBy(),
+                report.decidedBy(),
                 samples.isPresent() ? "; try --samples " + DecimalNumber.plain(samples.getAsDouble()) + " or more" : "",
                 2 * sampling.rounding() > sampling.errorInFile()
                         ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"

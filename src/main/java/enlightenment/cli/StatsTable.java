@@ -42,7 +42,7 @@ final class StatsTable {
         RenderReport.Sampling s = report.sampling();
         boolean own = s.method() == report.settings().method();
         String plain = own ? "" : ", too few for a survey: evenly spaced, as with " + s.method();
-        line("samples per pixel", "%,18.2f   decided by %s%s", s.samplesPerPixel(), s.decidedBy(), plain);
+        line("samples per pixel", "%,18.2f   decided by %s%s", s.samplesPerPixel(), report.decidedBy(), plain);
         line(
                 "estimated error",
                 "%18.5f   95 %% interval %.5f .. %.5f",

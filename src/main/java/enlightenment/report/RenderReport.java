@@ -159,6 +159,16 @@ public record RenderReport(
                 || sampling.errorInFile() <= settings.budget().error().getAsDouble();
     }
 
+    /**
+     * Which part of the budget was decisive: antialias, samples, error or time. That is the time, too, where an error would have been met
+     * if there had been time for another picture.
+     */
+    public String decidedBy() {
+        String decisive = sampling.decidedBy();
+        boolean ranOut = decisive.equals("error") && settings.budget().seconds().isPresent() && !isErrorMet();
+        return ranOut ? "time" : decisive;
+    }
+
     /** The same report for a file with another root mean square of what rounding changes. */
     public RenderReport withRounding(double rounding) {
         return with(sampling.with(rounding));

@@ -67,6 +67,17 @@ class RoundsTest {
         }
     }
 
+    @Test
+    void timeDecidesWhereAnErrorIsNotMetForWantOfIt() {
+        Budget both = Budget.NONE.withError(0.01).withSeconds(10);
+        Rounds rounds = new Rounds(both);
+        RenderReport late = report(both, 8, 0.05, 0);
+        assertTrue(rounds.next(late, 6, 9.9).isEmpty(), "there is no time for a second picture");
+        assertEquals("time", late.decidedBy());
+        assertEquals("error", report(both, 800, 0.009, 0).decidedBy());
+        assertEquals("error", report(Budget.NONE.withError(0.01), 8, 0.05, 0).decidedBy());
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {0.5, 0.6, 0.75, 1})
     void theErrorIsKeptInAFewRoundsAndNotWastefully(double slope) {

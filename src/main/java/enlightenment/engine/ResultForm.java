@@ -72,7 +72,7 @@ abstract class ResultForm {
         if (unit < 0 || unit >= units.count()) {
             return Optional.of("there is no unit " + unit + "; they are 0.." + (units.count() - 1));
         }
-        Optional<String> header = ResultHeader.problem(bytes, kinds);
+        Optional<String> header = ResultHeader.problem(bytes, kinds, units.count());
         return header.isPresent() ? header : problem(unit, bytes);
     }
 }

@@ -11,6 +11,9 @@ import java.util.Optional;
 final class ResultHeader {
     private static final int SCALARS = 12;
 
+    /** All results of a render together count no more than this. */
+    private static final long MOST_COUNTED = 1L << 62;
+
     private long surveyRays;
     private boolean differences;
     private long lost;
@@ -40,14 +43,21 @@ final class ResultHeader {
         out.putLong(2 * lost + (differences ? 1 : 0));
     }
 
-    static Optional<String> problem(byte[] result, int kinds) {
+    /**
+     * Why a result cannot have this header; empty if it can.
+     *
+     * @param units how many results there are: with this bound no count of a render can become too large, whoever sends what
+     */
+    static Optional<String> problem(byte[] result, int kinds, int units) {
         if (result.length < length(kinds)) {
             return Optional.of("it has " + result.length + " bytes, fewer than its header");
         }
         ByteBuffer in = ByteBuffer.wrap(result);
+        long most = MOST_COUNTED / units;
         for (int i = 0; i < SCALARS + 2 * kinds; i++) {
-            if (in.getLong() < 0) {
-                return Optional.of("a counter is negative");
+            long count = in.getLong();
+            if (count < 0 || count > most) {
+                return Optional.of("a counter is " + count + ", outside 0.." + most);
             }
         }
         return Optional.empty();

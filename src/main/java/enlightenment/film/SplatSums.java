@@ -35,11 +35,12 @@ public final class SplatSums {
         return ((a ^ sum) & (b ^ sum)) < 0;
     }
 
-    /** The largest magnitude of all sums; 0 if no pixel was reached. */
+    /** The largest magnitude of all sums, {@link Long#MAX_VALUE} for that of the least number too; 0 if no pixel was reached. */
     public long largest() {
         long largest = 0;
         for (long sum : sums) {
-            largest = Math.max(largest, Math.abs(sum));
+            // Math.abs of the least number is negative.
+            largest = Math.max(largest, sum == Long.MIN_VALUE ? Long.MAX_VALUE : Math.abs(sum));
         }
         return largest;
     }

@@ -200,7 +200,7 @@ class DividedRenderTest {
         changed = ByteBuffer.wrap(good.clone());
         assertRefused(assembly, 0, changed.putInt(pixels + 32, 0).array(), "number of samples is 0");
         changed = ByteBuffer.wrap(good.clone());
-        assertRefused(assembly, 0, changed.putLong(8, -1).array(), "a counter is negative");
+        assertRefused(assembly, 0, changed.putLong(8, -1).array(), "a counter is -1, outside 0..");
         assertEquals(0, assembly.done());
     }
 

@@ -22,12 +22,14 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.work.Stopwatch;
 import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** A method whose paths may end anywhere, from one process and in units of work. */
@@ -164,24 +166,43 @@ class SplatRenderTest {
     @Test
     void aBatchThatIsTooBrightForTheSumsOfAllIsRefused() {
         DividedRender render = divided(SETTINGS);
-        byte[] good = render.maker().make(0);
-        int start = ResultHeader.length(render.outline().kinds().size());
-        ByteArrayOutputStream bright = new ByteArrayOutputStream();
-        bright.write(good, 0, start);
-        // 65,536 paths, one pixel, the first: of 2^63 - 1 units, in numbers of 7 bits.
-        for (int b : new int[] {0x80, 0x80, 4, 1, 1}) {
-            bright.write(b);
-        }
-        for (int k = 0; k < 9; k++) {
-            bright.write(k < 8 ? 0xff : 0x7f);
-        }
-        bright.write(0);
-        bright.write(0);
+        // 2^63 - 1 times two, and of the least number, -2^63, the magnitude less one times two and one: both in numbers
+        // of 7 bits.
+        byte[] bright = ofOnePixel(render, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0x7f);
+        byte[] dark = ofOnePixel(render, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 1);
         // Of four batches each has a group of its own; of 16 there are four to a group.
-        assertTrue(render.assembly().problem(0, bright.toByteArray()).isEmpty());
+        assertTrue(render.assembly().problem(0, bright).isEmpty());
         DividedRender more = divided(SETTINGS.withAntialias(16));
         assertEquals(13, more.units());
-        assertTrue(more.assembly().problem(0, bright.toByteArray()).orElse("").contains("brighter"));
+        assertTrue(more.assembly().problem(0, bright).orElse("").contains("brighter"));
+        assertTrue(more.assembly().problem(0, dark).orElse("").contains("brighter"));
+    }
+
+    /** A batch of 65,536 paths that reaches the first pixel only, with so much red. */
+    private static byte[] ofOnePixel(DividedRender render, int... red) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        bytes.write(
+                render.maker().make(0),
+                0,
+                ResultHeader.length(render.outline().kinds().size()));
+        IntStream.of(0x80, 0x80, 4, 1, 1).forEach(bytes::write);
+        IntStream.of(red).forEach(bytes::write);
+        bytes.write(0);
+        bytes.write(0);
+        return bytes.toByteArray();
+    }
+
+    @Test
+    void aCounterThatAllUnitsTogetherWouldOverflowByIsRefused() {
+        DividedRender render = divided(SETTINGS);
+        byte[] result = render.maker().make(0);
+        for (int at = 0; at < ResultHeader.length(render.outline().kinds().size()); at += Long.BYTES) {
+            for (long count : new long[] {-1, Long.MAX_VALUE / 8 + 2, Long.MAX_VALUE}) {
+                byte[] changed = result.clone();
+                ByteBuffer.wrap(changed).putLong(at, count);
+                assertRefused(render.assembly(), 0, changed, "a counter is " + count);
+            }
+        }
     }
 
     @Test

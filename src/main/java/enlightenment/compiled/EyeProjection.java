@@ -110,6 +110,11 @@ public final class EyeProjection {
         return isParallel || depth / determinant > 0;
     }
 
+    /** The eye, in the frame, where all rays come from one; of parallel rays where that of the picture's upper left corner starts. */
+    public Vec3 start() {
+        return start;
+    }
+
     /** Whether all rays have the same direction. */
     public boolean isParallel() {
         return isParallel;

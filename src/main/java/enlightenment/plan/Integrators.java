@@ -4,6 +4,7 @@ import enlightenment.compiled.ChanceError;
 import enlightenment.compiled.ChanceLight;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.RefractingMedia;
 import enlightenment.film.FilmTile;
 import enlightenment.math.InvalidValueException;
 import enlightenment.method.BidirectionalMethod;
@@ -23,7 +24,9 @@ import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
@@ -182,16 +185,24 @@ public final class Integrators {
                         + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
     }
 
-    /** What no method sees of a scene, as a sentence without a full stop; empty if that is nothing. */
-    public static Optional<String> unseen(CompiledScene scene) {
-        if (scene.physical == null || !scene.physical.showsMirrored || !scene.physical.hasCausticPass()) {
-            return Optional.empty();
+    /** What paths do not find of a scene, or so seldom that no error tells, as sentences without full stops. */
+    public static List<String> unseen(CompiledScene scene) {
+        List<String> all = new ArrayList<>();
+        if (scene.physical == null) {
+            return all;
         }
-        return Arrays.stream(scene.physical.lights).anyMatch(light -> light.isPoint)
-                ? Optional.of(
-                        "what mirrors, panes and smooth glass make of the light of points is not seen where the eye"
-                                + " sees it in such things: no path finds it; a small sphere in place of the point is seen")
-                : Optional.empty();
+        boolean hasPoint = Arrays.stream(scene.physical.lights).anyMatch(light -> light.isPoint);
+        if (hasPoint && scene.physical.showsMirrored && scene.physical.hasCausticPass()) {
+            all.add("what mirrors, panes and smooth glass make of the light of points is not seen where the eye"
+                    + " sees it in such things: no path finds it; a small sphere in place of the point is seen");
+        }
+        if (RefractingMedia.areLitBySmallLights(scene)) {
+            all.add(
+                    "light of lamps as small as these is found by chance inside of media whose border refracts: a picture"
+                            + " with too few samples lacks it, and its estimated error does not tell; "
+                            + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it, but for the sun's");
+        }
+        return all;
     }
 
     /**

@@ -87,7 +87,7 @@ public final class Planner {
 
     private void noteScene() {
         Integrators.blindSpot(settings.method(), scene).ifPresent(notes::add);
-        Integrators.unseen(scene).ifPresent(notes::add);
+        notes.addAll(Integrators.unseen(scene));
         noteCrop();
     }
 

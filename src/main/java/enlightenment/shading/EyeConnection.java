@@ -6,6 +6,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.EyeProjection;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
@@ -28,6 +29,11 @@ final class EyeConnection {
         eye = new EyeProjection(scene.camera);
         absorbs = scene.physical.hasAbsorption;
         walk = scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
+    }
+
+    /** What samples the points of segments that are connected to the eye: where it is near, more of them. */
+    Equiangular sampling() {
+        return new Equiangular(eye.isParallel() ? Vec3.ZERO : eye.start());
     }
 
     /** The place in the picture, 0..1 from the left. */

@@ -86,6 +86,19 @@ final class FreeFlight {
             set(flown == Double.POSITIVE_INFINITY && medium.extinctionR > 0 ? 0 : 1);
         } else {
             weigh(flown, 1, 1, 1, 1, 1, 1);
+            carryOn();
+        }
+    }
+
+    /**
+     * Sets the weights of having come so far, no farther than {@link #length}, whatever follows: transmittances over their mean. The flight
+     * goes on as before.
+     */
+    void reach(double flown) {
+        if (medium.isGrey) {
+            set(1);
+        } else {
+            weigh(flown, 1, 1, 1, 1, 1, 1);
         }
     }
 
@@ -98,6 +111,7 @@ final class FreeFlight {
             weightB = m.scatteringB / m.extinctionB;
         } else {
             weigh(length, m.scatteringR, m.scatteringG, m.scatteringB, m.extinctionR, m.extinctionG, m.extinctionB);
+            carryOn();
         }
     }
 
@@ -117,7 +131,6 @@ final class FreeFlight {
         weightR = r * red * scale;
         weightG = g * green * scale;
         weightB = b * blue * scale;
-        carryOn();
     }
 
     /** The shares change as what the path carries does. */

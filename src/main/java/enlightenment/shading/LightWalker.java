@@ -65,8 +65,17 @@ abstract class LightWalker extends LightPathTracer {
     /** How many surfaces it passed straight. */
     private int pieces;
 
-    /** How the path flies through media that scatter light; null if there are none, or if light scattered there is found by others. */
+    /** How the path flies through media that scatter light; null if there are none. */
     private final FreeFlight flight;
+
+    /** Chooses the points of flights that are connected to the eye. */
+    private final Equiangular onTheWay;
+
+    /** How much of the flight the path has behind it. */
+    private double flown;
+
+    /** Whether a point of the flight has been connected to the eye. */
+    private boolean isConnected;
 
     private final WalkEnd end = new WalkEnd();
 
@@ -102,7 +111,8 @@ abstract class LightWalker extends LightPathTracer {
         physical = scene.physical;
         wavelength = path.glass.wavelength;
         ofUltraviolet = physical.visibleOfUltraviolet;
-        flight = physical.hasScattering && !onlyCaustics ? new FreeFlight() : null;
+        flight = physical.hasScattering ? new FreeFlight() : null;
+        onTheWay = eye.sampling();
     }
 
     @Override
@@ -171,8 +181,8 @@ abstract class LightWalker extends LightPathTracer {
             filter(wavelength.red, wavelength.green, wavelength.blue);
         }
         SurfaceMaterial in = physical.hasAbsorption ? path.medium() : null;
-        medium = flight == null || in == null ? null : in.medium;
-        PathFollower.Event event = medium == null ? path.next(ray) : fly();
+        medium = in != null && isScatteredIn(in) ? in.medium : null;
+        PathFollower.Event event = medium == null ? path.next(ray) : fly(in.indexOfRefraction == 1);
         if (event == PathFollower.Event.NOTHING || !path.mayScatter()) {
             return false;
         }
@@ -223,30 +233,73 @@ abstract class LightWalker extends LightPathTracer {
         return true;
     }
 
-    /** Follows the ray to what it meets next; null if the medium that it is in scatters it first: then the path is there. */
-    private PathFollower.Event fly() {
+    /**
+     * Whether a medium scatters the path. Of what makes caustics, light that media scatter before the first mirror or glass is found by
+     * paths from the eye, and so is all that is scattered where no lamp is sampled from.
+     */
+    private boolean isScatteredIn(SurfaceMaterial in) {
+        return !onlyCaustics || counts && in.indexOfRefraction == 1;
+    }
+
+    /**
+     * Follows the ray to what it meets next; null if the medium that it is in scatters it first: then the path is there.
+     *
+     * @param isSeenStraight whether the eye may see what the medium scatters from outside of it
+     */
+    private PathFollower.Event fly(boolean isSeenStraight) {
         double invisible = ofUltraviolet * ultraviolet;
         end.depart(carried());
         flight.draw(medium, red, green, blue + invisible, unit(6), unit(7));
-        PathFollower.Event event = path.next(ray, flight.length);
+        flown = 0;
+        isConnected = isSeenStraight && path.mayScatter() && onTheWay.sample(ray, flight.length, unit(8));
+        PathFollower.Event event = isConnected ? flyBy() : path.next(ray, flight.length);
         boolean isNothing = event == PathFollower.Event.NOTHING;
         if (isNothing && flight.isEndless()) {
             return event;
         }
         if (isNothing) {
             flight.scatter();
-            path.stopAt(ray, flight.length, border);
+            path.stopAt(ray, flight.length - flown, border);
             event = null;
         } else {
-            flight.pass(path.distance(ray));
+            flight.pass(flown + path.distance(ray));
         }
         filter(flight.weightR, flight.weightG, flight.weightB);
         return event;
     }
 
+    /**
+     * Follows the ray by way of a point that is connected to the eye, in place of that where the flight ends: there it would count by the
+     * inverse square of its distance from the eye, whose variance is infinite with an eye in the medium.
+     */
+    private PathFollower.Event flyBy() {
+        PathFollower.Event event = path.next(ray, onTheWay.distance);
+        if (event != PathFollower.Event.NOTHING) {
+            return event;
+        }
+        flown = onTheWay.distance;
+        path.stopAt(ray, flown, border);
+        flight.reach(flown);
+        double r = red;
+        double g = green;
+        double b = blue;
+        double scale = 1 / onTheWay.density;
+        red *= flight.weightR * medium.scatteringR * scale;
+        green *= flight.weightG * medium.scatteringG * scale;
+        blue *= flight.weightB * medium.scatteringB * scale;
+        connect(medium.phase, border, null);
+        red = r;
+        green = g;
+        blue = b;
+        ray.set(path.hit.px, path.hit.py, path.hit.pz, -border.ox, -border.oy, -border.oz, 0);
+        return path.next(ray, flight.length - flown);
+    }
+
     /** Where a medium scatters the path. */
     private boolean inMedium() {
-        connect(medium.phase, border, null);
+        if (!isConnected) {
+            connect(medium.phase, border, null);
+        }
         medium.phase.sample(border, unit(1), unit(2), 0);
         ray.set(path.hit.px, path.hit.py, path.hit.pz, border.ix, border.iy, border.iz, 0);
         double survival = end.survival(carried(), path.hit.px, path.hit.py, path.hit.pz, isSafe());

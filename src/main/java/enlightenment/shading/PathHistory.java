@@ -11,7 +11,7 @@ final class PathHistory {
     /** Whether a direction was sampled from a lobe that is not a delta lobe. */
     boolean scattered;
 
-    /** Whether that was the first event of the path, and surfaces have been the only places to scatter it. */
+    /** Whether that was the first event of the path, and paths from lights that look for caustics are scattered by all that followed. */
     boolean scatteredFirst;
 
     /** Whether there were events of delta lobes before. */
@@ -44,14 +44,15 @@ final class PathHistory {
     }
 
     /**
-     * Notes that a medium scattered the path. Paths from lights that look for caustics are scattered by surfaces only: from here on the
-     * path leaves nothing to them.
+     * Notes that a medium scattered the path.
      *
      * @param hasGathered whether light was gathered there
+     * @param leavesCaustics whether paths from lights that look for caustics are scattered there, too: otherwise this path leaves nothing to
+     *     them from here on
      */
-    void leaveInMedium(boolean hasGathered) {
+    void leaveInMedium(boolean hasGathered, boolean leavesCaustics) {
+        scatteredFirst = leavesCaustics && (scattered ? scatteredFirst : !deltaFirst);
         scattered = true;
-        scatteredFirst = false;
         gathered = hasGathered;
     }
 

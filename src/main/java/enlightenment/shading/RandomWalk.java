@@ -114,7 +114,7 @@ final class RandomWalk {
         medium.phase.sample(event, pair[0], pair[1], 0);
         light.left(event.pdf);
         ray.set(path.hit.px, path.hit.py, path.hit.pz, event.ix, event.iy, event.iz, 0);
-        history.leaveInMedium(gathers);
+        history.leaveInMedium(gathers, index == 1);
         return survives(sampler, history.events);
     }
 

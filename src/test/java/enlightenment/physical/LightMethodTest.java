@@ -21,6 +21,7 @@ import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
@@ -195,6 +196,25 @@ class LightMethodTest {
             boolean isTold = Renderer.inspect(scene, RenderSettings.of(scene)).hints().stream()
                     .anyMatch(hint -> hint.contains("light of points"));
             assertEquals(scene == mirrored, isTold);
+        }
+    }
+
+    @Test
+    void whatHardlyAnyPathFindsInMediaIsTold() {
+        Medium dense = new Medium.Coefficients(Rgb.gray(5), Rgb.gray(0.1), 0);
+        Scene small = room().light(sphereLight(0, 1.8, 0, 0.01, 900))
+                .object(ball(0, 0.5, 0, 0.3), new Material.Scattering(dense, 1.4, 0, 0))
+                .build();
+        Scene large = room().light(sphereLight(0, 1.8, 0, 0.15, 4))
+                .object(ball(0, 0.5, 0, 0.3), new Material.Scattering(dense, 1.4, 0, 0))
+                .build();
+        Scene withoutBorder = room().light(sphereLight(0, 1.8, 0, 0.01, 900))
+                .object(ball(0, 0.5, 0, 0.3), Material.Scattering.of(dense))
+                .build();
+        for (Scene scene : List.of(small, large, withoutBorder)) {
+            boolean isTold = Renderer.inspect(scene, RenderSettings.of(scene)).hints().stream()
+                    .anyMatch(hint -> hint.contains("found by chance inside of media"));
+            assertEquals(scene == small, isTold);
         }
     }
 

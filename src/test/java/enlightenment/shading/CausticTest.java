@@ -26,9 +26,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Caustics by paths from lights, and those seen in mirrors by images, are what plain path tracing finds by chance. */
 class CausticTest {
-    private static final int SIDE = 8;
-    private static final int PIXELS = SIDE * SIDE;
-    private static final int SEEDS = 8;
+    static final int SIDE = 8;
+    static final int PIXELS = SIDE * SIDE;
+    static final int SEEDS = 8;
 
     private static final String ABOVE =
             """
@@ -63,8 +63,9 @@ class CausticTest {
         return scene("", camera, lights, objects);
     }
 
-    private static CompiledScene scene(String limit, String camera, String lights, String[] objects) {
-        String text = "{ \"image\": { \"width\": 8, \"height\": 8 }, \"shading\": { \"model\": \"physical\" }, "
+    static CompiledScene scene(String limit, String camera, String lights, String[] objects) {
+        String text = "{ \"image\": { \"width\": 8, \"height\": 8 }, \"shading\": { \"model\": \"physical\""
+                + limit + " }, "
                 + camera + "\"lights\": [" + lights + "], \"objects\": [" + String.join(", ", objects) + "] }";
         Scene scene = SceneReader.readString(text, Path.of(""), "");
         return SceneCompiler.compile(scene, RenderSettings.of(scene));
@@ -105,7 +106,7 @@ class CausticTest {
         return batch.sums();
     }
 
-    private static void fromLights(CompiledScene scene, long seed, int paths, double[] rgb) {
+    static void fromLights(CompiledScene scene, long seed, int paths, double[] rgb) {
         CausticTracer tracer = new CausticTracer(scene, seed, SIDE, SIDE, new RayCounters(scene.kindNames.size()));
         SplatScale scale = SplatScale.of(tracer.meanContribution(256), paths, PIXELS);
         SplatFilm film = new SplatFilm(0, 0, SIDE, SIDE, PIXELS, scale, DisplayCurve.NONE);
@@ -116,7 +117,7 @@ class CausticTest {
     }
 
     /** Both ways with several seeds each: pixels by Welch's statistic, and the mean of the picture. */
-    private static void assertSame(CompiledScene scene, int samples, int paths) {
+    static void assertSame(CompiledScene scene, int samples, int paths) {
         assertTrue(scene.physical.hasCausticPass());
         double[][] plain = new double[SEEDS][3 * PIXELS];
         double[][] pass = new double[SEEDS][3 * PIXELS];

@@ -84,6 +84,7 @@ class FloatingLiteralsTest {
             new Explained("compiled/ChanceLight.java", "1.96", "deviations of a normal distribution"),
             new Explained("compiled/ChanceLight.java", "4", "a ratio of squared errors, four quarters"),
             new Explained("compiled/CausticPass.java", "0.05", "the least cosine that powers are estimated with"),
+            new Explained("compiled/RefractingMedia.java", "1e-3", "a share of a hemisphere"),
             new Explained("shading/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),
             new Explained("shading/MirrorImage.java", "0x1p-6", "an image is so much wider than it need be: a ratio"),
             new Explained("shading/LightOutline.java", "0x1p-9", "pixels: how fine a polygon in the picture is"),

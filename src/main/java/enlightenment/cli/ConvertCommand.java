@@ -4,6 +4,7 @@ import enlightenment.nff.NffReader;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
@@ -50,6 +51,15 @@ final class ConvertCommand extends Subcommand {
                         new String(terminal.in().readAllBytes(), StandardCharsets.ISO_8859_1),
                         StandardStreams.INPUT,
                         "")
-                : NffReader.read(input);
+                : readFile();
+    }
+
+    /** What is no file to be converted is the user's mistake, as one that is missing is. */
+    private NffReader.Result readFile() throws IOException {
+        try {
+            return NffReader.read(input);
+        } catch (FileSystemException e) {
+            throw CliException.wrongUsage(FileFailures.describe(e));
+        }
     }
 }

@@ -1,12 +1,12 @@
 package enlightenment.cli;
 
 import enlightenment.file.ContentHash;
+import enlightenment.file.InputFile;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
@@ -41,7 +41,7 @@ final class SceneFingerprint {
 
     private static String hashOf(Path image) {
         try {
-            return ContentHash.of(Files.readAllBytes(image)).toString();
+            return ContentHash.of(InputFile.bytes(image)).toString();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -1,12 +1,11 @@
 package enlightenment.cli;
 
 import enlightenment.file.FilePlace;
+import enlightenment.file.InputFile;
 import enlightenment.store.StoreAddress;
 import enlightenment.store.StoreLogin;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -68,14 +67,12 @@ final class StoreAccess {
         if (passwordFile == null) {
             return Optional.ofNullable(System.getenv(VARIABLE));
         }
-        try (InputStream in = Files.newInputStream(passwordFile)) {
-            byte[] bytes = in.readNBytes(LONGEST_PASSWORD + 1);
-            String text = new String(bytes, StandardCharsets.UTF_8);
-            String password = text.lines().findFirst().orElse("");
-            if (bytes.length > LONGEST_PASSWORD || password.isEmpty()) {
-                throw CliException.failed(passwordFile + ": no password: its first line is to be one");
-            }
-            return Optional.of(password);
+        byte[] bytes = InputFile.start(passwordFile, LONGEST_PASSWORD + 1);
+        String text = new String(bytes, StandardCharsets.UTF_8);
+        String password = text.lines().findFirst().orElse("");
+        if (bytes.length > LONGEST_PASSWORD || password.isEmpty()) {
+            throw CliException.failed(passwordFile + ": no password: its first line is to be one");
         }
+        return Optional.of(password);
     }
 }

@@ -1,9 +1,9 @@
 package enlightenment.codec;
 
+import enlightenment.file.InputFile;
 import enlightenment.file.WholeFile;
 import enlightenment.text.WordList;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 
@@ -40,13 +40,7 @@ public final class RasterFiles {
      */
     public static <T> T read(Path file, Decoder<T> decoder) throws IOException {
         try {
-            if (Files.isDirectory(file)) {
-                throw new IOException("it is a folder");
-            }
-            if (Files.size(file) > Integer.MAX_VALUE - 64) {
-                throw new IOException("it has more than 2 GiB");
-            }
-            return decoder.decode(Files.readAllBytes(file));
+            return decoder.decode(InputFile.bytes(file));
         } catch (IOException e) {
             throw new IOException("cannot read " + file + ": " + WholeFile.reason(e), e);
         }

@@ -1,6 +1,7 @@
 package enlightenment.job;
 
 import enlightenment.file.ContentHash;
+import enlightenment.file.InputFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
@@ -13,7 +14,6 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -79,7 +79,7 @@ public final class SceneDocument {
 
     private static byte[] read(Path file) {
         try {
-            byte[] bytes = Files.readAllBytes(file);
+            byte[] bytes = InputFile.bytes(file);
             Optional<ImageFormat> format = ImageFormat.ofContent(bytes);
             if (format.isPresent()
                     && (format.get() == ImageFormat.PNG || format.get().holdsFloats())) {

@@ -1,10 +1,10 @@
 package enlightenment.nff;
 
+import enlightenment.file.InputFile;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -45,7 +45,7 @@ public final class NffReader {
      */
     public static Result read(Path file) throws IOException {
         // The format is ASCII; comments may hold anything.
-        String text = Files.readString(file, StandardCharsets.ISO_8859_1);
+        String text = new String(InputFile.bytes(file), StandardCharsets.ISO_8859_1);
         String name = file.getFileName().toString();
         int dot = name.lastIndexOf('.');
         return parse(text, file.toString(), dot > 0 ? name.substring(0, dot) : name);

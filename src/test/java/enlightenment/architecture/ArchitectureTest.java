@@ -120,7 +120,8 @@ class ArchitectureTest {
             .whereLayer("json output")
             .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("file")
-            .mayOnlyBeAccessedByLayers("codec", "image", "video", "json", "job", "checkpoint", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers(
+                    "codec", "image", "video", "json", "nff", "job", "checkpoint", "net", "measure", "cli")
             .whereLayer("job")
             .mayOnlyBeAccessedByLayers("checkpoint", "net", "cli")
             .whereLayer("checkpoint")

@@ -4,6 +4,7 @@ import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.OutlineBytes;
 import enlightenment.engine.RenderOutline;
 import enlightenment.file.ContentHash;
+import enlightenment.file.InputFile;
 import enlightenment.file.WholeFile;
 import enlightenment.job.Build;
 import java.io.BufferedInputStream;
@@ -83,7 +84,7 @@ public final class PartFile implements Closeable {
     /** Opens a part that was written; fails if it is none, damaged, or of another version. */
     public static PartFile open(Path file) throws IOException {
         checkWhole(file);
-        DataInputStream in = new DataInputStream(new BufferedInputStream(Files.newInputStream(file), BUFFER));
+        DataInputStream in = new DataInputStream(new BufferedInputStream(InputFile.open(file), BUFFER));
         try {
             in.skipNBytes(MAGIC.length);
             String build = in.readUTF();
@@ -139,10 +140,10 @@ public final class PartFile implements Closeable {
     }
 
     private static void checkWhole(Path file) throws IOException {
-        long content = Files.size(file) - ContentHash.BYTES;
         MessageDigest digest = ContentHash.sha256();
         byte[] buffer = new byte[BUFFER];
-        try (InputStream in = Files.newInputStream(file)) {
+        try (InputStream in = InputFile.open(file)) {
+            long content = Files.size(file) - ContentHash.BYTES;
             byte[] magic = in.readNBytes(MAGIC.length);
             if (!Arrays.equals(magic, MAGIC)) {
                 throw new IOException(file + ": is not a part of a render");

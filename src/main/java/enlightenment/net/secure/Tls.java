@@ -1,11 +1,11 @@
 package enlightenment.net.secure;
 
 import enlightenment.file.ContentHash;
+import enlightenment.file.InputFile;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.KeyFactory;
@@ -202,7 +202,7 @@ public final class Tls {
 
     private static Collection<? extends Certificate> certificates(Path file) throws IOException {
         try {
-            byte[] bytes = certificatesAlone(Files.readAllBytes(file));
+            byte[] bytes = certificatesAlone(InputFile.bytes(file));
             Collection<? extends Certificate> all =
                     CertificateFactory.getInstance("X.509").generateCertificates(new ByteArrayInputStream(bytes));
             if (all.isEmpty()) {
@@ -225,7 +225,7 @@ public final class Tls {
     }
 
     private static PrivateKey privateKey(Path file, String algorithm) throws IOException, GeneralSecurityException {
-        String text = Files.readString(file, StandardCharsets.ISO_8859_1);
+        String text = new String(InputFile.bytes(file), StandardCharsets.ISO_8859_1);
         Matcher pem = KEY.matcher(text);
         if (!pem.find()) {
             if (text.contains("ENCRYPTED")) {

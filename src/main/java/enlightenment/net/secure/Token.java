@@ -1,5 +1,6 @@
 package enlightenment.net.secure;
 
+import enlightenment.file.InputFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -24,11 +25,12 @@ public final class Token {
         if (Files.notExists(file)) {
             throw new IOException(file + ": there is no such file; copy the server's token to it");
         }
-        if (Files.size(file) > LONGEST) {
+        byte[] bytes = InputFile.start(file, LONGEST + 1);
+        if (bytes.length > LONGEST) {
             throw new IOException(file + ": is longer than any token");
         }
         try {
-            return of(Files.readString(file, StandardCharsets.ISO_8859_1));
+            return of(new String(bytes, StandardCharsets.ISO_8859_1));
         } catch (IllegalArgumentException e) {
             throw new IOException(file + ": " + e.getMessage(), e);
         }

@@ -1,0 +1,41 @@
+package enlightenment.file;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Path;
+
+/** Failures of reading and writing, told so that whoever sees the message alone knows which file is meant. */
+public final class FileFailure {
+    private FileFailure() {}
+
+    /**
+     * The failure itself if it names a file, as those of opening do; else one that names this file. What fails later, as reading a
+     * folder or writing to a full disk, names none.
+     */
+    public static IOException named(Path file, IOException e) {
+        return e instanceof FileSystemException f && f.getFile() != null
+                ? e
+                : because(file, e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage(), e);
+    }
+
+    /** A failure that names the file: its message is {@code FILE: REASON}. */
+    public static FileSystemException because(Path file, String reason) {
+        return new FileSystemException(file.toString(), null, reason);
+    }
+
+    private static FileSystemException because(Path file, String reason, IOException cause) {
+        FileSystemException named = because(file, reason);
+        named.initCause(cause);
+        return named;
+    }
+
+    /** What is told of something that ended a render: of reading and writing the words, of what nobody expects its class too. */
+    public static String told(Throwable failure) {
+        boolean isWrapped = failure instanceof UncheckedIOException
+                && failure.getCause().toString().equals(failure.getMessage());
+        Throwable plain = isWrapped ? failure.getCause() : failure;
+        boolean isExpected = plain instanceof IOException || plain instanceof UncheckedIOException;
+        return isExpected && plain.getMessage() != null ? plain.getMessage() : plain.toString();
+    }
+}

@@ -1,6 +1,7 @@
 package enlightenment.checkpoint;
 
 import enlightenment.file.ContentHash;
+import enlightenment.file.FileFailure;
 import enlightenment.job.RenderIdentity;
 import java.io.Closeable;
 import java.io.IOException;
@@ -115,9 +116,13 @@ public final class CheckpointJournal implements Closeable {
             CheckpointJournal journal = new CheckpointJournal(file, lock, forcing, header, scan);
             journal.begin(found, render, now);
             return journal;
-        } catch (IOException | RuntimeException e) {
+        } catch (JournalException | RuntimeException e) {
             file.close();
             throw e;
+        } catch (IOException e) {
+            file.close();
+            // Of a full disk the message says no more than that.
+            throw FileFailure.named(path, e);
         }
     }
 

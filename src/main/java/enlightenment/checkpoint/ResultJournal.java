@@ -1,12 +1,14 @@
 package enlightenment.checkpoint;
 
 import enlightenment.engine.ResultStore;
+import enlightenment.file.WholeFile;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
@@ -15,6 +17,7 @@ import java.nio.file.StandardOpenOption;
  * taken out of sums again, because the machine that made them is not trusted any more. Opened when the first is kept.
  */
 public final class ResultJournal implements ResultStore, Closeable {
+    private final Path folder;
     private final long[] places;
     private final int[] lengths;
     private FileChannel file;
@@ -22,6 +25,12 @@ public final class ResultJournal implements ResultStore, Closeable {
 
     /** @param units how many units there are */
     public ResultJournal(int units) {
+        this(units, Path.of(System.getProperty("java.io.tmpdir")));
+    }
+
+    /** The same in another folder. */
+    ResultJournal(int units, Path folder) {
+        this.folder = folder;
         places = new long[units];
         lengths = new int[units];
     }
@@ -35,7 +44,7 @@ public final class ResultJournal implements ResultStore, Closeable {
     public synchronized void keep(int unit, byte[] bytes) {
         try {
             if (file == null) {
-                Path path = Files.createTempFile("enlightenment-results-", ".tmp");
+                Path path = Files.createTempFile(folder, "enlightenment-results-", ".tmp");
                 file = FileChannel.open(
                         path, StandardOpenOption.READ, StandardOpenOption.WRITE, StandardOpenOption.DELETE_ON_CLOSE);
             }
@@ -47,8 +56,15 @@ public final class ResultJournal implements ResultStore, Closeable {
             lengths[unit] = bytes.length;
             end += bytes.length;
         } catch (IOException e) {
-            throw new UncheckedIOException("a result cannot be kept: " + e.getMessage(), e);
+            throw new UncheckedIOException(
+                    "results cannot be kept in the temporary folder " + folder
+                            + " (java -Djava.io.tmpdir=FOLDER gives another): " + reason(e),
+                    e);
         }
+    }
+
+    private static String reason(IOException e) {
+        return e instanceof NoSuchFileException ? "there is no such folder" : WholeFile.reason(e);
     }
 
     /**
@@ -63,7 +79,8 @@ public final class ResultJournal implements ResultStore, Closeable {
             JournalFormat.readFully(file, ByteBuffer.wrap(bytes), places[unit]);
             return bytes;
         } catch (IOException e) {
-            throw new UncheckedIOException("a result that was kept cannot be read: " + e.getMessage(), e);
+            throw new UncheckedIOException(
+                    "a result that was kept in the temporary folder " + folder + " cannot be read: " + reason(e), e);
         }
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.net;
 
+import enlightenment.file.FileFailure;
 import enlightenment.image.Image;
 import enlightenment.listen.Acceptor;
 import enlightenment.listen.ServerLog;
@@ -147,7 +148,7 @@ final class ServerRound implements StatusSource {
         Throwable failure = coordination.failure();
         if (failure != null) {
             end(false);
-            throw new IOException("rendering failed here: " + failure, failure);
+            throw new IOException("rendering failed here: " + FileFailure.told(failure), failure);
         }
         chore.run();
     }

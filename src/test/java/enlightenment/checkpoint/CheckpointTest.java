@@ -213,6 +213,17 @@ class CheckpointTest {
     }
 
     @Test
+    void aFullDiskIsToldWithTheNameOfTheFile() {
+        IOException full = new IOException("No space left on device");
+        IOException e = assertThrows(
+                IOException.class,
+                () -> Checkpoint.open(file, RENDER, true, channel -> {
+                    throw full;
+                }));
+        assertEquals(file + ": No space left on device", e.getMessage());
+    }
+
+    @Test
     void onlyOneRenderHasIt() throws IOException {
         try (Checkpoint first = open()) {
             String message = assertThrows(IOException.class, this::open).getMessage();

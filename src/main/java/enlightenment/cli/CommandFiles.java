@@ -119,7 +119,7 @@ final class CommandFiles {
 
     private static void clean(Named output) throws IOException {
         Path folder = FilePlace.of(output.file).getParent();
-        if (folder != null && Files.isDirectory(folder)) {
+        if (!isDevice(output.file) && folder != null && Files.isDirectory(folder)) {
             TemporaryFile.clean(folder);
         }
     }
@@ -144,8 +144,11 @@ final class CommandFiles {
 
     /** Devices and pipes may be written to as often as one likes. */
     private static boolean isOneFile(Named a, Named b) throws IOException {
-        boolean isDevice = Files.exists(a.file) && !Files.isRegularFile(a.file) && !Files.isDirectory(a.file);
-        return !isDevice && FilePlace.same(a.file, b.file);
+        return !isDevice(a.file) && FilePlace.same(a.file, b.file);
+    }
+
+    private static boolean isDevice(Path file) {
+        return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
     }
 
     private static String spelled(Path a, Path b) {
@@ -163,6 +166,10 @@ final class CommandFiles {
         }
         if (Files.exists(file) && !Files.isWritable(file)) {
             throw unwritable(file, "it is write-protected");
+        }
+        if (isDevice(file)) {
+            // It is written into as it is: nothing is made in its folder.
+            return;
         }
         Path folder = file.toAbsolutePath().getParent();
         if (folder == null || !Files.exists(folder)) {

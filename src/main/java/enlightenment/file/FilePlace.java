@@ -3,6 +3,7 @@ package enlightenment.file;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.text.Normalizer;
 import java.util.Locale;
@@ -26,7 +27,7 @@ public final class FilePlace {
 
     private static Path of(Path absolute, Path asked, int linksLeft) throws IOException {
         if (Files.exists(absolute)) {
-            return absolute.toRealPath();
+            return real(absolute);
         }
         if (linksLeft == 0) {
             throw new FileSystemException(asked.toString(), null, "its links lead in a circle");
@@ -40,6 +41,15 @@ public final class FilePlace {
         return Files.isSymbolicLink(here)
                 ? of(folder.resolve(Files.readSymbolicLink(here)), asked, linksLeft - 1)
                 : here.normalize();
+    }
+
+    private static Path real(Path there) throws IOException {
+        try {
+            return there.toRealPath();
+        } catch (NoSuchFileException e) {
+            // A pipe of this process, as /dev/stdout may be, has no other name: what its link says is no path.
+            return there;
+        }
     }
 
     /**

@@ -4,11 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.Pipe;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,6 +43,43 @@ class FilePlaceTest {
         Files.createFile(far.resolve("new"));
         assertEquals(far.resolve("new"), FilePlace.of(link));
         assertFalse(FilePlace.same(link, folder.resolve("new")));
+    }
+
+    /** As what {@code /dev/stdout} leads to where the output goes into a pipe: it exists, and its links lead to no path. */
+    @Test
+    void aPipeOfThisProcessIsTakenAsItIsSpelledAndWrittenInto() throws IOException {
+        Path descriptors = Path.of("/proc/self/fd");
+        assumeTrue(Files.isDirectory(descriptors));
+        Set<Path> before = pipes(descriptors);
+        Pipe pipe = Pipe.open();
+        try (Pipe.SourceChannel source = pipe.source();
+                Pipe.SinkChannel sink = pipe.sink()) {
+            assertTrue(sink.isOpen());
+            Set<Path> after = pipes(descriptors);
+            after.removeAll(before);
+            Path end = after.stream().findFirst().orElseThrow();
+            assertEquals(end, FilePlace.of(end));
+            assertTrue(FilePlace.same(end, end));
+            assertFalse(FilePlace.same(end, folder.resolve("a")));
+            WholeFile.write(end, "through");
+            ByteBuffer read = ByteBuffer.allocate(7);
+            source.read(read);
+            assertEquals("through", new String(read.array(), StandardCharsets.US_ASCII));
+        }
+    }
+
+    private static Set<Path> pipes(Path folder) throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.filter(FilePlaceTest::isPipe).collect(Collectors.toSet());
+        }
+    }
+
+    private static boolean isPipe(Path descriptor) {
+        try {
+            return Files.readSymbolicLink(descriptor).toString().startsWith("pipe:");
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     @Test

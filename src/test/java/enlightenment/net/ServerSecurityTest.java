@@ -156,6 +156,9 @@ class ServerSecurityTest {
                     .get(20, TimeUnit.SECONDS);
             assertEquals(false, outcome.isDone());
             Farm.until(() -> farm.logHas("TLS failed"), "the server says why");
+            assertTrue(
+                    outcome.reason().endsWith("the server speaks TLS: a worker of it needs --pin or --tls-ca"),
+                    outcome.reason());
         }
     }
 

@@ -17,6 +17,9 @@ import java.util.zip.CRC32C;
 public final class Frames {
     private static final int HEAD = Integer.BYTES;
     private static final int TAIL = Integer.BYTES;
+    private static final int TLS_ALERT = 21;
+    private static final int TLS_HANDSHAKE = 22;
+    private static final int TLS_MAJOR = 3;
 
     private Frames() {}
 
@@ -76,10 +79,18 @@ public final class Frames {
     /** The length that the head of a frame claims, checked. */
     static int length(byte[] head, int limit) throws ProtocolException {
         long length = (head[0] & 0xFFL) << 24 | (head[1] & 0xFF) << 16 | (head[2] & 0xFF) << 8 | head[3] & 0xFF;
+        if (length > limit && isTls(head)) {
+            throw ProtocolException.tls();
+        }
         if (length == 0 || length > limit) {
             throw new ProtocolException("a frame of " + length + " bytes is outside the limits 1.." + limit);
         }
         return (int) length;
+    }
+
+    /** A record of TLS begins with its type, here an alert or a handshake, and the major version, which is 3 in all of them. */
+    private static boolean isTls(byte[] head) {
+        return (head[0] == TLS_ALERT || head[0] == TLS_HANDSHAKE) && head[1] == TLS_MAJOR;
     }
 
     private static ProtocolException cutShort(int there, int expected) {

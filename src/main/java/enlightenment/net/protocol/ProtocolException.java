@@ -6,11 +6,28 @@ import java.io.IOException;
 public final class ProtocolException extends IOException {
     private static final long serialVersionUID = 1L;
 
+    private final boolean isAboutTls;
+
     public ProtocolException(String message) {
-        super(message);
+        this(message, null);
     }
 
     public ProtocolException(String message, Throwable cause) {
+        this(message, cause, false);
+    }
+
+    private ProtocolException(String message, Throwable cause, boolean isAboutTls) {
         super(message, cause);
+        this.isAboutTls = isAboutTls;
+    }
+
+    /** What came is the begin of TLS, where none is spoken. */
+    static ProtocolException tls() {
+        return new ProtocolException("the other side speaks TLS here", null, true);
+    }
+
+    /** Whether the other side speaks TLS where none is spoken. */
+    public boolean isAboutTls() {
+        return isAboutTls;
     }
 }

@@ -1,9 +1,11 @@
 package enlightenment.net.worker;
 
 import enlightenment.file.ContentHash;
+import enlightenment.file.FileFailure;
 import enlightenment.net.job.Canary;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.MessageChannel;
+import enlightenment.net.protocol.ProtocolException;
 import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.WorkerCore;
 import enlightenment.net.secure.Handshake;
@@ -111,8 +113,11 @@ public final class WorkerSession {
 
     private String describe(IOException e) {
         Throwable failure = jobs.failure();
+        if (e instanceof ProtocolException p && p.isAboutTls() && failure == null) {
+            return "the server speaks TLS: a worker of it needs --pin or --tls-ca";
+        }
         String said = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        return failure == null ? said : "rendering failed here: " + failure;
+        return failure == null ? said : "rendering failed here: " + FileFailure.told(failure);
     }
 
     private SessionEnd talk(Socket plain) throws IOException {
@@ -269,7 +274,8 @@ public final class WorkerSession {
             if (on == null || on.isLastSaid()) {
                 closeSocket();
             } else {
-                on.sayLast(new Message.Bye(jobs.failure() == null ? "stopped" : "failed: " + jobs.failure()));
+                Throwable failure = jobs.failure();
+                on.sayLast(new Message.Bye(failure == null ? "stopped" : "failed: " + FileFailure.told(failure)));
             }
         }
         if (!wasWelcome && now - opened > timing.authenticationMillis() * 1_000_000L) {

@@ -133,6 +133,17 @@ class FramesTest {
         assertThrows(ProtocolException.class, () -> read(hello, Limits.FRAME_BEFORE_AUTHENTICATION));
     }
 
+    /** RFC 8446, 5.1: a record begins with its type, 21 for alerts and 22 for handshakes, and the version 3.x. */
+    @Test
+    void whatBeginsLikeTlsIsToldSo() {
+        byte[] alert = {0x15, 3, 3, 0, 2, 2, 0x0A};
+        assertEquals("the other side speaks TLS here", refusal(alert));
+        byte[] handshake = {0x16, 3, 1, 0};
+        assertEquals("the other side speaks TLS here", refusal(handshake));
+        byte[] large = {0x15, 4, 3, 0};
+        assertEquals("a frame of 352584448 bytes is outside the limits 1..33554432", refusal(large));
+    }
+
     @Test
     void everyMessageOfTheHandshakeFitsIntoTheSmallLimit() throws Exception {
         String longest = "ü".repeat(Limits.TEXT);

@@ -220,9 +220,14 @@ public final class DividedRender implements UnitSource {
         return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
     }
 
-    /** Whether the method lets more samples be added to the results of tiles. */
+    /** Whether more samples can be added to the results of tiles: the method lets them, and the tiles are made in one pass. */
     public boolean canGrow() {
-        if (!units.haveTiles() || units.passes() > 1) {
+        return units.passes() == 1 && methodCanGrow();
+    }
+
+    /** Whether the method has tiles, and lets more samples be added to their results. */
+    public boolean methodCanGrow() {
+        if (!units.haveTiles()) {
             return false;
         }
         RenderSettings.Crop region = outline.settings().region();

@@ -89,4 +89,9 @@ public record KeptPlan(int round, int depth, RenderOutline outline) {
                 && (mine.level() > 0
                         || outline.settings().antialias() == other.settings().antialias());
     }
+
+    /** Whether this has fewer samples per pixel than another plan of the picture, made by the same method or by its stand-in for few. */
+    public boolean hasFewerSamplesThan(RenderOutline other) {
+        return outline.plan().samples() < other.plan().samples();
+    }
 }

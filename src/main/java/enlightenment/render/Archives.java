@@ -16,6 +16,7 @@ import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -46,6 +47,9 @@ final class Archives {
 
         /** Plans with fewer samples, those with most of them first. */
         final List<Earlier> earlier = new ArrayList<>();
+
+        /** The samples per pixel of the largest of those plans whose units are others, so that nothing goes on from them; 0 for none. */
+        double others;
 
         Kept(ResultArchive archive) {
             this.archive = archive;
@@ -128,6 +132,7 @@ final class Archives {
             kept.plan = kept.archive.keep(plan);
             kept.units.clear();
             kept.earlier.clear();
+            kept.others = 0;
             replay(kept, render.outline(), film);
             findEarlier(kept, render.outline());
         });
@@ -141,28 +146,40 @@ final class Archives {
     private void findEarlier(Kept kept, RenderOutline outline) throws IOException {
         List<byte[]> plans = kept.archive.plans();
         for (int i = 0; i < plans.size(); i++) {
-            int number = i;
-            KeptPlan.read(plans.get(i)).filter(p -> !p.hasUnitsOf(outline)).ifPresent(p -> EarlierUnits.of(
-                            p.outline(), outline)
-                    .ifPresent(units -> kept.earlier.add(
-                            new Earlier(number, p.outline().plan().samples(), units))));
+            KeptPlan plan = KeptPlan.read(plans.get(i))
+                    .filter(p -> p.hasFewerSamplesThan(outline))
+                    .orElse(null);
+            if (plan != null) {
+                double samples = plan.outline().plan().samples();
+                Optional<EarlierUnits> units = EarlierUnits.of(plan.outline(), outline);
+                if (units.isPresent()) {
+                    kept.earlier.add(new Earlier(i, samples, units.get()));
+                } else {
+                    kept.others = Math.max(kept.others, samples);
+                }
+            }
         }
         kept.earlier.sort(Comparator.comparingDouble(Earlier::samples).reversed());
     }
 
     private void noteEarlier(DividedRender render, FilmAssembly film) {
-        List<Earlier> earlier = new ArrayList<>();
-        all.forEach(kept -> earlier.addAll(kept.earlier));
-        if (earlier.isEmpty() || film.film().isComplete()) {
+        if (film.film().isComplete()) {
             return;
         }
-        String samples = Rounds.number(earlier.get(0).samples());
-        if (!render.canGrow()) {
-            note("what is kept has " + samples + " samples per pixel: "
-                    + render.plan().method() + " takes others where there are more, so all are taken anew");
-        } else {
-            note("tiles go on from " + samples + " samples per pixel where they are kept"
+        OptionalDouble tiles = all.stream()
+                .flatMap(kept -> kept.earlier.stream())
+                .mapToDouble(Earlier::samples)
+                .findFirst();
+        double most = all.stream().mapToDouble(kept -> kept.others).max().orElse(0);
+        if (tiles.isPresent() && render.canGrow()) {
+            note("tiles go on from " + Rounds.number(tiles.getAsDouble()) + " samples per pixel where they are kept"
                     + (render.plan().lightPaths() > 0 ? "; paths from lights are followed anew" : ""));
+        } else if (tiles.isPresent() || most > 0) {
+            note("what is kept has " + Rounds.number(tiles.orElse(most)) + " samples per pixel"
+                    + (render.methodCanGrow()
+                            ? ", in units of another size, so all are taken anew"
+                            : ": " + render.plan().method()
+                                    + " takes others where there are more, so all are taken anew"));
         }
     }
 

@@ -178,12 +178,19 @@ class KeptRenderTest {
         assertTrue(notes.stream().anyMatch(n -> n.contains("go on from 8")), notes.toString());
     }
 
-    @Test
-    void aMethodThatChoosesSamplesByTheirNumberSaysThatAllAreTakenAnew() {
-        Kind kind = fire(Method.CLUSTER);
-        render(kind, 6);
-        render(kind, 12);
-        assertTrue(notes.stream().anyMatch(n -> n.contains("taken anew")), notes.toString());
+    @ParameterizedTest
+    @MethodSource("kinds")
+    void whetherMoreSamplesGoOnFromThoseThatAreKeptIsTold(Kind kind) {
+        render(kind, 4);
+        render(kind, 16);
+        boolean anew = List.of("cluster", "metropolis").contains(kind.method.word());
+        String said = anew
+                ? "what is kept has 4 samples per pixel: " + kind.method.word()
+                        + " takes others where there are more, so all are taken anew"
+                : "tiles go on from 4 samples per pixel where they are kept";
+        assertEquals(1, notes.stream().filter(n -> n.startsWith(said)).count(), notes.toString());
+        render(kind, 2);
+        assertTrue(notes.stream().noneMatch(n -> n.contains("4 samples per pixel")), "there are none with fewer");
     }
 
     @Test

@@ -39,7 +39,11 @@ public final class Image {
      * @param encoding what they are
      */
     public Image(int width, int height, float[] rgb, Encoding encoding) {
-        this(width, height, rgb, encoding == Encoding.DISPLAY ? DisplayCurve.NONE : DisplayCurve.SRGB);
+        this(width, height, rgb, usual(encoding));
+    }
+
+    private static DisplayCurve usual(Encoding encoding) {
+        return Objects.requireNonNull(encoding, "encoding") == Encoding.DISPLAY ? DisplayCurve.NONE : DisplayCurve.SRGB;
     }
 
     /**

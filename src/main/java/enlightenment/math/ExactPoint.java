@@ -25,6 +25,12 @@ public final class ExactPoint {
      */
     private static final double CERTAINLY_NOT_ZERO = 0x1p-40;
 
+    /**
+     * The largest decimal exponent of a coordinate, far beyond what scene files may say and what a picture needs. A number of a few
+     * characters can have a billion digits.
+     */
+    private static final int LARGEST_EXPONENT = 10_000;
+
     /** The origin of the scene's coordinates. */
     public static final ExactPoint ORIGIN = new ExactPoint(BigDecimal.ZERO, BigDecimal.ZERO, BigDecimal.ZERO);
 
@@ -44,13 +50,17 @@ public final class ExactPoint {
      * @param y exact second coordinate
      * @param z exact third coordinate
      * @throws NullPointerException if one is missing
+     * @throws InvalidValueException (key {@code x}, {@code y} or {@code z}) for one other than 0 that is not between 10^-10000 and
+     *     10^10000 in size: differences and products of others may have more digits than a machine holds
      */
     public ExactPoint(BigDecimal x, BigDecimal y, BigDecimal z) {
         this.x = ShortDecimal.of(x);
         this.y = ShortDecimal.of(y);
         this.z = ShortDecimal.of(z);
         boolean all = this.x != ShortDecimal.NONE && this.y != ShortDecimal.NONE && this.z != ShortDecimal.NONE;
-        exact = all ? null : new BigDecimal[] {longOne(this.x, x), longOne(this.y, y), longOne(this.z, z)};
+        exact = all
+                ? null
+                : new BigDecimal[] {longOne("x", this.x, x), longOne("y", this.y, y), longOne("z", this.z, z)};
     }
 
     private ExactPoint(long x, long y, long z) {
@@ -60,8 +70,19 @@ public final class ExactPoint {
         exact = null;
     }
 
-    private static BigDecimal longOne(long form, BigDecimal v) {
-        return form == ShortDecimal.NONE ? v.stripTrailingZeros() : null;
+    private static BigDecimal longOne(String key, long form, BigDecimal v) {
+        if (form != ShortDecimal.NONE) {
+            return null;
+        }
+        BigDecimal s = v.stripTrailingZeros();
+        long exponent = (long) s.precision() - s.scale() - 1;
+        if (exponent < -LARGEST_EXPONENT || exponent >= LARGEST_EXPONENT) {
+            throw new InvalidValueException(
+                    key,
+                    "must be 0 or between 1e-" + LARGEST_EXPONENT + " and 1e" + LARGEST_EXPONENT
+                            + " in size, not about 1e" + exponent);
+        }
+        return s;
     }
 
     /**
@@ -80,6 +101,7 @@ public final class ExactPoint {
      * The point with these decimal coordinates, exactly as written.
      *
      * @throws NumberFormatException for a text that {@link BigDecimal#BigDecimal(String)} refuses
+     * @throws InvalidValueException as of {@link #ExactPoint(BigDecimal, BigDecimal, BigDecimal)}
      */
     public static ExactPoint of(String x, String y, String z) {
         long p = ShortDecimal.of(x);

@@ -71,13 +71,25 @@ public record Animation(int frames, double framesPerSecond, List<Track> tracks, 
      * One changing number.
      *
      * @param target a JSON pointer to a number of the scene file
-     * @param keys exact values at some frames, at least one, counted from 0; constant before the first and after the last
+     * @param keys exact values at some frames, at least one, counted from 0, none of them null; constant before the first and after the
+     *     last
      * @param easing how it goes from one to the next
      */
     public record Track(String target, NavigableMap<Integer, BigDecimal> keys, Easing easing) {
+        /**
+         * Fails for what has no meaning.
+         *
+         * @throws enlightenment.math.InvalidValueException if there are no keys, or one is of a frame before the first
+         * @throws NullPointerException if target, a value or easing is missing; the message says which
+         */
         public Track {
+            Objects.requireNonNull(target, "target");
             Objects.requireNonNull(easing, "easing");
             Check.that(!keys.isEmpty(), "keys", "must hold at least one frame");
+            keys.forEach((frame, value) -> {
+                Check.that(frame >= 0, "keys/" + frame, "must be the number of a frame, at least 0");
+                Objects.requireNonNull(value, () -> "the value at frame " + frame);
+            });
             keys = Collections.unmodifiableNavigableMap(new TreeMap<>(keys));
         }
 

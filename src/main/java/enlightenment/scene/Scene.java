@@ -60,6 +60,7 @@ public record Scene(
      *
      * @throws InvalidValueException if the size is out of range, two objects have the same name, or an object's material has no
      *     meaning in the scene's shading; its key is the place
+     * @throws NullPointerException if something is missing, the name of a texture or a material too; the message says what
      */
     public Scene {
         Objects.requireNonNull(name, "name");
@@ -67,8 +68,8 @@ public record Scene(
         Objects.requireNonNull(camera, "camera");
         Objects.requireNonNull(shading, "shading");
         Objects.requireNonNull(display, "display");
-        textures = Collections.unmodifiableMap(new LinkedHashMap<>(textures));
-        materials = Collections.unmodifiableMap(new LinkedHashMap<>(materials));
+        textures = named("texture", textures);
+        materials = named("material", materials);
         lights = List.copyOf(lights);
         objects = ObjectList.copyOf(objects);
         Objects.requireNonNull(render, "render");
@@ -93,6 +94,14 @@ public record Scene(
         fit.throwIfAny();
         fit.requireTogether();
         fit.require(camera);
+    }
+
+    private static <T> Map<String, T> named(String what, Map<String, T> things) {
+        things.forEach((name, thing) -> {
+            Objects.requireNonNull(name, () -> "the name of a " + what);
+            Objects.requireNonNull(thing, () -> "the " + what + " \"" + name + "\"");
+        });
+        return Collections.unmodifiableMap(new LinkedHashMap<>(things));
     }
 
     /** A scene in which nothing moves while the shutter is open. */

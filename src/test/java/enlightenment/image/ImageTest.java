@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import enlightenment.color.Encoding;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -44,6 +45,7 @@ class ImageTest {
         assertThrows(IllegalArgumentException.class, () -> new Image(2, 2, new float[11]));
         assertThrows(IllegalArgumentException.class, () -> new Image(0, 2, new float[0]));
         assertThrows(NullPointerException.class, () -> new Image(1, 1, null));
+        assertThrows(NullPointerException.class, () -> new Image(1, 1, new float[3], (Encoding) null));
         // 3 · 2^16 · 2^16 is a multiple of 2^32: only longs tell it from nothing.
         assertThrows(IllegalArgumentException.class, () -> new Image(1 << 16, 1 << 16, new float[0]));
     }

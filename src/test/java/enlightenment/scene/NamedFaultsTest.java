@@ -21,8 +21,11 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.net.WorkerOptions;
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 
@@ -120,5 +123,48 @@ class NamedFaultsTest {
                 "top",
                 assertThrows(NullPointerException.class, () -> new Cylinder(O, null, 1, true))
                         .getMessage());
+    }
+
+    @Test
+    void namedThingsOfASceneAreThereAndHaveNames() {
+        Material matte = Material.Matte.of(WHITE);
+        nullFails("the name of a material", () -> scene().material(null, matte).build());
+        nullFails("the material \"x\"", () -> scene().material("x", null).build());
+        nullFails("the name of a texture", () -> scene().texture(null, WHITE).build());
+        nullFails("the texture \"x\"", () -> scene().texture("x", null).build());
+    }
+
+    private static SceneBuilder scene() {
+        return Scene.builder().camera(new Camera.Orthographic(ExactPoint.of(0, 0, -5), O, new Vec3(0, 1, 0), 4));
+    }
+
+    private static void nullFails(String message, Executable maker) {
+        assertEquals(message, assertThrows(NullPointerException.class, maker).getMessage());
+    }
+
+    @Test
+    void aTrackHasATargetAndValuesAtFrames() {
+        NavigableMap<Integer, BigDecimal> keys = new TreeMap<>(Map.of(0, BigDecimal.ONE, 5, BigDecimal.TEN));
+        nullFails("target", () -> new Animation.Track(null, keys));
+        NavigableMap<Integer, BigDecimal> without = new TreeMap<>(keys);
+        without.put(3, null);
+        nullFails("the value at frame 3", () -> new Animation.Track("/seed", without));
+        NavigableMap<Integer, BigDecimal> before = new TreeMap<>(Map.of(-2, BigDecimal.ONE));
+        fails("keys/-2: must be the number of a frame, at least 0", () -> new Animation.Track("/seed", before));
+    }
+
+    @Test
+    void coordinatesHaveExponentsThatCanBeReckonedWith() {
+        String problem = "must be 0 or between 1e-10000 and 1e10000 in size";
+        fails("y: " + problem + ", not about 1e2147483000", () -> ExactPoint.of("0", "1e2147483000", "0"));
+        fails("z: " + problem + ", not about 1e-2147483000", () -> ExactPoint.of("0", "0", "-1e-2147483000"));
+        fails(
+                "x: " + problem + ", not about 1e10000",
+                () -> new ExactPoint(new BigDecimal("12345678901234567890e9981"), BigDecimal.ONE, BigDecimal.ZERO));
+        assertEquals(
+                new BigDecimal("1e-9999"), ExactPoint.of("1e-9999", "0", "0").x());
+        assertEquals(
+                new BigDecimal("0"), ExactPoint.of("0e2147483000", "0", "0").x());
+        fails("x: " + problem + ", not about 1e2147483647", () -> ExactPoint.of("123e2147483645", "0", "0"));
     }
 }

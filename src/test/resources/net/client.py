@@ -7,6 +7,7 @@ It cannot render: the pixels of its tiles come from a picture that was rendered 
 
 import hashlib
 import hmac
+import json
 import os
 import select
 import socket
@@ -163,6 +164,7 @@ class Document:
         self.kinds = [self.text() for _ in range(self.take(">i")[0])]
         self.instants = [self.text() for _ in range(self.take(">i")[0])]
         self.scene = data[self.at:].decode("utf-8")
+        self.is_linear = json.loads(self.scene)["shading"]["model"] == "physical"
 
     def take(self, form):
         values = struct.unpack_from(form, self.data, self.at)
@@ -194,7 +196,12 @@ def fetch(connection, content):
             return data
 
 
-# --- "Tiles" --------------------------------------------------------------------------------------------------------
+# --- "Units of work" -------------------------------------------------------------------------------------------------
+
+def up(a, b):
+    """a / b, rounded up."""
+    return -(-a // b)
+
 
 class Grid:
     def __init__(self, region, method, samples):
@@ -206,8 +213,8 @@ class Grid:
         self.first_row = self.y // s * s
         wanted = max(4096, min(262144, int(self.width * self.height * samples / 2097152)))
         pieces = max(wanted // across, 1)
-        self.rows = min(-(-blocks_down // pieces) * s, 16384 // s)
-        self.down = -(-blocks_down * s // self.rows)
+        self.rows = min(up(blocks_down, pieces) * s, 16384 // s)
+        self.down = up(blocks_down * s, self.rows)
         self.tiles = across * self.down
 
     def place(self, tile):
@@ -216,6 +223,31 @@ class Grid:
         top = self.first_row + tile % self.down * self.rows
         return (max(left, self.x), min(left + self.side, self.x + self.width),
                 max(top, self.y), min(top + self.rows, self.y + self.height))
+
+
+def number_of_passes(document):
+    width, height = document.size
+    if document.plan == "cluster":
+        return 1
+    if document.plan == "metropolis":
+        return 4 if up(width, 64) * up(height, 64) <= 1024 else 1
+    blocks = up(width, 8) * up(height, 8)
+    most = min(96 * document.samples / 2097152, 262144 / blocks, document.samples / 32)
+    return 1 << int(most).bit_length() - 1 if most >= 4 else 1
+
+
+class Units:
+    """Batches of light paths, then tiles or passes over them."""
+
+    def __init__(self, document):
+        self.grid = Grid(document.region, document.plan, document.samples)
+        self.passes = number_of_passes(document)
+        most = 65536
+        while up(document.light_paths, most) > 262144 and most < 1 << 30:
+            most *= 2
+        self.batches = 4 * up(document.light_paths, 4 * most)
+        self.paths = up(document.light_paths, self.batches) if self.batches else 0
+        self.count = self.batches + self.grid.tiles * self.passes
 
 
 class Picture:
@@ -234,20 +266,54 @@ class Picture:
         return struct.unpack_from("<fff", self.floats, 12 * ((self.height - 1 - y) * self.width + x))
 
 
-def result(document, grid, picture, tile):
+def number(n):
+    """7 bits a byte, the lowest first."""
+    data = b""
+    while n > 127:
+        data += bytes([n & 127 | 128])
+        n >>= 7
+    return data + bytes([n])
+
+
+def batch(units, unit):
+    """All light is in the tiles: of four batches one brings light to two corners, one takes it back, two bring none."""
+    light = (1 << 40, -1 << 40, 0, 0)[unit % 4]
+    last = units.grid.width * units.grid.height - 1
+    steps = ([1, last] if last else [1]) if light else []
+    data = [number(units.paths), number(len(steps))]
+    for step in steps:
+        data.append(number(step))
+        data += [number(2 * s if s >= 0 else -2 * s - 1) for s in (light, 0, -3 * light)]
+    return b"".join(data)
+
+
+def pixels(document, units, tile, picture):
+    grid = units.grid
     left, right, top, bottom = grid.place(tile)
-    # Survey rays, ten counters, two for each kind of primitive, and no differences: nothing was counted.
-    data = [struct.pack(">q", 0) * (12 + 2 * len(document.kinds))]
+    data = []
     for y in range(top, bottom):
         for x in range(left, right):
             r, g, b = picture.pixel(x - grid.x, y - grid.y)
+            if units.passes > 1:
+                data.append(struct.pack(">ddddddi", r, 0, g, 0, b, 0, 1))
+                continue
             data.append(struct.pack(">dddffi", r, g, b, 0, 0, 1))
+            if document.is_linear:
+                data.append(struct.pack(">12f", *4 * (r, g, b)))
     return b"".join(data)
+
+
+def result(document, units, unit, picture):
+    # Survey rays, ten counters, two for each kind of primitive, no lost samples, no differences: nothing was counted.
+    header = bytes(8 * (12 + 2 * len(document.kinds)))
+    if unit < units.batches:
+        return header + batch(units, unit)
+    return header + pixels(document, units, (unit - units.batches) // units.passes, picture)
 
 
 # --- "A client, step by step" ----------------------------------------------------------------------------------------
 
-def work(connection, welcome, document, grid, picture, job):
+def work(connection, welcome, document, units, picture, job):
     heartbeat, window = welcome[2] / 1000, welcome[4]
     leases, todo, travelling, made, beaten = {}, [], set(), 0, 0
     while True:
@@ -257,7 +323,7 @@ def work(connection, welcome, document, grid, picture, job):
         while todo and len(travelling) < window:
             lease, tile = todo.pop(0)
             if lease in leases and tile not in travelling:
-                connection.send(RESULT, lease, job, tile, result(document, grid, picture, tile))
+                connection.send(RESULT, lease, job, tile, result(document, units, tile, picture))
                 travelling.add(tile)
         message = connection.receive(heartbeat / 4)
         if message is None:
@@ -293,13 +359,13 @@ def main(host, port, token_file, picture_file):
         raise IOError("the server says: %r" % (message,))
     _, job, tiles, contents = message
     document = Document(fetch(connection, job))
-    grid = Grid(document.region, document.plan, document.samples)
-    if grid.tiles != tiles:
-        raise IOError("%d tiles here, %d there" % (grid.tiles, tiles))
+    units = Units(document)
+    if units.count != tiles:
+        raise IOError("%d units here, %d there" % (units.count, tiles))
     # Drawn anew, as this process is; a machine that works for longer keeps its secret.
     machine = hmac.new(os.urandom(32), job, hashlib.sha256).digest()
     connection.send(READY, job, os.urandom(32), machine)
-    made, reason, done = work(connection, welcome, document, grid, Picture(picture_file), job)
+    made, reason, done = work(connection, welcome, document, units, Picture(picture_file), job)
     print("%d tiles made: %s" % (made, reason))
     return 0 if done else 1
 

@@ -12,6 +12,7 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,10 +20,11 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * docs/distributed-protocol.md is enough to write a client from: {@code client.py} was. Its tiles are cut from a picture that was
+ * docs/distributed-protocol.md is enough to write a client from: {@code client.py} was. Its units are made from a picture that was
  * rendered before, and the server makes the same picture of them.
  */
 @Timeout(300)
@@ -51,6 +53,26 @@ class ForeignClientTest {
                 .start();
     }
 
+    /** A client joins that makes all units of a picture, which is the same then. */
+    private void check(Scene scene, RenderSettings settings, Image alone, ServerOptions.Builder options, String token)
+            throws Exception {
+        Path picture = folder.resolve("picture.pfm");
+        ImageFiles.writePfm(alone, picture);
+        try (Farm farm = new Farm(scene, settings, options.awaitWorkers(1, 10_000)).begin()) {
+            Process client = client(farm.server.port(), token, picture);
+            Farm.until(() -> farm.server.round().snapshot().finished() || !client.isAlive(), "it has ended");
+            assertTrue(client.waitFor(60, TimeUnit.SECONDS));
+            String said = Files.readString(folder.resolve("said"));
+            assertEquals(0, client.exitValue(), said);
+            RenderResult result = farm.result();
+            assertTrue(result.complete());
+            assertArrayEquals(alone.toArray(), result.image().toArray());
+            assertArrayEquals(Farm.png(alone), Farm.png(result.image()));
+            assertTrue(said.contains(farm.server.round().job().tiles() + " tiles made: the picture is done"), said);
+            assertTrue(farm.logHas("python (127.0.0.1) joined"), farm.log.toString());
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void theTilesOfAClientInAnotherLanguageMakeThePicture(boolean isCropped) throws Exception {
@@ -58,23 +80,20 @@ class ForeignClientTest {
         RenderSettings settings = isCropped
                 ? Farm.SETTINGS.withMethod(Method.CLUSTER).withCrop(new RenderSettings.Crop(9, 3, 50, 30))
                 : Farm.SETTINGS;
-        Image alone = Renderer.render(Farm.SCENE, settings);
-        Path picture = folder.resolve("picture.pfm");
-        ImageFiles.writePfm(alone, picture);
         Path token = Files.writeString(folder.resolve("token"), " 0123456789abcdef\n");
-        ServerOptions.Builder options = Farm.options().awaitWorkers(1, 10_000);
-        options = isCropped ? options : options.tokenFile(token);
-        try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
-            Process client = client(farm.server.port(), isCropped ? "-" : token.toString(), picture);
-            Farm.until(() -> farm.server.round().snapshot().finished() || !client.isAlive(), "it has ended");
-            assertTrue(client.waitFor(60, TimeUnit.SECONDS));
-            String said = Files.readString(folder.resolve("said"));
-            assertEquals(0, client.exitValue(), said);
-            RenderResult result = farm.result();
-            assertTrue(result.complete());
-            assertArrayEquals(Farm.png(alone), Farm.png(result.image()));
-            assertTrue(said.contains(farm.server.round().job().tiles() + " tiles made: the picture is done"), said);
-            assertTrue(farm.logHas("python (127.0.0.1) joined"), farm.log.toString());
-        }
+        check(
+                Farm.SCENE,
+                settings,
+                Renderer.render(Farm.SCENE, settings),
+                isCropped ? Farm.options() : Farm.options().tokenFile(token),
+                isCropped ? "-" : token.toString());
+    }
+
+    /** Where there are no tiles, a client needs the unit of the sums, which it cannot know without the scene. */
+    @ParameterizedTest
+    @EnumSource(value = UnitKindsTest.Kind.class, mode = EnumSource.Mode.EXCLUDE, names = "BATCHES")
+    void soDoItsPassesBatchesAndTilesOfLinearLight(UnitKindsTest.Kind kind) throws Exception {
+        assumeTrue(hasPython(), "no python3 on the path");
+        check(kind.scene, kind.settings, kind.alone.image(), Farm.options(), "-");
     }
 }

@@ -68,7 +68,8 @@ public final class CoincidentSurfaces {
         return tolerance(a.maxAbs(), b.maxAbs());
     }
 
-    private static double tolerance(double reachA, double reachB) {
+    /** The same for boxes of these largest absolute coordinates. */
+    static double tolerance(double reachA, double reachB) {
         return SAME_PLACE * Math.max(reachA, reachB);
     }
 

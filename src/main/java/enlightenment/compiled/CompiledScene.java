@@ -13,7 +13,9 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
 import enlightenment.surroundings.Surroundings;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 
@@ -101,6 +103,7 @@ public final class CompiledScene {
     private LightStarts lightStartsWithBackground;
     private ChanceLight chanceLight;
     private boolean knowsChance;
+    private final Map<Class<?>, Object> made = new HashMap<>();
     private final List<String> features;
     private final List<String> absent;
 
@@ -152,11 +155,12 @@ public final class CompiledScene {
         coincident = CoincidentSurfaces.of(compiled, accelerator);
         boolean anyLies = false;
         LightBody[] bodies = physical == null ? lights : physical.lights;
+        TouchedBoxes near = new TouchedBoxes(primitives, kind, kindNames.size(), accelerator);
         if (physical != null) {
-            physical.lieOn(compiled, coincident, few);
+            physical.lieOn(compiled, near, coincident, few);
         }
         for (CompiledLight light : lights) {
-            light.lieOn(primitives);
+            light.lieOn(near);
             anyLies |= light.surface != null && !light.lyingOn().isEmpty();
         }
         lightsLieOnSurfaces = anyLies;
@@ -273,6 +277,21 @@ public final class CompiledScene {
             knowsChance = true;
         }
         return chanceLight;
+    }
+
+    /**
+     * What another package makes of the scene once for all threads, when it is first asked for.
+     *
+     * @param kind what it is: one of each is kept
+     * @param maker makes it, immutable, of this scene alone
+     */
+    public synchronized <T> T once(Class<T> kind, Supplier<T> maker) {
+        Object known = made.get(kind);
+        if (known == null) {
+            known = maker.get();
+            made.put(kind, known);
+        }
+        return kind.cast(known);
     }
 
     /** The moments that the picture is the mean of: this scene alone where there are no {@link #instants}. */

@@ -107,26 +107,29 @@ public class LightBody {
                 && p.unitNormal().dot(q.unitNormal()) < 0;
     }
 
-    /** Finds the faces of these primitives that the light lies on: that coincide with it or, for a point, pass through it. */
-    final void lieOn(Primitive[] primitives) {
-        lieOn(primitives, 0, -1, new Touched() {});
+    /** Finds the faces of primitives that the light lies on: that coincide with it or, for a point, pass through it. */
+    final void lieOn(TouchedBoxes near) {
+        lieOn(near, 0, -1, new Touched() {});
     }
 
     /**
      * The same for one face of a primitive.
      *
+     * @param near finds the primitives
      * @param ownFace the light's face
      * @param left the id of a primitive that is left out; -1 for none
      * @param touched tells about the primitives
      */
-    final void lieOn(Primitive[] primitives, int ownFace, int left, Touched touched) {
+    final void lieOn(TouchedBoxes near, int ownFace, int left, Touched touched) {
         Bounds own = bounds();
         SupportSurface shape = surface == null ? null : surface.support(ownFace);
-        for (int id = 0; id < primitives.length; id++) {
+        int count = near.find(own);
+        for (int k = 0; k < count; k++) {
+            int id = near.ids()[k];
             if (id == left) {
                 continue;
             }
-            Primitive p = primitives[id];
+            Primitive p = near.primitive(id);
             Bounds box = p.bounds();
             double tolerance = CoincidentSurfaces.tolerance(own, box);
             if (!CoincidentSurfaces.widened(own, tolerance).overlaps(box)) {

@@ -50,7 +50,7 @@ public final class PhysicalLight extends LightBody {
     public final double ultraviolet;
 
     /** Whether light that its inside emits may be seen. */
-    final boolean shinesInside;
+    public final boolean shinesInside;
 
     /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
     public final boolean hidesNothingOfItself;
@@ -153,10 +153,10 @@ public final class PhysicalLight extends LightBody {
     }
 
     /** Finds the faces that the light lies on, and that therefore do not occlude it. */
-    void lieOn(CompiledPrimitives compiled, CoincidentSurfaces coincident, boolean few) {
+    void lieOn(CompiledPrimitives compiled, TouchedBoxes near, CoincidentSurfaces coincident, boolean few) {
         // Among few primitives, candidates for occlusion are listed for each light, and its own need not be among them.
         int left = few && hidesNothingOfItself ? id : NO_PRIMITIVE;
-        lieOn(compiled.primitives(), face, left, new Touched() {
+        lieOn(near, face, left, new Touched() {
             @Override
             public boolean isEntered(int other, int otherFace) {
                 return compiled.primitives()[other].isSolid()

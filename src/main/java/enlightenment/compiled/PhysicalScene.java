@@ -252,9 +252,9 @@ public final class PhysicalScene {
     }
 
     /** Finds for each light the faces that it lies on. */
-    void lieOn(CompiledPrimitives compiled, CoincidentSurfaces coincident, boolean few) {
+    void lieOn(CompiledPrimitives compiled, TouchedBoxes near, CoincidentSurfaces coincident, boolean few) {
         for (PhysicalLight light : lights) {
-            light.lieOn(compiled, coincident, few);
+            light.lieOn(compiled, near, coincident, few);
         }
     }
 

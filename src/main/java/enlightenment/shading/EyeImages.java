@@ -63,7 +63,7 @@ final class EyeImages {
         this.path = path;
         eye = new EyeProjection(scene.camera);
         light = new MirroredLight(scene, counters, path.tracer);
-        all = isWanted ? LightImages.of(scene) : new LightImage[0];
+        all = isWanted ? scene.once(LightImage[].class, () -> LightImages.of(scene)) : new LightImage[0];
         near = new LightImage[all.length];
         pixels = new PixelImages[all.length == 0 ? 0 : REMEMBERED * REMEMBERED];
     }
@@ -92,7 +92,7 @@ final class EyeImages {
         x = eye.x * scene.camera.columns;
         y = eye.y * scene.camera.rows;
         here = pixel((int) x, (int) y);
-        count = here.parts.length;
+        count = here.count;
     }
 
     private PixelImages pixel(int column, int row) {
@@ -161,8 +161,9 @@ final class EyeImages {
     double weight() {
         if (count > 0 && (path.surfaces == 0 || path.surfaces == 1 && mirror != LightImage.STRAIGHT)) {
             int met = scene.physical.lightOf(path.id, path.hit.face);
-            for (ImagePart part : here.parts) {
-                if (part.image.light == met && isSeenIn(part.image) && part.contains(x, y)) {
+            int at = here.firstOf(met);
+            for (ImagePart part = here.of(met, at); part != null; part = here.of(met, ++at)) {
+                if (isSeenIn(part.image) && part.contains(x, y)) {
                     return 0;
                 }
             }

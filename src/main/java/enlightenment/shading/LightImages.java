@@ -138,7 +138,7 @@ final class LightImages {
     /** Adds what is seen straight or in a flat mirror. */
     private void addFlat(int light, SupportSurface.Plane plane, int mirror, int face, double share) {
         PhysicalLight l = scene.physical.lights[light];
-        if (outline.find(l, plane, scene.material(l.id, l.face))) {
+        if (outline.find(l, plane)) {
             keep(light, mirror, face, l.surface instanceof TorusPrimitive ? 0 : share);
         }
     }

@@ -3,7 +3,6 @@ package enlightenment.shading;
 import enlightenment.compiled.CompiledCamera;
 import enlightenment.compiled.EyeProjection;
 import enlightenment.compiled.PhysicalLight;
-import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.frame.Basis;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.AxialPrimitive;
@@ -59,13 +58,12 @@ final class LightOutline {
      * Finds the polygon around a light.
      *
      * @param in the mirror; null if the light is seen straight
-     * @param material of the light
      * @return whether there is one: all of the light lies before the eye, and its shining side may be seen
      */
-    boolean find(PhysicalLight l, SupportSurface.Plane in, SurfaceMaterial material) {
+    boolean find(PhysicalLight l, SupportSurface.Plane in) {
         mirror = in;
         SupportSurface s = l.surface.support(l.face);
-        if (s instanceof SupportSurface.Plane p && !isLit(p, material) || !trace(l, s, LEAST_CORNERS)) {
+        if (s instanceof SupportSurface.Plane p && !isLit(p, l) || !trace(l, s, LEAST_CORNERS)) {
             return false;
         }
         double across = 0;
@@ -82,13 +80,13 @@ final class LightOutline {
         return (corners == LEAST_CORNERS || trace(l, s, corners)) && wrap();
     }
 
-    /** Whether the eye is on a side of a plane that shines. */
-    private boolean isLit(SupportSurface.Plane p, SurfaceMaterial material) {
+    /** Whether the eye is on a side of a plane that shines: not behind a face of an opaque solid, whose other faces hide it. */
+    private boolean isLit(SupportSurface.Plane p, PhysicalLight l) {
         Vec3 normal = p.unitNormal();
         double above = eye.isParallel()
                 ? normal.dot(mirrored(eyePoint).minus(mirrored(eyePoint.plus(forward))))
                 : normal.dot(mirrored(eyePoint).minus(p.corners()[0]));
-        return material.glowsTo(above > 0 ? Ray.OUTSIDE : Ray.INSIDE);
+        return above > 0 || l.shinesInside;
     }
 
     private Vec3 mirrored(Vec3 p) {

@@ -10,8 +10,6 @@ import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
-import enlightenment.sampling.Hash;
-import enlightenment.sampling.Sobol;
 import java.util.Arrays;
 
 /**
@@ -26,15 +24,7 @@ abstract class LightWalker extends LightPathTracer {
     final Ray ray = new Ray();
 
     private final PathWavelength wavelength;
-    private final long seed;
-    private final double[] numbers = new double[PathSource.NUMBERS];
-
-    /** Of each two numbers of the first ray: the seed of their sequence, and that of its order. */
-    private final long[] seeds = new long[numbers.length];
-
-    /** The upper half of the number of the paths whose seeds these are; none has this one. */
-    private long sequences = -1;
-
+    private final LightPathNumbers numbers;
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
@@ -55,9 +45,6 @@ abstract class LightWalker extends LightPathTracer {
 
     /** What is faint. */
     private double faint;
-
-    /** All numbers of the path after its first ray come from this. */
-    private long hash;
 
     /** How many scattering events the path has left behind. */
     int events;
@@ -105,7 +92,7 @@ abstract class LightWalker extends LightPathTracer {
             int height,
             RayCounters counters) {
         super(scene, new PathFollower(scene, counters, scene.physical.maxBounces), width, height, counters);
-        this.seed = seed;
+        numbers = new LightPathNumbers(seed);
         this.source = source;
         this.onlyCaustics = onlyCaustics;
         physical = scene.physical;
@@ -117,8 +104,11 @@ abstract class LightWalker extends LightPathTracer {
 
     @Override
     boolean follow(long number) {
-        draw(number);
-        if (!source.emit(numbers, ray)) {
+        numbers.begin(number);
+        if (wavelength != null) {
+            wavelength.begin(numbers.wavelength());
+        }
+        if (!source.emit(numbers.first, ray)) {
             return false;
         }
         red = source.red;
@@ -145,31 +135,8 @@ abstract class LightWalker extends LightPathTracer {
         return source.power(ofUltraviolet);
     }
 
-    /** The numbers of the first ray: each two of them from a sequence that fills their square evenly. */
-    private void draw(long number) {
-        hash = Hash.of(seed, number);
-        long era = number >>> Integer.SIZE;
-        if (era != sequences) {
-            sequences = era;
-            long sequence = Hash.of(seed, -1 - era);
-            for (int k = 0; k < numbers.length; k += 2) {
-                seeds[k] = Hash.of(sequence, k);
-                seeds[k + 1] = Hash.mix(seeds[k]);
-            }
-        }
-        for (int k = 0; k < numbers.length; k += 2) {
-            int index = Sobol.shuffled((int) number, seeds[k + 1]);
-            numbers[k] = Sobol.x(index, seeds[k]);
-            numbers[k + 1] = Sobol.y(index, seeds[k]);
-        }
-        if (wavelength != null) {
-            long sequence = Hash.of(Hash.of(seed, -1 - era), -1);
-            wavelength.begin(Sobol.x(Sobol.shuffled((int) number, Hash.mix(sequence)), sequence));
-        }
-    }
-
     private double unit(long purpose) {
-        return Hash.unit(Hash.of(hash, ((long) pieces << Integer.SIZE) + events, purpose));
+        return numbers.unit(events, pieces, purpose);
     }
 
     /**

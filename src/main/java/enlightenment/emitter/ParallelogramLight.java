@@ -16,10 +16,7 @@ public final class ParallelogramLight extends FlatLight {
     /** Where the squared distances of a rectangle's points differ by less than this factor, the density by area hardly varies at all. */
     private static final double EVEN = 1.25;
 
-    /** Above this a spherical triangle is nearly the whole half space. */
-    static final double LARGEST_SOLID_ANGLE = 6;
-
-    /** Below this the angles of a spherical rectangle keep too few digits. */
+    /** From here on the rounding of a half turn leaves the shares u of a spherical rectangle right to 2^-20. */
     private static final double LEAST_PRECISE = 1e-9;
 
     private static final double RIGHT_ANGLE_ERROR = Scale.gamma(64);
@@ -124,7 +121,7 @@ public final class ParallelogramLight extends FlatLight {
         s.secondTriangle.corner(2, x + right.x(), y + right.y(), z + right.z());
         s.secondTriangle.measure(across / (length0 * length1 * length2));
         double solidAngle = s.triangle.solidAngle + s.secondTriangle.solidAngle;
-        if (!(solidAngle >= LEAST_SOLID_ANGLE && solidAngle <= LARGEST_SOLID_ANGLE)) {
+        if (!(solidAngle >= LEAST_SOLID_ANGLE)) {
             return SamplingChoice.AREA;
         }
         s.triangle.prepare();

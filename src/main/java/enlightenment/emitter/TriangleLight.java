@@ -4,8 +4,8 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
 /**
- * A triangle, sampled evenly over the solid angle that it covers as a {@link SphericalTriangle}, or over its area if that is far or nearly
- * a half space. Its normal, which points to its front, is (b − a) × (c − a).
+ * A triangle, sampled evenly over the solid angle that it covers as a {@link SphericalTriangle}, or over its area if that is far.
+ * Its normal, which points to its front, is (b − a) × (c − a).
  */
 public final class TriangleLight extends FlatLight {
     private final Vec3 a;
@@ -59,8 +59,7 @@ public final class TriangleLight extends FlatLight {
                 * t.corner(1, x + toB.x(), y + toB.y(), z + toB.z())
                 * t.corner(2, x + toC.x(), y + toC.y(), z + toC.z());
         t.measure(2 * area * Math.abs(s.height) / lengths);
-        if (!(t.solidAngle >= ParallelogramLight.LEAST_SOLID_ANGLE
-                && t.solidAngle <= ParallelogramLight.LARGEST_SOLID_ANGLE)) {
+        if (!(t.solidAngle >= ParallelogramLight.LEAST_SOLID_ANGLE)) {
             return SamplingChoice.AREA;
         }
         t.prepare();

@@ -204,8 +204,7 @@ class FloatingLiteralsTest {
                     "emitter/ParallelogramLight.java", "1e-3", "solid angle that chooses between two ways of sampling"),
             new Explained(
                     "emitter/ParallelogramLight.java", "1e-9", "solid angle that chooses between two ways of sampling"),
-            new Explained(
-                    "emitter/ParallelogramLight.java", "6", "solid angle that chooses between two ways of sampling"),
+            new Explained("emitter/SphericalRectangle.java", "0x1p-6", "cosine that chooses between two equal forms"),
             new Explained("emitter/SphereIrradiance.java", "0.25", "tangent that chooses between equal forms"),
             new Explained("emitter/SphereIrradiance.java", "4.0", "coefficients of a series"),
             new Explained("emitter/SphereIrradiance.java", "7.0", "coefficients of a series"),

@@ -7,9 +7,9 @@ import enlightenment.numeric.Arcs;
  * The same distribution over x as that of {@link SphericalRectangle} where nearly all of the rectangle is seen along its plane, or little
  * of it is seen at all: every number is a sum, a product or a quotient of positive ones, so that none loses digits.
  *
- * <p>The strip |y0..y1| that goes on endlessly along x covers the solid angle ψ∞ = e0 − e1 on each side of x = 0, e being the angles at which
- * its edges stand above the plane there. Of it ψ lies between 0 and x, and δ = ψ∞ − ψ beyond. With the sine s of the angle at which x
- * is seen and the sines b of those of y0 and y1, ψ = asin(s b1) − asin(s b0), whose inverse is
+ * <p>The strip between y0 and y1 that goes on endlessly along x covers the solid angle ψ∞ = e0 − e1 on each side of x = 0, e being the
+ * angles above the plane at which its edges stand there. Of it ψ lies between 0 and x, and δ = ψ∞ − ψ beyond. With the sine s of the
+ * angle at which x is seen and the sines b of those of y0 and y1, ψ = asin(s b1) − asin(s b0), whose inverse is
  *
  * <p>x = h sin ψ / √(4 sin(δ/2) sin(ψ∞ − δ/2) sin(e1 + δ/2) sin(e0 − δ/2)).
  *

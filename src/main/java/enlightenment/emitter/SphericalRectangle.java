@@ -30,6 +30,7 @@ final class SphericalRectangle {
     private double height;
     private double width;
     private double length;
+    private double area;
 
     /** The squares of coordinates, and those of the distances of the edges' lines. */
     private double zz;
@@ -64,6 +65,7 @@ final class SphericalRectangle {
         this.height = height;
         this.width = width;
         this.length = length;
+        area = width * length;
         zz = height * height;
         low2 = y0 * y0 + zz;
         high2 = y1 * y1 + zz;
@@ -97,7 +99,7 @@ final class SphericalRectangle {
         double l10 = Math.sqrt(x1 * x1 + low2);
         double l11 = Math.sqrt(x1 * x1 + high2);
         double l01 = Math.sqrt(x0 * x0 + high2);
-        double numerator = height * (width * length);
+        double numerator = height * area;
         double across = x0 * x1 + y0 * y1 + zz;
         double diagonal = l00 * l11;
         double lower = (x0 * x1 + low2) * l11 + (right2 + y0 * y1) * l00 + (across + diagonal) * l10;

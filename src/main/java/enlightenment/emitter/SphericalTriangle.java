@@ -5,12 +5,13 @@ import enlightenment.numeric.Arcs;
 
 /**
  * A triangle as it is seen from a point, sampled evenly over its solid angle as in J. Arvo, "Stratified sampling of spherical triangles",
- * SIGGRAPH 1995, but without differences that cancel where corners are nearly opposite: at grazing angles, and next to needles. For triangles
- * that cover some thousandths of a steradian or more. A mutable work object.
+ * SIGGRAPH 1995, but without differences that cancel where corners are nearly opposite: at grazing angles, and next to needles. For
+ * triangles that cover some thousandths of a steradian or more. A mutable work object.
  *
- * <p>Half the solid angle Ω is the angle of the complex number (a + b)·(a + c) + i det(a, b, c) of the unit corners, whichever comes first (A. van
- * Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983, whose 1 + a·b + b·c + c·a is that product). With −a for a it is that of the
- * other triangle that the planes at a cut off, κ = α − Ω/2. A point d of the side a c leaves u Ω next to the side a b where
+ * <p>Half the solid angle Ω is the angle of the complex number (a + b)·(a + c) + i det(a, b, c) of the unit corners, whichever comes
+ * first (A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983, whose 1 + a·b + b·c + c·a is that product). With −a
+ * for a it is that of the other triangle that the planes at a cut off, κ = α − Ω/2. A point d of the side a c leaves u Ω next to the
+ * side a b where
  *
  * <p>tan(ad/2) tan(ab/2) = sin(uΩ/2)/sin(κ + (1 − u)Ω/2).
  *
@@ -66,8 +67,8 @@ final class SphericalTriangle {
     }
 
     /**
-     * 1 + s a·b + b·c + s c·a as the product of two sums of corners. Its error is some roundings of these, and they are no longer than they need be if
-     * the third sum is the longest.
+     * 1 + s a·b + b·c + s c·a as the product of two sums of corners. Its error is some roundings of these, and they are no longer than
+     * they need be if the third sum is the longest.
      *
      * @param s the sign of a: −1 for the triangle that has −a instead
      */

@@ -5,7 +5,6 @@ import enlightenment.film.FilmTile;
 import enlightenment.method.cluster.ClusterCost;
 import enlightenment.method.cluster.EffortCost;
 import enlightenment.method.cluster.PhysicalClusterCost;
-import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.scene.RenderSettings;
 import java.util.HashMap;
 import java.util.Map;
@@ -15,11 +14,6 @@ import java.util.function.BooleanSupplier;
 final class EffortLevels implements Levels {
     /** Blocks that are surveyed to learn what an effort costs. */
     private static final int COST_BLOCKS = 512;
-
-    /** Of physical light, where first paths are followed in them: a share of the picture, but at least so many. */
-    private static final int PATH_SHARE = 32;
-
-    private static final int LEAST_PATH_BLOCKS = 24;
 
     private static final double PIXELS_OF_BLOCK = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
 
@@ -60,13 +54,8 @@ final class EffortLevels implements Levels {
         if (cost == null) {
             cost = scene.physical == null
                     ? ClusterCost.of(scene, settings, COST_BLOCKS, cancelled)
-                    : new PhysicalClusterCost(scene, settings, pathBlocks(), cancelled);
+                    : new PhysicalClusterCost(scene, settings, cancelled);
         }
         return cost;
-    }
-
-    private int pathBlocks() {
-        double all = (double) settings.width() / PhysicalClusterMethod.PIXELS * settings.height();
-        return (int) Math.min(Math.max(all / PATH_SHARE, LEAST_PATH_BLOCKS), COST_BLOCKS);
     }
 }

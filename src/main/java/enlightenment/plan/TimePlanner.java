@@ -48,6 +48,8 @@ final class TimePlanner {
                 pace.otherRays();
                 // What is worked out only once must not count as part of a trial.
                 plans.prepareSurveyed();
+                // How fast other rays are is not known yet.
+                n = surveyed ? plans.traits().fewest() : n;
             }
             double before = time.seconds();
             double processors = time.processorSeconds();

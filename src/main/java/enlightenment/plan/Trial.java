@@ -8,14 +8,17 @@ import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatScale;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
+import enlightenment.method.cluster.SeenBlocks;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
+import enlightenment.shading.Shader;
 import enlightenment.work.Stopwatch;
 import enlightenment.work.Workers;
 import java.util.List;
 import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 
 /**
  * Renders some blocks, or follows some paths, with random numbers that are not the picture's: nothing may depend on what it is decided
@@ -79,7 +82,19 @@ final class Trial {
         }
         TrialBlocks blocks =
                 new TrialBlocks(settings, scene.display, plans.traits().blockSide());
-        return new Blocks(blocks, Math.max(share, fewestOf(blocks, fewestBlocks) / blocks.count()));
+        double ofBlocks = Math.max(share, fewestOf(blocks, fewestBlocks) / blocks.count());
+        if (plans.traits().below() == settings.method()) {
+            return new Blocks(() -> blocks.phase(0, ofBlocks), 1);
+        }
+        // Of a method that surveys the picture, what shows something takes more samples the less of it there is.
+        Shader shader = SeenBlocks.shader(scene);
+        TrialBlocks.Seen seen = blocks.seen(
+                ofBlocks, c -> SeenBlocks.seesSomething(shader, settings, c.x(), c.y(), c.width(), c.height()));
+        return new Blocks(
+                () -> seen.blocks().stream()
+                        .map(b -> new FilmTile(b.x, b.y, b.width, b.height, scene.display))
+                        .toList(),
+                seen.share());
     }
 
     /** As many of larger blocks as have the pixels of so many; but where there is work for one thread, there is some for all. */
@@ -93,24 +108,26 @@ final class Trial {
     }
 
     private final class Blocks implements Piece {
-        private final TrialBlocks blocks;
+        private final Supplier<List<FilmTile>> blocks;
         private final double share;
 
-        Blocks(TrialBlocks blocks, double share) {
+        /**
+         * @param blocks without samples yet, each time
+         * @param share of the blocks of the picture that these stand for: the others take next to no time
+         */
+        Blocks(Supplier<List<FilmTile>> blocks, double share) {
             this.blocks = blocks;
             this.share = share;
         }
 
         @Override
         public double pixels() {
-            return blocks.phase(0, share).stream()
-                    .mapToInt(b -> b.width * b.height)
-                    .sum();
+            return blocks.get().stream().mapToInt(b -> b.width * b.height).sum() / share;
         }
 
         @Override
         public void render(double samples, BooleanSupplier stop) {
-            Trial.this.render(samples, blocks.phase(0, share), stop);
+            Trial.this.render(samples, blocks.get(), stop);
             RenderPlan plan = plans.of(samples, "trial");
             if (plan.lightPaths() > 0) {
                 follow(plan, plan.lightPaths() * (pixels() / plans.tracedPixels()), stop);

@@ -7,6 +7,7 @@ import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * The blocks that trials are made of: of what is rendered, the whole picture or the part of it that was asked for, a share that
@@ -16,6 +17,9 @@ import java.util.List;
 final class TrialBlocks {
     /** Keeps the choice of the blocks apart from all other random numbers. */
     private static final long PURPOSE = 0x626c6f636b73L;
+
+    /** So many are looked at to find those that show something. */
+    private static final int MOST_LOOKED_AT = 1 << 14;
 
     private final RenderSettings.Crop area;
     private final int left;
@@ -61,8 +65,43 @@ final class TrialBlocks {
         return blocks;
     }
 
+    /**
+     * Blocks of the first phase that show something, and the share of all blocks that these are chosen from; where nothing does, the first
+     * phase.
+     *
+     * @param ofPicture how many of the blocks that show something, as a share of all blocks; or all of them, if that is less
+     * @param seen whether a rectangle of pixels may show something
+     */
+    Seen seen(double ofPicture, Predicate<RenderSettings.Crop> seen) {
+        double range = Math.min((double) MOST_LOOKED_AT / count(), 1);
+        List<int[]> lookedAt = SpreadPlaces.of(across, down, first, range);
+        lookedAt.removeIf(place -> !seen.test(area(left + place[0], top + place[1])));
+        if (lookedAt.isEmpty()) {
+            return new Seen(phase(0, ofPicture), 1);
+        }
+        double share = lookedAt.size() / (range * count());
+        List<FilmTile> blocks = new ArrayList<>();
+        double threshold = Math.min(ofPicture / Math.min(share, 1), range);
+        for (int[] place : SpreadPlaces.of(across, down, first, threshold)) {
+            if (seen.test(area(left + place[0], top + place[1]))) {
+                blocks.add(block(left + place[0], top + place[1]));
+            }
+        }
+        if (blocks.isEmpty()) {
+            blocks.add(block(left + lookedAt.get(0)[0], top + lookedAt.get(0)[1]));
+        }
+        return new Seen(blocks, Math.min(share, 1));
+    }
+
+    /** Blocks that show something, and the share of such blocks among all. */
+    record Seen(List<FilmTile> blocks, double share) {}
+
+    private RenderSettings.Crop area(int column, int row) {
+        return area.intersection(new RenderSettings.Crop(column * side, row * side, side, side));
+    }
+
     private FilmTile block(int column, int row) {
-        RenderSettings.Crop c = area.intersection(new RenderSettings.Crop(column * side, row * side, side, side));
+        RenderSettings.Crop c = area(column, row);
         return new FilmTile(c.x(), c.y(), c.width(), c.height(), display);
     }
 }

@@ -5,9 +5,7 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 import enlightenment.method.Dither;
-import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Hash;
-import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,6 +29,7 @@ public final class ClusterCost implements EffortCost {
     /** How many times as many blocks then. */
     private static final int[] TIMES = {1, 1, 1, 4};
 
+    private final SeenBlocks seen;
     private final int blockCount;
     private final Surveyed[] surveyed = new Surveyed[FROM.length];
     private final BooleanSupplier cancelled;
@@ -40,6 +39,7 @@ public final class ClusterCost implements EffortCost {
         this.scene = scene;
         this.settings = settings;
         this.blockCount = blockCount;
+        seen = SeenBlocks.of(scene, settings, FilmTile.BLOCK_SIDE);
         counters = new RayCounters(scene.kindNames.size());
     }
 
@@ -58,13 +58,7 @@ public final class ClusterCost implements EffortCost {
     }
 
     private ClusterMethod method(double effort, double samples) {
-        ClusterMethod method = new ClusterMethod(
-                scene,
-                settings,
-                counters,
-                Distribution.of(ClusterSettings.of(settings).proposal()),
-                effort,
-                samples);
+        ClusterMethod method = ClusterMethod.looking(scene, settings, counters, effort, samples, seen.share());
         method.stopWhen(cancelled);
         return method;
     }
@@ -81,7 +75,7 @@ public final class ClusterCost implements EffortCost {
     }
 
     private List<Block> blocks(int times) {
-        return Block.spread(settings.width(), settings.height(), FilmTile.BLOCK_SIDE, times * blockCount);
+        return seen.spread(times * blockCount);
     }
 
     /**
@@ -98,6 +92,9 @@ public final class ClusterCost implements EffortCost {
     }
 
     private double effortFor(double samples) {
+        if (seen.share() == 0) {
+            return EffortSearch.LEAST_EFFORT;
+        }
         Surveyed known = surveyed(samples);
         double effort = known.needed.effort(samples);
         if (known.learners.isEmpty()) {
@@ -146,8 +143,11 @@ public final class ClusterCost implements EffortCost {
     }
 
     /** What the pixels of some blocks need, as {@link SampleDemand} says it. */
-    private static final class Needed {
+    private final class Needed {
         private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
+
+        /** The camera rays per pixel of a block that shows only background: one sample each, and a corner for all. */
+        private static final double OF_EMPTY = 1 + 1.0 / PIXELS;
 
         private final double[] film;
         private final double[] edge;
@@ -192,7 +192,7 @@ public final class ClusterCost implements EffortCost {
 
         /** Mean number of camera rays per pixel, the survey's included. */
         double samples(double effort, double asked) {
-            Allocation allocation = new Allocation(effort, asked);
+            Allocation allocation = new Allocation(effort, asked, seen.share());
             long sum = 0;
             long all = 0;
             for (int b = 0; b < pixels.length; b++) {
@@ -203,7 +203,7 @@ public final class ClusterCost implements EffortCost {
                     sum += 1L << allocation.samples(film[k], edge[k], light[k], dither[k]);
                 }
             }
-            return (double) sum / all;
+            return seen.share() * ((double) sum / all) + (1 - seen.share()) * OF_EMPTY;
         }
 
         double effort(double samples) {

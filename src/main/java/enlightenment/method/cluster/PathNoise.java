@@ -194,7 +194,8 @@ final class PathNoise {
         }
     }
 
-    private static int field(int i, int j) {
+    /** The colour of a pixel's field, 0 or 1. */
+    static int field(int i, int j) {
         return (i + j) & 1;
     }
 

@@ -16,31 +16,79 @@ public final class PhysicalClusterCost implements EffortCost {
     /** Keeps the random numbers of what is tried apart from the picture's. */
     private static final long PURPOSE = 0x706879736963L;
 
+    /** First paths are followed in a share of the blocks, but at least, and at most, in so many. */
+    private static final int SHARE = 32;
+
+    private static final int LEAST_BLOCKS = 24;
+    private static final int MOST_BLOCKS = 512;
+
+    /** Where what is needed by one of a block's two colours and not by the other is more than this share, few of the paths decide. */
+    private static final double DOUBTFUL = 0.25;
+
     private final CompiledScene scene;
     private final RenderSettings settings;
+    private final SeenBlocks seen;
     private final List<Block> blocks;
     private final BooleanSupplier cancelled;
 
     /** What the blocks need, by the exponent of the number of samples asked for: the number of first paths changes with it. */
     private final Map<Integer, Needed> needed = new HashMap<>();
 
+    /** The same by as many first paths as the picture takes. */
+    private final Map<Integer, Needed> neededSurely = new HashMap<>();
+
     /**
-     * Judges by {@code blocks} blocks, or by all if there are no more.
+     * Judges by a share of the blocks that show more than background.
      *
      * @param cancelled once true, nothing more is looked at, and the effort is the least
      */
-    public PhysicalClusterCost(CompiledScene scene, RenderSettings settings, int blocks, BooleanSupplier cancelled) {
+    public PhysicalClusterCost(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
-        this.blocks = Block.spread(settings.width(), settings.height(), PhysicalClusterMethod.BLOCK_SIDE, blocks);
+        seen = SeenBlocks.of(scene, settings, PhysicalClusterMethod.BLOCK_SIDE);
+        blocks = tried(settings, seen);
+    }
+
+    /** The blocks that are tried. */
+    private static List<Block> tried(RenderSettings settings, SeenBlocks seen) {
+        double all = (double) settings.width() / PhysicalClusterMethod.PIXELS * settings.height() * seen.share();
+        return seen.spread((int) Math.min(Math.max(all / SHARE, LEAST_BLOCKS), MOST_BLOCKS));
+    }
+
+    /** How far a block may be from what is asked. */
+    static BlockLimits limits(CompiledScene scene, RenderSettings settings, double samples) {
+        SeenBlocks seen = SeenBlocks.of(scene, settings, PhysicalClusterMethod.BLOCK_SIDE);
+        return limits(seen, tried(settings, seen).size(), samples);
+    }
+
+    private static BlockLimits limits(SeenBlocks seen, int tried, double samples) {
+        double share = seen.share();
+        return share == 0
+                ? BlockLimits.NONE
+                : BlockLimits.of((samples - (1 - share) * ofEmpty(samples)) / share, tried);
+    }
+
+    /** The camera rays per pixel of a block that shows only background. */
+    private static double ofEmpty(double samples) {
+        return Math.scalb(1.0, PhysicalAllocation.leastSamples(samples)) + 1.0 / PhysicalClusterMethod.PIXELS;
     }
 
     @Override
     public double effort(double samples) {
+        if (blocks.isEmpty()) {
+            return EffortSearch.LEAST_EFFORT;
+        }
         try {
-            Needed known = needed.computeIfAbsent(Math.max(Math.getExponent(samples), 0), e -> new Needed(samples));
-            return EffortSearch.effort(effort -> known.samples(effort, samples), samples);
+            int exponent = Math.max(Math.getExponent(samples), 0);
+            Needed known = needed.computeIfAbsent(exponent, e -> new Needed(samples, false));
+            double effort = known.effort(samples);
+            if (known.isDoubtful(effort, samples)) {
+                return neededSurely
+                        .computeIfAbsent(exponent, e -> new Needed(samples, true))
+                        .effort(samples);
+            }
+            return effort;
         } catch (CancellationException e) {
             return EffortSearch.LEAST_EFFORT;
         }
@@ -53,16 +101,19 @@ public final class PhysicalClusterCost implements EffortCost {
         private final double[] cost = new double[noise.length];
         private final double[] dither = new double[noise.length];
         private int pixels;
-        private long rays;
+        private final int[] rays = new int[blocks.size()];
 
-        Needed(double samples) {
-            PhysicalClusterMethod method = PhysicalClusterMethod.looking(scene, settings, samples);
+        Needed(double samples, boolean surely) {
+            PhysicalClusterMethod method = surely
+                    ? PhysicalClusterMethod.lookingAsPicture(scene, settings, samples)
+                    : PhysicalClusterMethod.looking(scene, settings, samples);
             method.stopWhen(cancelled);
             // Not the picture's own samples: nothing that is decided may depend on those that it is decided about.
             long seed = Hash.of(settings.seed(), PURPOSE);
-            for (Block block : blocks) {
+            for (int b = 0; b < rays.length; b++) {
+                Block block = blocks.get(b);
                 method.look(block, seed);
-                rays += method.surveyRays();
+                rays[b] = method.surveyRays();
                 for (int j = 0; j < block.height(); j++) {
                     for (int i = 0; i < block.width(); i++) {
                         noise[pixels] = method.noise(i, j);
@@ -74,14 +125,50 @@ public final class PhysicalClusterCost implements EffortCost {
             }
         }
 
+        double effort(double samples) {
+            return EffortSearch.effort(effort -> samples(effort, samples), samples);
+        }
+
+        /**
+         * Whether few of the paths decide: then the two colours of a block, which tell the same of it, disagree, and of more paths more
+         * blocks would know, so that the same effort would cost more.
+         */
+        boolean isDoubtful(double effort, double asked) {
+            PhysicalAllocation allocation = new PhysicalAllocation(effort, asked);
+            long least = 1L << PhysicalAllocation.leastSamples(asked);
+            double apart = 0;
+            double sum = 0;
+            int k = 0;
+            for (Block block : blocks) {
+                long[] ofColour = new long[2];
+                for (int j = 0; j < block.height(); j++) {
+                    for (int i = 0; i < block.width(); i++, k++) {
+                        ofColour[PathNoise.field(i, j)] +=
+                                (1L << allocation.samples(noise[k], edge[k], cost[k], dither[k])) - least;
+                    }
+                }
+                apart += Math.abs(ofColour[0] - ofColour[1]);
+                sum += ofColour[0] + ofColour[1];
+            }
+            return apart > DOUBTFUL * sum;
+        }
+
         /** Mean number of camera rays per pixel, the survey's included. */
         double samples(double effort, double asked) {
             PhysicalAllocation allocation = new PhysicalAllocation(effort, asked);
-            long sum = rays;
-            for (int k = 0; k < pixels; k++) {
-                sum += 1L << allocation.samples(noise[k], edge[k], cost[k], dither[k]);
+            BlockLimits limits = limits(seen, rays.length, asked);
+            double sum = 0;
+            int k = 0;
+            for (int b = 0; b < rays.length; b++) {
+                long ofBlock = rays[b];
+                int end = k + blocks.get(b).pixels();
+                for (; k < end; k++) {
+                    ofBlock += 1L << allocation.samples(noise[k], edge[k], cost[k], dither[k]);
+                }
+                int n = blocks.get(b).pixels();
+                sum += n * limits.limited((double) ofBlock / n);
             }
-            return (double) sum / pixels;
+            return seen.share() * (sum / pixels) + (1 - seen.share()) * ofEmpty(asked);
         }
     }
 }

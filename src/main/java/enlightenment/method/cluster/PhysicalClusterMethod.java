@@ -45,7 +45,15 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     private final CompiledScene scene;
     private final RenderSettings settings;
-    private final PhysicalAllocation allocation;
+    private final double samplesPerPixel;
+    private final double effort;
+
+    /** Of the pixels of each chessboard colour of the block. */
+    private final PhysicalAllocation[] allocations = new PhysicalAllocation[2];
+
+    /** Made with the first block that is rendered. */
+    private BlockLimits limits;
+
     private final PathTracer tracer;
     private final PhysicalSurvey survey;
     private final PathNoise noise;
@@ -83,7 +91,8 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             int firstSamples) {
         this.scene = scene;
         this.settings = settings;
-        allocation = new PhysicalAllocation(effort, samples);
+        this.effort = effort;
+        samplesPerPixel = samples;
         this.firstSamples = firstSamples;
         first = new double[3 * PIXELS << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
@@ -102,8 +111,17 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     /** One that only looks at blocks, with half as many first paths: of many blocks together they tell enough. */
     static PhysicalClusterMethod looking(CompiledScene scene, RenderSettings settings, double samples) {
+        return looking(scene, settings, samples, Math.max(firstOf(samples) - 1, 0));
+    }
+
+    /** One that only looks at blocks, with as many first paths as the picture has. */
+    static PhysicalClusterMethod lookingAsPicture(CompiledScene scene, RenderSettings settings, double samples) {
+        return looking(scene, settings, samples, firstOf(samples));
+    }
+
+    private static PhysicalClusterMethod looking(
+            CompiledScene scene, RenderSettings settings, double samples, int first) {
         RayCounters counters = new RayCounters(scene.kindNames.size());
-        int first = Math.max(firstOf(samples) - 1, 0);
         return new PhysicalClusterMethod(scene, settings, counters, EffortSearch.LEAST_EFFORT, samples, first);
     }
 
@@ -127,6 +145,9 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private void render(Block block, FilmTile tile) {
         look(block, settings.seed());
         tile.addSurveyRays(survey.rays());
+        for (int colour = 0; colour < 2; colour++) {
+            allocations[colour] = new PhysicalAllocation(limitedEffort(block, colour), samplesPerPixel);
+        }
         for (int number = 0; number < PixelGroup.COUNT; number++) {
             group.gather(block, number);
             if (group.overlaps(tile)) {
@@ -136,17 +157,45 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         }
     }
 
+    /** The effort with which the pixels of a colour stay within the limits; like their needs, it depends on the other colour's paths only. */
+    private double limitedEffort(Block block, int colour) {
+        if (limits == null) {
+            limits = PhysicalClusterCost.limits(scene, settings, samplesPerPixel);
+        }
+        if (survey.isEmpty()) {
+            return EffortSearch.LEAST_EFFORT;
+        }
+        double spent = samples(block, colour, effort);
+        double limited = limits.limited(spent);
+        return limited == spent ? effort : EffortSearch.effort(e -> samples(block, colour, e), limited);
+    }
+
+    /** Mean number of camera rays per pixel of a colour, the survey's included. */
+    private double samples(Block block, int colour, double ofEffort) {
+        PhysicalAllocation allocation = new PhysicalAllocation(ofEffort, samplesPerPixel);
+        long sum = 0;
+        int pixels = 0;
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                if (PathNoise.field(i, j) == colour) {
+                    sum += 1L << samples(allocation, i, j, block.x() + i, block.y() + j);
+                    pixels++;
+                }
+            }
+        }
+        return pixels == 0 ? 0 : (double) sum / pixels + (double) survey.rays() / block.pixels();
+    }
+
+    private int samples(PhysicalAllocation allocation, int i, int j, int x, int y) {
+        return allocation.samples(noise.variance(i, j), noise.edge(i, j), noise.cost(i, j), Dither.at(x, y));
+    }
+
     private void renderGroup(FilmTile tile) {
         int most = 0;
         for (int m = 0; m < group.members; m++) {
             int i = group.column[m];
             int j = group.row[m];
-            count[m] = 1
-                    << allocation.samples(
-                            noise.variance(i, j),
-                            noise.edge(i, j),
-                            noise.cost(i, j),
-                            Dither.at(group.x(m), group.y(m)));
+            count[m] = 1 << samples(allocations[PathNoise.field(i, j)], i, j, group.x(m), group.y(m));
             most = Math.max(most, count[m]);
             spreads[m].begin(count[m]);
         }

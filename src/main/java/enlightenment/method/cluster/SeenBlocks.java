@@ -1,0 +1,90 @@
+package enlightenment.method.cluster;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.RayCounters;
+import enlightenment.method.Block;
+import enlightenment.method.Dither;
+import enlightenment.scene.RenderSettings;
+import enlightenment.shading.ClassicShader;
+import enlightenment.shading.PathTracer;
+import enlightenment.shading.Shader;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The blocks of a picture that may show more than the background, which is known without tracing; of very large pictures those among some
+ * that are evenly spread. Where a thing is small, blocks that are tried are chosen from these: those of the whole picture would miss it.
+ *
+ * <p>A pure function of the scene and the picture's size.
+ */
+public final class SeenBlocks {
+    /** So many are looked at: all blocks of four million pixels, or of a million in classic shading. */
+    private static final int MOST_LOOKED_AT = 1 << 14;
+
+    private final List<Block> seen = new ArrayList<>();
+    private final int side;
+    private final long all;
+    private final int lookedAt;
+    private final double share;
+
+    private SeenBlocks(CompiledScene scene, RenderSettings settings, int side) {
+        this.side = side;
+        long across = (settings.width() + side - 1) / side;
+        all = across * ((settings.height() + side - 1) / side);
+        Shader shader = shader(scene);
+        long pixels = 0;
+        long pixelsSeen = 0;
+        List<Block> blocks = Block.spread(settings.width(), settings.height(), side, MOST_LOOKED_AT);
+        for (Block block : blocks) {
+            pixels += block.pixels();
+            if (seesSomething(shader, settings, block.x(), block.y(), block.width(), block.height())) {
+                seen.add(block);
+                pixelsSeen += block.pixels();
+            }
+        }
+        lookedAt = blocks.size();
+        share = (double) pixelsSeen / pixels;
+    }
+
+    /** @param side of the blocks, in pixels */
+    static SeenBlocks of(CompiledScene scene, RenderSettings settings, int side) {
+        return new SeenBlocks(scene, settings, side);
+    }
+
+    /** What can tell whether a rectangle of pixels shows more than the background. */
+    public static Shader shader(CompiledScene scene) {
+        RayCounters counters = new RayCounters(scene.kindNames.size());
+        return scene.physical == null ? new ClassicShader(scene, 1, counters) : new PathTracer(scene, counters);
+    }
+
+    /** Whether a rectangle of pixels may show more than the background. */
+    public static boolean seesSomething(Shader shader, RenderSettings settings, int x, int y, int columns, int rows) {
+        double width = settings.width();
+        double height = settings.height();
+        shader.beginTile(x / width, y / height, (x + columns) / width, (y + rows) / height);
+        return !shader.seesNothing();
+    }
+
+    /** The share of the picture's pixels that are in such blocks. */
+    double share() {
+        return share;
+    }
+
+    /** How many blocks there are, of any kind. */
+    long all() {
+        return all;
+    }
+
+    /** About so many of them, evenly spread over the picture, or all if there are no more; none only if there are none. */
+    List<Block> spread(int count) {
+        // Where all are seen, these are Block.spread.
+        double threshold = count / ((double) all * seen.size() / lookedAt);
+        List<Block> some = new ArrayList<>();
+        for (Block block : seen) {
+            if (Dither.at(block.x() / side, block.y() / side) < threshold) {
+                some.add(block);
+            }
+        }
+        return some.isEmpty() && !seen.isEmpty() ? List.of(seen.get(0)) : some;
+    }
+}

@@ -52,6 +52,15 @@ final class ManySeeds {
         return new Picture(rgb, counts, film, render.report(new Phases(), 0, 1), plan);
     }
 
+    /** What a render reports of its samples, also of pictures that light paths are splatted over. */
+    static RenderReport.Sampling sampling(Scene scene, RenderSettings settings) {
+        CompiledScene compiled = SceneCompiler.compile(scene, settings);
+        RenderPlan plan = new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0);
+        LocalRender render = new LocalRender("", compiled, settings, plan, RenderProgress.NONE, () -> false, null);
+        render.run();
+        return render.report(new Phases(), 0, 1).sampling();
+    }
+
     static Picture render(Scene scene, RenderSettings settings) {
         return render(SceneCompiler.compile(scene, settings), settings);
     }

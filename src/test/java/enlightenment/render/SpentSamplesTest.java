@@ -1,13 +1,16 @@
 package enlightenment.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -38,7 +41,8 @@ class SpentSamplesTest {
     }
 
     private static double spent(Scene scene, RenderSettings settings, double samples) {
-        return render(scene, settings, samples).sampling().samplesPerPixel() / samples;
+        RenderSettings asked = settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(samples));
+        return ManySeeds.sampling(scene, asked).samplesPerPixel() / samples;
     }
 
     /**
@@ -75,6 +79,94 @@ class SpentSamplesTest {
             double spent = spent(scene, RenderSettings.of(scene).withSize(48, 36), samples);
             assertEquals(1, spent, CHANCE, samples + " samples");
         }
+    }
+
+    private static Scene parse(String json, String name) {
+        return SceneReader.readString(json, Path.of("."), name);
+    }
+
+    /** A floor under water: light comes through its surface by rare paths only, of which the first ones show few or none. */
+    private static Scene underWater() {
+        return parse(
+                """
+                {
+                  "image": { "width": 16, "height": 12 },
+                  "camera": { "type": "perspective", "eye": [0.9, 1.3, -4], "lookAt": [0, -0.5, 0], "fieldOfView": 30 },
+                  "shading": { "model": "physical", "background": { "linear": [0, 0, 0] }, "maxBounces": 3 },
+                  "objects": [
+                    { "type": "rectangle", "corners": [[-3, -1, -3], [-3, -1, 3], [3, -1, 3], [3, -1, -3]],
+                      "material": { "type": "matte", "color": { "linear": [0.8, 0.8, 0.8] } } },
+                    { "type": "rectangle", "corners": [[-1.5, 1.5, -1.1], [-1.2, 1.1, -1.1], [-1.3, 1.1, -0.9], [-1.6, 1.5, -0.9]],
+                      "material": { "type": "matte", "color": { "linear": [0.5, 0.5, 0.5] }, "radiance": 20 } },
+                    { "type": "box", "min": [-2.5, -1.2, -2.5], "max": [2.5, 0.8, 2.5],
+                      "material": { "type": "glass", "color": { "linear": [1, 1, 1] }, "indexOfRefraction": 1.33 } }
+                  ]
+                }
+                """,
+                "water");
+    }
+
+    /** What is seen first is of one block, and what the picture's own paths find there is left to chance: the sum is not. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void rareBrightPathsDoNotMultiplyWhatIsSpentOnASmallPicture(long seed) {
+        Scene scene = underWater();
+        RenderSettings settings = RenderSettings.of(scene).withSize(16, 12).withSeed(seed);
+        assertEquals(1, spent(scene, settings, 16), CHANCE);
+    }
+
+    /** Of more blocks, all of which are tried, some find what they did not when they were tried. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void norOnOneOfSomeBlocks(long seed) {
+        Scene scene = underWater();
+        RenderSettings settings = RenderSettings.of(scene).withSize(64, 48).withSeed(seed);
+        double spent = spent(scene, settings, 16);
+        assertTrue(spent > 0.67 && spent < 1.5, spent + " of what was asked for");
+    }
+
+    /** Two balls of a few pixels on empty ground: no block of those that are tried need show them if these are spread evenly. */
+    private static Scene twoBalls(String shading, String radiance, double x, double y) {
+        return parse(
+                String.format(
+                        Locale.ROOT,
+                        """
+                        {
+                          "image": { "width": 512, "height": 512 },
+                          "camera": { "type": "orthographic", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "height": 10 },
+                          "shading": { %s },
+                          "lights": [ { "type": "sphere", "center": [%f, %f, -2], "radius": 0.3, "color": "#ffffff" %s } ],
+                          "objects": [
+                            { "type": "sphere", "center": [%f, %f, 0], "radius": 0.12,
+                              "material": { "type": "matte", "color": "#808080" } },
+                            { "type": "sphere", "center": [%f, %f, -0.12], "radius": 0.06,
+                              "material": { "type": "matte", "color": "#808080" } }
+                          ]
+                        }
+                        """,
+                        shading,
+                        x + 2,
+                        y + 3,
+                        radiance,
+                        x,
+                        y,
+                        x + 0.084,
+                        y + 0.06),
+                "two balls");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1.1, 1.3", "-2.3, 0.7", "3.1, -3.7", "-4, -1.9"})
+    void whatIsAskedForIsSpentOnASmallThingOnEmptyGround(double x, double y) {
+        Scene physical = twoBalls("\"model\": \"physical\"", ", \"radiance\": 20", x, y);
+        assertEquals(1, spent(physical, RenderSettings.of(physical).withSize(256, 256), 8), CHANCE);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1.1, 1.3", "-2.3, 0.7", "3.1, -3.7", "-4, -1.9"})
+    void norIsItMissedThereInClassicShading(double x, double y) {
+        Scene classic = twoBalls("", "", x, y);
+        assertEquals(1, spent(classic, RenderSettings.of(classic).withSize(512, 512), 8), CHANCE);
     }
 
     static Stream<Arguments> larger() {

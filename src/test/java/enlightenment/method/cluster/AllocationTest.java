@@ -100,4 +100,13 @@ class AllocationTest {
         }
         assertTrue(before > 100, before + " samples");
     }
+
+    /** 64 times the mean of what shows something: where half of the picture does, that is twice the mean of all. */
+    @Test
+    void noPixelGetsMoreThanSomeMultipleOfTheMean() {
+        for (double samples = 4; samples < 1e4; samples *= 2) {
+            assertEquals(64 * samples, 1 << new Allocation(0x1p64, samples, 1).samples(0, 1, 0, 0.5));
+            assertEquals(128 * samples, 1 << new Allocation(0x1p64, samples, 0.5).samples(0, 1, 0, 0.5));
+        }
+    }
 }

@@ -22,6 +22,8 @@ public final class SeenBlocks {
     private static final int MOST_LOOKED_AT = 1 << 14;
 
     private final List<Block> seen = new ArrayList<>();
+    private final int width;
+    private final int height;
     private final int side;
     private final long all;
     private final int lookedAt;
@@ -29,6 +31,8 @@ public final class SeenBlocks {
 
     private SeenBlocks(CompiledScene scene, RenderSettings settings, int side) {
         this.side = side;
+        width = settings.width();
+        height = settings.height();
         long across = (settings.width() + side - 1) / side;
         all = across * ((settings.height() + side - 1) / side);
         Shader shader = shader(scene);
@@ -46,9 +50,18 @@ public final class SeenBlocks {
         share = (double) pixelsSeen / pixels;
     }
 
-    /** @param side of the blocks, in pixels */
+    /**
+     * Those of a picture; they are found once for all threads.
+     *
+     * @param side of the blocks, in pixels
+     */
     static SeenBlocks of(CompiledScene scene, RenderSettings settings, int side) {
-        return new SeenBlocks(scene, settings, side);
+        SeenBlocks known = scene.once(SeenBlocks.class, () -> new SeenBlocks(scene, settings, side));
+        return known.isOf(settings, side) ? known : new SeenBlocks(scene, settings, side);
+    }
+
+    private boolean isOf(RenderSettings settings, int ofSide) {
+        return width == settings.width() && height == settings.height() && side == ofSide;
     }
 
     /** What can tell whether a rectangle of pixels shows more than the background. */

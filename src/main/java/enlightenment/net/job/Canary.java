@@ -11,13 +11,15 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
 import java.security.MessageDigest;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
- * A small picture that every machine computes before it joins: who gets other bits here would spoil pictures. It has glass,
- * a mirror, a checkerboard, a torus (cubic and quartic equations), soft shadows and all methods of this program.
+ * Small pictures that every machine computes before it joins: who gets other bits here would spoil pictures. They have glass, mirrors, a
+ * checkerboard, a torus (cubic and quartic equations), soft shadows, rough metal, a sky with a sun, fog and all methods of this program.
  */
 public final class Canary {
-    private static final String SCENE =
+    private static final String CLASSIC =
             """
             { "image": { "width": 24, "height": 16 },
               "camera": { "type": "perspective", "eye": [0, 1, -5], "lookAt": [0, 0, 0], "up": [0, 1, 0],
@@ -35,6 +37,27 @@ public final class Canary {
                   "material": { "type": "matte", "color": { "texture": "board" } } } ] }
             """;
 
+    private static final String PHYSICAL =
+            """
+            { "image": { "width": 16, "height": 12 },
+              "shading": { "model": "physical", "background": { "type": "sky", "elevation": 40, "radiance": 0.3 } },
+              "camera": { "type": "perspective", "eye": [0, 1, -5], "lookAt": [0, 0, 0], "up": [0, 1, 0],
+                          "fieldOfView": 50 },
+              "lights": [ { "type": "sphere", "center": [2, 4, -3], "radius": 0.7, "color": "#fff0e0", "radiance": 9 } ],
+              "objects": [
+                { "type": "sphere", "center": [-1, 0, 0], "radius": 0.9,
+                  "material": { "type": "glass", "color": "#f0ffff", "indexOfRefraction": 1.5, "absorption": [0.1, 0.3, 0.2] } },
+                { "type": "sphere", "center": [1.2, 0.1, 1], "radius": 1,
+                  "material": { "type": "glossy", "color": "#e0c080", "roughness": 0.4 } },
+                { "type": "box", "min": [-0.4, -1, -2.4], "max": [0.6, -0.2, -1.4],
+                  "material": { "type": "scattering", "color": "#e0d0b0", "meanFreePath": 0.3 } },
+                { "type": "rectangle", "corners": [[-9, -1, -5], [-9, -1, 9], [9, -1, 9], [9, -1, -5]],
+                  "material": { "type": "matte", "color": "#8090a0", "roughness": 0.5 } } ] }
+            """;
+
+    /** On each side of a square of camera rays in a pixel: enough for all methods to do what they do in large pictures. */
+    private static final int RAYS = 3;
+
     /** What a client says that makes tiles without computing: nobody knows whether its pixels are the right ones. */
     public static final ContentHash NOT_COMPUTED = new ContentHash(0, 0, 0, 0);
 
@@ -51,20 +74,30 @@ public final class Canary {
     }
 
     private static ContentHash compute() {
-        Scene scene = SceneReader.readString(SCENE, Path.of(""), "canary");
         MessageDigest digest = ContentHash.sha256();
-        for (Method method : BuiltInMethod.rendering(scene.shading().model())) {
-            RenderSettings settings = RenderSettings.of(scene)
-                    .withMethod(method)
-                    .withAntialias(1)
-                    .with(new RayTraceSettings(2))
-                    .withThreads(1);
-            DividedRender render = DividedRender.prepare(scene, settings, () -> false);
+        for (DividedRender render : renders()) {
             UnitMaker maker = render.maker();
-            for (int tile = 0; tile < render.units(); tile++) {
-                digest.update(maker.make(tile));
+            for (int unit = 0; unit < render.units(); unit++) {
+                digest.update(maker.make(unit));
             }
         }
         return ContentHash.fromBytes(digest.digest());
+    }
+
+    /** Each scene by each method of its shading. */
+    static List<DividedRender> renders() {
+        List<DividedRender> all = new ArrayList<>();
+        for (String text : List.of(CLASSIC, PHYSICAL)) {
+            Scene scene = SceneReader.readString(text, Path.of(""), "canary");
+            for (Method method : BuiltInMethod.rendering(scene.shading().model())) {
+                RenderSettings settings = RenderSettings.of(scene)
+                        .withMethod(method)
+                        .withAntialias(RAYS)
+                        .with(new RayTraceSettings(2))
+                        .withThreads(1);
+                all.add(DividedRender.prepare(scene, settings, () -> false));
+            }
+        }
+        return all;
     }
 }

@@ -84,10 +84,11 @@ final class PixelImages {
     }
 
     /**
-     * The least brightness of the images that are sampled apart. Each sample takes one of them and has the sum of area times brightness, or
-     * nothing, if that one is hidden. Where they are many, that is by chance. With a sum that is no more than any of their brightnesses, its mean square is at most what the lamps
-     * themselves have where samples meet them by chance, whatever is hidden; the triangles of a closed mesh, half of which is behind the
-     * other half, would make noise of what is even. Those that are left out are dimmer than the sum, so that no sample can miss much.
+     * The least brightness of the images that are sampled apart. Each sample takes one of them and has the sum of area times brightness,
+     * or nothing, if that one is hidden. Where they are many, that is by chance. With a sum that is no more than any of their
+     * brightnesses, its mean square is at most what the lamps themselves have where samples meet them by chance, whatever is hidden; the
+     * triangles of a closed mesh, half of which is behind the other half, would make noise of what is even. Those that are left out are
+     * dimmer than the sum, so that no sample can miss much.
      */
     private static double leastBrightness(LightImage[] images, double[] areas, int size) {
         double sum = 0;

@@ -147,7 +147,8 @@ final class CommandFiles {
         return !isDevice(a.file) && FilePlace.same(a.file, b.file);
     }
 
-    private static boolean isDevice(Path file) {
+    /** Whether a path leads to something that is written into as it is, a device or a pipe, and never replaced. */
+    static boolean isDevice(Path file) {
         return Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
     }
 

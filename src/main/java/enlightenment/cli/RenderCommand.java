@@ -14,7 +14,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -168,7 +167,7 @@ final class RenderCommand extends Subcommand {
                     + " the picture: -o must name a file, not standard output");
         }
         Path file = output.file();
-        if (preview != null && Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file)) {
+        if (preview != null && CommandFiles.isDevice(file)) {
             throw CliException.wrongUsage("--preview needs a file that can be replaced, unlike \"" + file + "\"");
         }
     }

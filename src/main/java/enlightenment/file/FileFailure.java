@@ -14,9 +14,7 @@ public final class FileFailure {
      * folder or writing to a full disk, names none.
      */
     public static IOException named(Path file, IOException e) {
-        return e instanceof FileSystemException f && f.getFile() != null
-                ? e
-                : because(file, e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage(), e);
+        return e instanceof FileSystemException f && f.getFile() != null ? e : because(file, WholeFile.reason(e), e);
     }
 
     /** A failure that names the file: its message is {@code FILE: REASON}. */

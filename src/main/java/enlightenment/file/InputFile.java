@@ -51,19 +51,32 @@ public final class InputFile {
         if (isDevice(file)) {
             throw FileFailure.because(file, "it is a device, and what it gives may have no end");
         }
+        if (Files.isRegularFile(file)) {
+            return bytesOfRegular(file);
+        }
         try (InputStream in = open(file)) {
-            // All at once where the length is known: large pictures would take twice the memory. Of a pipe it is not.
-            if (Files.isRegularFile(file) && Files.size(file) <= LONGEST) {
-                return Files.readAllBytes(file);
-            }
-            byte[] all = Files.isRegularFile(file) ? null : in.readNBytes(LONGEST);
-            if (all == null || in.read() >= 0) {
-                throw FileFailure.because(file, "it has more than 2 GiB");
+            byte[] all = in.readNBytes(LONGEST);
+            if (in.read() >= 0) {
+                throw tooLong(file);
             }
             return all;
+        }
+    }
+
+    /** All at once, as the length is known: large pictures would take twice the memory. */
+    private static byte[] bytesOfRegular(Path file) throws IOException {
+        try {
+            if (Files.size(file) > LONGEST) {
+                throw tooLong(file);
+            }
+            return Files.readAllBytes(file);
         } catch (IOException e) {
             throw FileFailure.named(file, e);
         }
+    }
+
+    private static IOException tooLong(Path file) {
+        return FileFailure.because(file, "it has more than 2 GiB");
     }
 
     private static boolean isDevice(Path file) throws IOException {

@@ -3,6 +3,7 @@ package enlightenment.plan;
 import enlightenment.color.DisplayCurve;
 import enlightenment.film.FilmTile;
 import enlightenment.method.SpreadPlaces;
+import enlightenment.method.cluster.SeenBlocks;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
@@ -17,9 +18,6 @@ import java.util.function.Predicate;
 final class TrialBlocks {
     /** Keeps the choice of the blocks apart from all other random numbers. */
     private static final long PURPOSE = 0x626c6f636b73L;
-
-    /** So many are looked at to find those that show something. */
-    private static final int MOST_LOOKED_AT = 1 << 14;
 
     private final RenderSettings.Crop area;
     private final int left;
@@ -73,7 +71,7 @@ final class TrialBlocks {
      * @param seen whether a rectangle of pixels may show something
      */
     Seen seen(double ofPicture, Predicate<RenderSettings.Crop> seen) {
-        double range = Math.min((double) MOST_LOOKED_AT / count(), 1);
+        double range = Math.min((double) SeenBlocks.MOST_LOOKED_AT / count(), 1);
         List<int[]> lookedAt = SpreadPlaces.of(across, down, first, range);
         lookedAt.removeIf(place -> !seen.test(area(left + place[0], top + place[1])));
         if (lookedAt.isEmpty()) {

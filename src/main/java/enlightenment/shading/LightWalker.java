@@ -247,17 +247,14 @@ abstract class LightWalker extends LightPathTracer {
         flown = onTheWay.distance;
         path.stopAt(ray, flown, border);
         flight.reach(flown);
-        double r = red;
-        double g = green;
-        double b = blue;
         double scale = 1 / onTheWay.density;
-        red *= flight.weightR * medium.scatteringR * scale;
-        green *= flight.weightG * medium.scatteringG * scale;
-        blue *= flight.weightB * medium.scatteringB * scale;
-        connect(medium.phase, border, null);
-        red = r;
-        green = g;
-        blue = b;
+        connect(
+                medium.phase,
+                border,
+                null,
+                red * (flight.weightR * medium.scatteringR * scale),
+                green * (flight.weightG * medium.scatteringG * scale),
+                blue * (flight.weightB * medium.scatteringB * scale));
         ray.set(path.hit.px, path.hit.py, path.hit.pz, -border.ox, -border.oy, -border.oz, 0);
         return path.next(ray, flight.length - flown);
     }
@@ -284,15 +281,20 @@ abstract class LightWalker extends LightPathTracer {
      * @param tint of what passes, at a rough border; null elsewhere
      */
     private void connect(Bsdf bsdf, Scattering s, double[] tint) {
+        connect(bsdf, s, tint, red, green, blue);
+    }
+
+    /** The same of other light than the path carries. */
+    private void connect(Bsdf bsdf, Scattering s, double[] tint, double r, double g, double b) {
         if (isSeen(bsdf, s, tint)) {
             if (tint != null && wavelength != null) {
                 wavelength.color(s);
             }
             double importance = eye.importance();
             add(
-                    red * s.valueR * importance * eye.through[0],
-                    green * s.valueG * importance * eye.through[1],
-                    blue * s.valueB * importance * eye.through[2]);
+                    r * s.valueR * importance * eye.through[0],
+                    g * s.valueG * importance * eye.through[1],
+                    b * s.valueB * importance * eye.through[2]);
         }
     }
 

@@ -15,11 +15,8 @@ import enlightenment.geometry.Triangle;
 import enlightenment.image.Image;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
-import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import org.junit.jupiter.api.Test;
@@ -65,16 +62,6 @@ class GlowingMeshTest {
         return new Triangle(at(v[0]), at(v[1]), at(v[2]));
     }
 
-    private static Image render(Scene scene, int zoom, double samples, BuiltInMethod method, long seed) {
-        return Renderer.render(
-                scene,
-                RenderSettings.of(scene)
-                        .withSize(SIZE * zoom, SIZE * zoom)
-                        .withMethod(method)
-                        .withSeed(seed)
-                        .withBudget(Budget.NONE.withSamples(samples)));
-    }
-
     /** The mesh is a ball around the pixel's corners: all rays through the pixel meet it, and it reflects nothing. */
     @Test
     void aPixelThatAGlowingMeshCoversHasItsRadianceWithoutNoise() {
@@ -82,7 +69,7 @@ class GlowingMeshTest {
         Scene scene = mesh(view(), 20, center, 0.95 * PIXEL).build();
         for (BuiltInMethod method : BuiltInMethod.values()) {
             for (long seed = 1; seed <= 3; seed++) {
-                double seen = render(scene, 1, 8, method, seed).component(1, 1, 0);
+                double seen = Rendered.zoomed(scene, 1, 8, method, seed).component(1, 1, 0);
                 assertEquals(RADIANCE, seen, 1e-5, method.word() + ", seed " + seed);
             }
         }
@@ -98,7 +85,7 @@ class GlowingMeshTest {
             double sum = 0;
             double squares = 0;
             for (long seed = 1; seed <= seeds; seed++) {
-                double v = render(scene, 1, samples, BuiltInMethod.RAYTRACE, seed)
+                double v = Rendered.zoomed(scene, 1, samples, BuiltInMethod.RAYTRACE, seed)
                         .component(pixel % SIZE, pixel / SIZE, 0);
                 sum += v;
                 squares += v * v;
@@ -113,11 +100,11 @@ class GlowingMeshTest {
     void aGlowingBoxSmallerThanAPixelHasNoNoise() {
         Scene scene =
                 view().object(new Box(at(0.5, 0.5, 10), at(1, 1, 10.5)), GLOW).build();
-        Image large = render(scene, 64, 16, BuiltInMethod.RAYTRACE, 1);
+        Image large = Rendered.zoomed(scene, 64, 16, BuiltInMethod.RAYTRACE, 1);
         double expected = mean(large, 64, 2, 1);
         assertTrue(expected > 0.05 * RADIANCE && expected < 0.5 * RADIANCE, "seen: " + expected);
         for (long seed = 1; seed <= 3; seed++) {
-            Image small = render(scene, 1, 8, BuiltInMethod.RAYTRACE, seed);
+            Image small = Rendered.zoomed(scene, 1, 8, BuiltInMethod.RAYTRACE, seed);
             assertEquals(expected, small.component(2, 1, 0), 0.005 * expected, "seed " + seed);
         }
     }
@@ -148,9 +135,9 @@ class GlowingMeshTest {
         mesh(b, 4, new Vec3(2.5, -2.6, -8), 1.5);
         Scene scene = b.build();
         int zoom = 64;
-        Image large = render(scene, zoom, 16, BuiltInMethod.RAYTRACE, 1);
+        Image large = Rendered.zoomed(scene, zoom, 16, BuiltInMethod.RAYTRACE, 1);
         for (BuiltInMethod method : BuiltInMethod.values()) {
-            Image small = render(scene, 1, 1 << 12, method, 2);
+            Image small = Rendered.zoomed(scene, 1, 1 << 12, method, 2);
             for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
                 double expected = mean(large, zoom, pixel % SIZE, pixel / SIZE);
                 double actual = small.component(pixel % SIZE, pixel / SIZE, 0);

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.render.Renderer;
+import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.List;
@@ -25,6 +27,17 @@ final class Rendered {
 
     static List<Image> seeds(Scene scene, int antialias, int first, int count) {
         return seeds(scene, RenderSettings.of(scene).withAntialias(antialias), first, count);
+    }
+
+    /** A picture of so many times the scene's width and height. */
+    static Image zoomed(Scene scene, int zoom, double samples, BuiltInMethod method, long seed) {
+        return Renderer.render(
+                scene,
+                RenderSettings.of(scene)
+                        .withSize(scene.width() * zoom, scene.height() * zoom)
+                        .withMethod(method)
+                        .withSeed(seed)
+                        .withBudget(Budget.NONE.withSamples(samples)));
     }
 
     /** A band's mean over a part of each picture. */

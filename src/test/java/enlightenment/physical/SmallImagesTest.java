@@ -58,16 +58,6 @@ class SmallImagesTest {
         return Material.Mirror.of(Texture.of(new Rgb(0.9, 0.7, 0.5)));
     }
 
-    private static Image render(Scene scene, int zoom, double samples, BuiltInMethod method, long seed) {
-        return Renderer.render(
-                scene,
-                RenderSettings.of(scene)
-                        .withSize(SMALL * zoom, SMALL * zoom)
-                        .withMethod(method)
-                        .withSeed(seed)
-                        .withBudget(Budget.NONE.withSamples(samples)));
-    }
-
     /** The mean over the pixels that another picture has for one. */
     private static double mean(Image image, int zoom, int column, int row, int band) {
         double sum = 0;
@@ -96,9 +86,9 @@ class SmallImagesTest {
     @Test
     void theMeanOfAPictureIsTheSameHoweverSmallTheImagesOfLampsAre() {
         Scene scene = lamps();
-        Image large = render(scene, ZOOM, 16, BuiltInMethod.RAYTRACE, 1);
+        Image large = Rendered.zoomed(scene, ZOOM, 16, BuiltInMethod.RAYTRACE, 1);
         for (BuiltInMethod method : BuiltInMethod.values()) {
-            assertSame(large, render(scene, 1, 1 << 13, method, 2), 0.04);
+            assertSame(large, Rendered.zoomed(scene, 1, 1 << 13, method, 2), 0.04);
         }
     }
 
@@ -123,10 +113,11 @@ class SmallImagesTest {
         double side = 2 * Math.tan(Math.toRadians(20)) / SMALL;
         double angle = Math.PI / (d * d);
         double expected = 9000 * 0.04 * angle / (side * side * Math.pow(40 / d, 3));
-        double inBall = render(scene, 1, 1 << 13, BuiltInMethod.RAYTRACE, 1).component(0, 0, 0);
+        double inBall =
+                Rendered.zoomed(scene, 1, 1 << 13, BuiltInMethod.RAYTRACE, 1).component(0, 0, 0);
         assertTrue(inBall > 0.5, "seen in the ball: " + inBall);
         for (BuiltInMethod method : BuiltInMethod.values()) {
-            Image picture = render(scene, 1, 1 << 13, method, 2);
+            Image picture = Rendered.zoomed(scene, 1, 1 << 13, method, 2);
             assertEquals(expected, picture.component(2, 2, 0), 0.03 * expected, method.word());
             assertEquals(inBall, picture.component(0, 0, 0), 0.05 * inBall, method.word());
         }
@@ -135,8 +126,8 @@ class SmallImagesTest {
     @Test
     void theSameHoldsForParallelRays() {
         Scene scene = withLamps(FAR).build();
-        Image large = render(scene, ZOOM, 4, BuiltInMethod.RAYTRACE, 1);
-        assertSame(large, render(scene, 1, 1 << 13, BuiltInMethod.RAYTRACE, 2), 0.04);
+        Image large = Rendered.zoomed(scene, ZOOM, 4, BuiltInMethod.RAYTRACE, 1);
+        assertSame(large, Rendered.zoomed(scene, 1, 1 << 13, BuiltInMethod.RAYTRACE, 2), 0.04);
     }
 
     /** An image smaller than a hundredth of a pixel: four samples of the pixel itself would seldom meet it. */
@@ -144,8 +135,8 @@ class SmallImagesTest {
     @ValueSource(longs = {1, 2, 3, 4, 5})
     void fewSamplesFindEachLamp(long seed) {
         Scene scene = lamps();
-        Image exact = render(scene, 1, 1 << 14, BuiltInMethod.RAYTRACE, 2);
-        Image few = render(scene, 1, 8, BuiltInMethod.RAYTRACE, seed);
+        Image exact = Rendered.zoomed(scene, 1, 1 << 14, BuiltInMethod.RAYTRACE, 2);
+        Image few = Rendered.zoomed(scene, 1, 8, BuiltInMethod.RAYTRACE, seed);
         for (int k = 0; k < SMALL * SMALL; k++) {
             double expected = exact.component(k % SMALL, k / SMALL, 0);
             double actual = few.component(k % SMALL, k / SMALL, 0);

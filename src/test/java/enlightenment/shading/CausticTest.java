@@ -26,9 +26,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Caustics by paths from lights, and those seen in mirrors by images, are what plain path tracing finds by chance. */
 class CausticTest {
-    static final int SIDE = 8;
-    static final int PIXELS = SIDE * SIDE;
-    static final int SEEDS = 8;
+    private static final int SIDE = 8;
+    private static final int PIXELS = SIDE * SIDE;
+    private static final int SEEDS = 8;
 
     private static final String ABOVE =
             """
@@ -57,6 +57,21 @@ class CausticTest {
             """
             { "type": "sphere", "center": [-0.4, 0.8, 0], "radius": 0.5,
               "material": { "type": "glass", "color": { "linear": [0.9, 0.8, 1] }, "indexOfRefraction": 1.5, "absorption": [0.2, 0.1, 0] } }
+            """;
+
+    /** A mirror's, and one where light is seen. */
+    static final String TWO_EVENTS = ", \"maxBounces\": 2";
+
+    private static final String FROM_ABOVE =
+            """
+            "camera": { "type": "orthographic", "eye": [0, 5, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "height": 1 },
+            """;
+    private static final String POINT =
+            "{ \"type\": \"point\", \"position\": [0, 1, 0.5], \"color\": \"#ffffff\", \"intensity\": 2 }";
+    private static final String MIRROR_WALL =
+            """
+            { "type": "rectangle", "corners": [[-9, 0, 1.5], [-9, 9, 1.5], [9, 9, 1.5], [9, 0, 1.5]],
+              "material": { "type": "mirror", "color": { "linear": [0.9, 0.9, 0.9] } } }
             """;
 
     private static CompiledScene scene(String camera, String lights, String... objects) {
@@ -106,13 +121,32 @@ class CausticTest {
         return batch.sums();
     }
 
-    static void fromLights(CompiledScene scene, long seed, int paths, double[] rgb) {
+    private static void fromLights(CompiledScene scene, long seed, int paths, double[] rgb) {
         CausticTracer tracer = new CausticTracer(scene, seed, SIDE, SIDE, new RayCounters(scene.kindNames.size()));
         SplatScale scale = SplatScale.of(tracer.meanContribution(256), paths, PIXELS);
         SplatFilm film = new SplatFilm(0, 0, SIDE, SIDE, PIXELS, scale, DisplayCurve.NONE);
         film.add(0, batch(tracer, scale, 0, paths));
         for (int k = 0; k < rgb.length; k++) {
             rgb[k] += film.component(k / 3 % SIDE, k / 3 / SIDE, k % 3);
+        }
+    }
+
+    /** What the pass makes of red, in the mean of all pixels and of several pictures, and the standard error of that. */
+    record Mean(double value, double error) {
+        static Mean of(CompiledScene scene, int paths) {
+            double sum = 0;
+            double squares = 0;
+            for (int i = 0; i < SEEDS; i++) {
+                double[] rgb = new double[3 * PIXELS];
+                fromLights(scene, i, paths, rgb);
+                double mean = 0;
+                for (int k = 0; k < rgb.length; k += 3) {
+                    mean += rgb[k] / PIXELS;
+                }
+                sum += mean / SEEDS;
+                squares += mean * mean / SEEDS;
+            }
+            return new Mean(sum, Math.sqrt((squares - sum * sum) / (SEEDS - 1)));
         }
     }
 
@@ -235,16 +269,6 @@ class CausticTest {
     /** What a flat mirror sends of a point light is that of its mirror image; no path from the eye finds it. */
     @Test
     void aPointLightInAFlatMirrorIsASecondOne() {
-        String camera =
-                """
-                "camera": { "type": "orthographic", "eye": [0, 5, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "height": 1 },
-                """;
-        String light = "{ \"type\": \"point\", \"position\": [0, 1, 0.5], \"color\": \"#ffffff\", \"intensity\": 2 }";
-        String wall =
-                """
-                { "type": "rectangle", "corners": [[-9, 0, 1.5], [-9, 9, 1.5], [9, 9, 1.5], [9, 0, 1.5]],
-                  "material": { "type": "mirror", "color": { "linear": [0.9, 0.9, 0.9] } } }
-                """;
         // By the middles of pixels: off by less than a five-hundredth.
         double expected = 0;
         for (int pixel = 0; pixel < PIXELS; pixel++) {
@@ -253,45 +277,21 @@ class CausticTest {
             double dd = x * x + 1 + (z - 2.5) * (z - 2.5);
             expected += 0.6 / Math.PI * 2 * 0.9 / (dd * Math.sqrt(dd)) / PIXELS;
         }
-        CompiledScene scene = scene(", \"maxBounces\": 2", camera, light, new String[] {FLOOR, wall});
-        double[] means = new double[SEEDS];
-        for (int i = 0; i < SEEDS; i++) {
-            double[] rgb = new double[3 * PIXELS];
-            fromLights(scene, i, 65_536, rgb);
-            for (int k = 0; k < rgb.length; k += 3) {
-                means[i] += rgb[k] / PIXELS;
-            }
-        }
-        double sum = 0;
-        double squares = 0;
-        for (double mean : means) {
-            sum += mean / SEEDS;
-            squares += mean * mean / SEEDS;
-        }
-        double error = Math.sqrt((squares - sum * sum) / (SEEDS - 1));
-        assertTrue(Math.abs(sum - expected) < 5 * error + 0.002 * expected, sum + " ± " + error + ", not " + expected);
+        CompiledScene scene = scene(TWO_EVENTS, FROM_ABOVE, POINT, new String[] {FLOOR, MIRROR_WALL});
+        Mean found = Mean.of(scene, 65_536);
+        assertTrue(Math.abs(found.value - expected) < 5 * found.error + 0.002 * expected, found + ", not " + expected);
     }
 
     /** What stands between eye and caustic turns no ray: the pass sees through it, so that even the light of points is found. */
     @Test
     void aBorderOfIndexOneBeforeTheEyeDimsACausticByItsAbsorption() {
-        String camera =
-                """
-                "camera": { "type": "orthographic", "eye": [0, 5, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "height": 1 },
-                """;
-        String light = "{ \"type\": \"point\", \"position\": [0, 1, 0.5], \"color\": \"#ffffff\", \"intensity\": 2 }";
-        String wall =
-                """
-                { "type": "rectangle", "corners": [[-9, 0, 1.5], [-9, 9, 1.5], [9, 9, 1.5], [9, 0, 1.5]],
-                  "material": { "type": "mirror", "color": { "linear": [0.9, 0.9, 0.9] } } }
-                """;
         String smoke =
                 """
                 { "type": "box", "min": [-1, 3, -1], "max": [1, 4, 1],
                   "material": { "type": "glass", "color": "#ffffff", "indexOfRefraction": 1, "absorption": [0.5, 0, 2] } }
                 """;
-        double[] clear = causticOfAPoint(camera, light, wall);
-        double[] dimmed = causticOfAPoint(camera, light, wall, smoke);
+        double[] clear = causticOfAPoint(MIRROR_WALL);
+        double[] dimmed = causticOfAPoint(MIRROR_WALL, smoke);
         double[] factors = {Math.exp(-0.5), 1, Math.exp(-2)};
         for (int c = 0; c < factors.length; c++) {
             assertTrue(clear[c] > 0.01, clear[c] + " in band " + c);
@@ -299,11 +299,11 @@ class CausticTest {
         }
     }
 
-    private static double[] causticOfAPoint(String camera, String light, String... things) {
+    private static double[] causticOfAPoint(String... things) {
         String[] objects = Arrays.copyOf(things, things.length + 1);
         objects[things.length] = FLOOR;
         double[] rgb = new double[3 * PIXELS];
-        fromLights(scene(", \"maxBounces\": 2", camera, light, objects), 1, 1 << 19, rgb);
+        fromLights(scene(TWO_EVENTS, FROM_ABOVE, POINT, objects), 1, 1 << 19, rgb);
         double[] sums = new double[3];
         for (int k = 0; k < rgb.length; k++) {
             sums[k % 3] += rgb[k] / PIXELS;

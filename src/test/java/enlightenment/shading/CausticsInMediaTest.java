@@ -51,22 +51,10 @@ class CausticsInMediaTest {
 
     /** By eight pictures of the pass, whose paths may have two events only: the mirror's, and one in the fog. */
     private static void assertMean(String camera, double expected) {
-        CompiledScene scene = CausticTest.scene(", \"maxBounces\": 2", camera, POINT, new String[] {FOG, MIRROR});
-        double sum = 0;
-        double squares = 0;
-        for (int i = 0; i < CausticTest.SEEDS; i++) {
-            double[] rgb = new double[3 * CausticTest.PIXELS];
-            CausticTest.fromLights(scene, i, 1 << 17, rgb);
-            double mean = 0;
-            for (double v : rgb) {
-                mean += v / rgb.length;
-            }
-            sum += mean / CausticTest.SEEDS;
-            squares += mean * mean / CausticTest.SEEDS;
-        }
-        double error = Math.sqrt((squares - sum * sum) / (CausticTest.SEEDS - 1));
-        assertTrue(error < 0.05 * expected, error + " of " + expected);
-        assertTrue(Math.abs(sum - expected) < 4 * error, sum + " ± " + error + ", not " + expected);
+        CompiledScene scene = CausticTest.scene(CausticTest.TWO_EVENTS, camera, POINT, new String[] {FOG, MIRROR});
+        CausticTest.Mean found = CausticTest.Mean.of(scene, 1 << 17);
+        assertTrue(found.error() < 0.05 * expected, found + ", expected " + expected);
+        assertTrue(Math.abs(found.value() - expected) < 4 * found.error(), found + ", not " + expected);
     }
 
     @Test

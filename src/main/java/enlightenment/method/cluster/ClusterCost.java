@@ -5,7 +5,9 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 import enlightenment.method.Dither;
+import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Hash;
+import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -58,7 +60,13 @@ public final class ClusterCost implements EffortCost {
     }
 
     private ClusterMethod method(double effort, double samples) {
-        ClusterMethod method = ClusterMethod.looking(scene, settings, counters, effort, samples, seen.share());
+        ClusterMethod method = new ClusterMethod(
+                scene,
+                settings,
+                counters,
+                Distribution.of(ClusterSettings.of(settings).proposal()),
+                effort,
+                samples);
         method.stopWhen(cancelled);
         return method;
     }

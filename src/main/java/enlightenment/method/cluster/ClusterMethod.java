@@ -11,7 +11,6 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.SobolSampler;
-import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ClassicShader;
 import java.util.List;
@@ -86,19 +85,6 @@ public final class ClusterMethod implements TileIntegrator {
         this(scene, settings, counters, proposal, effort, samples, null);
     }
 
-    /** One that only looks at blocks, of a picture of which this share may show more than background. */
-    static ClusterMethod looking(
-            CompiledScene scene,
-            RenderSettings settings,
-            RayCounters counters,
-            double effort,
-            double samples,
-            double share) {
-        Distribution proposal = Distribution.of(ClusterSettings.of(settings).proposal());
-        return new ClusterMethod(
-                scene, settings, counters, proposal, new Allocation(effort, samples, share), samples, null);
-    }
-
     /**
      * The same, showing the clusters of each block when it is done.
      *
@@ -112,30 +98,10 @@ public final class ClusterMethod implements TileIntegrator {
             double effort,
             double samples,
             Consumer<List<ClusterStatistics>> clusters) {
-        this(
-                scene,
-                settings,
-                counters,
-                proposal,
-                new Allocation(
-                        effort,
-                        samples,
-                        SeenBlocks.of(scene, settings, FilmTile.BLOCK_SIDE).share()),
-                samples,
-                clusters);
-    }
-
-    private ClusterMethod(
-            CompiledScene scene,
-            RenderSettings settings,
-            RayCounters counters,
-            Distribution proposal,
-            Allocation allocation,
-            double samples,
-            Consumer<List<ClusterStatistics>> clusters) {
         this.scene = scene;
         this.settings = settings;
-        this.allocation = allocation;
+        double share = SeenBlocks.of(scene, settings, FilmTile.BLOCK_SIDE).share();
+        allocation = new Allocation(effort, samples, share);
         firstSamples = firstSamples(samples);
         shader = new ClassicShader(scene, 1, counters);
         recorder = clusters == null ? null : new ClusterRecorder(clusters);

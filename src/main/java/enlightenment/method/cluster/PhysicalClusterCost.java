@@ -161,11 +161,10 @@ public final class PhysicalClusterCost implements EffortCost {
             int k = 0;
             for (int b = 0; b < rays.length; b++) {
                 long ofBlock = rays[b];
-                int end = k + blocks.get(b).pixels();
-                for (; k < end; k++) {
+                int n = blocks.get(b).pixels();
+                for (int end = k + n; k < end; k++) {
                     ofBlock += 1L << allocation.samples(noise[k], edge[k], cost[k], dither[k]);
                 }
-                int n = blocks.get(b).pixels();
                 sum += n * limits.limited((double) ofBlock / n);
             }
             return seen.share() * (sum / pixels) + (1 - seen.share()) * ofEmpty(asked);

@@ -19,7 +19,7 @@ import java.util.List;
  */
 public final class SeenBlocks {
     /** So many are looked at: all blocks of four million pixels, or of a million in classic shading. */
-    private static final int MOST_LOOKED_AT = 1 << 14;
+    public static final int MOST_LOOKED_AT = 1 << 14;
 
     private final List<Block> seen = new ArrayList<>();
     private final int width;
@@ -33,12 +33,12 @@ public final class SeenBlocks {
         this.side = side;
         width = settings.width();
         height = settings.height();
-        long across = (settings.width() + side - 1) / side;
-        all = across * ((settings.height() + side - 1) / side);
+        long across = (width + side - 1) / side;
+        all = across * ((height + side - 1) / side);
         Shader shader = shader(scene);
         long pixels = 0;
         long pixelsSeen = 0;
-        List<Block> blocks = Block.spread(settings.width(), settings.height(), side, MOST_LOOKED_AT);
+        List<Block> blocks = Block.spread(width, height, side, MOST_LOOKED_AT);
         for (Block block : blocks) {
             pixels += block.pixels();
             if (seesSomething(shader, settings, block.x(), block.y(), block.width(), block.height())) {
@@ -81,11 +81,6 @@ public final class SeenBlocks {
     /** The share of the picture's pixels that are in such blocks. */
     double share() {
         return share;
-    }
-
-    /** How many blocks there are, of any kind. */
-    long all() {
-        return all;
     }
 
     /** About so many of them, evenly spread over the picture, or all if there are no more; none only if there are none. */

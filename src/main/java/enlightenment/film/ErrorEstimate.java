@@ -306,10 +306,13 @@ public final class ErrorEstimate {
             double ratio = of.ratio();
             double off = of.uncertainty();
             share = VarianceDecay.share(Curve.MIDDLE, level, ratio, kind);
-            // Of two samples the share grows with the ratio, of more it falls.
-            double up = level == 1 ? off : -off;
-            least = Math.min(VarianceDecay.share(Curve.LEAST, level, ratio - up, kind), share);
-            most = Math.max(VarianceDecay.share(Curve.MOST, level, ratio + up, kind), share);
+            // Shares grow or fall with the ratio, or both.
+            least = share;
+            most = share;
+            for (double at : new double[] {ratio - off, ratio + off}) {
+                least = Math.min(VarianceDecay.share(Curve.LEAST, level, at, kind), least);
+                most = Math.max(VarianceDecay.share(Curve.MOST, level, at, kind), most);
+            }
         }
     }
 

@@ -11,6 +11,12 @@ import enlightenment.film.VarianceDecay.Curve;
  * lies what is to be expected; where variances have just begun to fall, they will for once fall faster than they go on to, and the root of
  * the line is the most.
  *
+ * <p>What falls faster than the square as far as it is seen need not go on so. A choice of paths, between light and nothing with
+ * probability p, takes a stratified number: all of n samples but one are certain, and the variance is {np}(1 − {np})/n² with the fractional
+ * part {np}, which goes up and down from one power of two to the next. With m, the distance of n p/2 from the next integer, R is either 2 or
+ * 2(1 − m)/m, and the share 1 − 2m: so for R above 2 it is (R − 2)/(R + 2), which grows to 1; in the mean over p it is that of a square, ⅓.
+ * Smooth light has R = 8 as well, and a share of 1/7. So from R = 4 on what is to be expected stays ⅓, and all is possible.
+ *
  * <p>The screen may saturate. A bright sample that one pixel of many has met shows less than in proportion to its share of the mean: if
  * it shows as its share's power γ, n samples that each are such a one with a small probability give halves, quarters and squared error in
  * the proportion 4^γ/4 : 16^γ/8 : 1, so R = 4^γ/2 and the share is 2/R: from 1 where nothing is lost to 4 where the screen shows white
@@ -69,7 +75,14 @@ final class PathDecay {
                     : curve == Curve.MOST ? MOST * StrictMath.pow(share, BIASED) : share;
         }
         double power = 1 / (ratio - 1);
-        double line = ratio < SQUARE ? 1 - (1 - OF_SQUARE) * (ratio - INDEPENDENT) / (SQUARE - INDEPENDENT) : power;
+        if (ratio >= SQUARE) {
+            return switch (curve) {
+                case LEAST -> LEAST * power;
+                case MIDDLE -> OF_SQUARE;
+                case MOST -> MOST * Math.max((ratio - INDEPENDENT) / (ratio + INDEPENDENT), Math.sqrt(OF_SQUARE));
+            };
+        }
+        double line = 1 - (1 - OF_SQUARE) * (ratio - INDEPENDENT) / (SQUARE - INDEPENDENT);
         return switch (curve) {
             case LEAST -> LEAST * power;
             case MIDDLE -> StrictMath.pow(power, 1 - USUAL) * StrictMath.pow(line, USUAL);

@@ -21,8 +21,11 @@ public final class BidirectionalTracer implements Shader {
     /** How many light paths that are connected to the eye straight there are for each path from the eye. */
     public static final double LIGHT_PATHS_PER_SAMPLE = 1;
 
-    /** In media paths have many vertices: of those from a light each one from the eye is connected to so many at most. */
-    private static final int MOST_CONNECTIONS = 8;
+    /**
+     * Two long parts of a path make many paths of each length, as many as it has edges, which are alike and weighted alike: so many of them
+     * are connected in the mean, at most. Otherwise the work would be quadratic where paths are long: in bright rooms, and in media.
+     */
+    static final int PATHS_OF_A_LENGTH = 4;
 
     private final PhysicalScene physical;
     private final EyeSubpath eye;
@@ -47,7 +50,7 @@ public final class BidirectionalTracer implements Shader {
     /** Null but in tests. */
     private Strategies strategies;
 
-    /** The inverse of the share of the light's vertices that are connected. */
+    /** The inverse of the probability with which the vertex of the light that is looked at was drawn. */
     private double share;
 
     private double red;
@@ -244,18 +247,29 @@ public final class BidirectionalTracer implements Shader {
             double weight = watched(1, t, lights.weight);
             add(colors(true), weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
         }
+        connect(sampler, t);
+    }
+
+    /**
+     * Connects vertices of the path from the light to the one that the path from the eye is at: all of them while the paths made so are
+     * short, of longer ones a share. They are drawn as by a comb, whose teeth all are moved by one random number: so each is among them
+     * with just its probability, and how many there are is nearly the same each time.
+     */
+    private void connect(Sampler sampler, int t) {
         int size = light.vertices.size();
-        if (eye.inMedium == null || size <= MOST_CONNECTIONS) {
+        double drawn = size + t > PATHS_OF_A_LENGTH ? sampler.unit(eye.address, Sampler.Purpose.CONNECTION) : 0;
+        for (int k = 0; k < size; k++) {
+            double probability = (double) PATHS_OF_A_LENGTH / (k + 1 + t);
             share = 1;
-            for (int k = 0; k < size; k++) {
-                mayConnect(k, t);
+            if (probability < 1) {
+                drawn += probability;
+                if (drawn < 1) {
+                    continue;
+                }
+                drawn--;
+                share = 1 / probability;
             }
-            return;
-        }
-        share = (double) size / MOST_CONNECTIONS;
-        double from = sampler.unit(eye.address, Sampler.Purpose.CONNECTION);
-        for (int j = 0; j < MOST_CONNECTIONS; j++) {
-            mayConnect(Math.min((int) ((j + from) * share), size - 1), t);
+            mayConnect(k, t);
         }
     }
 

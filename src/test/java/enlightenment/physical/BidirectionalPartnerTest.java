@@ -69,7 +69,7 @@ class BidirectionalPartnerTest {
         return Stream.concat(ClosedForms.all().stream(), ClosedForms.hard().stream());
     }
 
-    /** Not those whose paths have hundreds of vertices: each is connected with each. */
+    /** Not those whose paths have hundreds of vertices: they take 20 s each. */
     static Stream<ClosedForms.Known> someKnown() {
         return known().filter(known -> !known.name().endsWith("0.99"));
     }

@@ -246,7 +246,7 @@ public final class DividedRender implements UnitSource {
         /**
          * Whether the unit with this number can go on from a result.
          *
-         * @param before what this made of the same tile with fewer samples; has been looked at ({@link FilmAssembly#problem})
+         * @param before what this made of the same tile with fewer samples; has been looked at ({@link FilmAssembly#problemOfKept})
          */
         boolean canGrow(int unit, byte[] before);
 

@@ -81,12 +81,17 @@ public final class FilmAssembly implements UnitAssembly {
 
     @Override
     public Optional<String> problem(int unit, byte[] bytes) {
-        return form.problemOf(unit, bytes);
+        return form.problemOf(unit, bytes, false);
+    }
+
+    /** As {@link #problem}, of a result that was kept with what it can grow by ({@link DividedRender.Growing}). */
+    public Optional<String> problemOfKept(int unit, byte[] bytes) {
+        return form.problemOf(unit, bytes, true);
     }
 
     @Override
     public void put(int unit, byte[] bytes) {
-        problem(unit, bytes).ifPresent(reason -> {
+        problemOfKept(unit, bytes).ifPresent(reason -> {
             throw new IllegalArgumentException("unit " + unit + ": " + reason);
         });
         int kinds = outline.kinds().size();

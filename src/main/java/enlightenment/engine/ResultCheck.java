@@ -26,6 +26,6 @@ public final class ResultCheck {
 
     /** Why these bytes cannot be the result of this unit: wrong size, what is no number or out of range; empty if they can. */
     public Optional<String> problem(int unit, byte[] bytes) {
-        return form.problemOf(unit, bytes);
+        return form.problemOf(unit, bytes, false);
     }
 }

@@ -50,7 +50,7 @@ abstract class ResultForm {
         return false;
     }
 
-    /** Why bytes with a header in order cannot be the result of a unit; empty if they can. */
+    /** Why bytes with a header in order cannot be the result of a unit, or one that {@link #grow} made; empty if they can. */
     abstract Optional<String> problem(int unit, byte[] bytes);
 
     /** Puts a result without problems, which must not be there. */
@@ -67,10 +67,17 @@ abstract class ResultForm {
         return ResultHeader.length(kinds);
     }
 
-    /** Why bytes cannot be the result of a unit; empty if they can. */
-    final Optional<String> problemOf(int unit, byte[] bytes) {
+    /**
+     * Why bytes cannot be the result of a unit; empty if they can.
+     *
+     * @param mayGrow whether they may be what {@link #grow} made
+     */
+    final Optional<String> problemOf(int unit, byte[] bytes, boolean mayGrow) {
         if (unit < 0 || unit >= units.count()) {
             return Optional.of("there is no unit " + unit + "; they are 0.." + (units.count() - 1));
+        }
+        if (!mayGrow && bytes.length > longest(unit)) {
+            return Optional.of("it has " + bytes.length + " bytes instead of " + longest(unit));
         }
         Optional<String> header = ResultHeader.problem(bytes, kinds, units.count());
         return header.isPresent() ? header : problem(unit, bytes);

@@ -18,7 +18,7 @@ public interface UnitAssembly {
     /**
      * Puts the result of a unit, in place of what is there of it.
      *
-     * @throws IllegalArgumentException if {@link #problem} has something to say
+     * @throws IllegalArgumentException if that cannot be
      */
     void put(int unit, byte[] bytes);
 

@@ -194,7 +194,7 @@ final class Archives {
                 }
                 kept.archive
                         .find(earlier.plan(), number.getAsInt())
-                        .filter(bytes -> film.problem(unit, bytes).isEmpty() && maker.canGrow(unit, bytes))
+                        .filter(bytes -> film.problemOfKept(unit, bytes).isEmpty() && maker.canGrow(unit, bytes))
                         .ifPresent(found::add);
             }
         });
@@ -214,7 +214,7 @@ final class Archives {
                 continue;
             }
             kept.archive.replay(i, (unit, result) -> {
-                Optional<String> problem = film.problem(unit, result);
+                Optional<String> problem = film.problemOfKept(unit, result);
                 if (problem.isPresent()) {
                     wrong.add("unit " + unit + ": " + problem.get());
                 } else {

@@ -36,7 +36,7 @@ public record StorePicture(RenderResult result, Map<String, String> texts, int u
         List<String> notes = new ArrayList<>();
         long[] wrong = new long[1];
         long damaged = store.results(render, plan, (unit, bytes) -> {
-            Optional<String> problem = film.problem(unit, bytes);
+            Optional<String> problem = film.problemOfKept(unit, bytes);
             if (problem.isEmpty()) {
                 film.put(unit, bytes);
             } else if (wrong[0]++ == 0) {

@@ -21,6 +21,7 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -95,6 +96,23 @@ class DividedRenderTest {
         assertEquals(expected.report().raysByKind(), actual.report().raysByKind());
         assertEquals(expected.report().sampling(), actual.report().sampling());
         assertEquals(expected.report().hitsByPrimitive(), actual.report().hitsByPrimitive());
+    }
+
+    @Test
+    void whatATileCanGrowByIsTakenOfWhatWasKeptAndRefusedOfAWorker() {
+        DividedRender tiled = tiled(settings(Method.RAYTRACE));
+        byte[] plain = tiled.maker().make(0);
+        byte[] grown = tiled.growing(() -> false).make(0, null);
+        assertTrue(grown.length > plain.length);
+        FilmAssembly assembly = tiled.assembly();
+        assertEquals(Optional.empty(), assembly.problemOfKept(0, grown));
+        assertEquals(Optional.empty(), assembly.problemOfKept(0, plain));
+        String expected = "it has " + grown.length + " bytes instead of " + plain.length;
+        ResultCheck check = ResultCheck.of(tiled.outline());
+        assertEquals(Optional.of(expected), assembly.problem(0, grown));
+        assertEquals(Optional.of(expected), check.problem(0, grown));
+        assertEquals(Optional.empty(), assembly.problem(0, plain));
+        assertEquals(Optional.empty(), check.problem(0, plain));
     }
 
     private static int pixels(DividedRender tiled, int tile) {

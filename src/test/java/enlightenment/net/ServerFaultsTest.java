@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.engine.DividedRender;
 import enlightenment.file.ContentHash;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.Timing;
@@ -208,12 +209,16 @@ class ServerFaultsTest {
     }
 
     @Test
-    void resultsOfWrongSizeOrWithNanExpelTheirMachine() throws Exception {
+    void resultsOfWrongSizeOrWithNanOrForGrowthExpelTheirMachine() throws Exception {
         int length = farm.server.round().job().film().longest(0);
         byte[] nan =
                 ByteBuffer.allocate(length).putDouble(length - 36, Double.NaN).array();
+        byte[] grown = DividedRender.prepare(Farm.SCENE, Farm.SETTINGS, () -> false)
+                .growing(() -> false)
+                .make(0, null);
+        assertTrue(grown.length > length, "with what a tile grows by, of which workers know nothing");
         int n = 0;
-        for (byte[] bytes : new byte[][] {new byte[3], nan, new byte[length]}) {
+        for (byte[] bytes : new byte[][] {new byte[3], nan, new byte[length], grown}) {
             String machine = "liar " + n++;
             try (RawPeer peer = peer()) {
                 Message.Job job = peer.join(machine, Token.NONE);

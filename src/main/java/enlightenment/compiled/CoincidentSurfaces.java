@@ -41,7 +41,7 @@ public final class CoincidentSurfaces {
 
     private final CompiledPrimitives compiled;
 
-    /** By id: entries of the faces that coincide with its own, by ascending id; null as a whole if there are none. */
+    /** By id: entries of the faces that coincide with its own, in no order; null as a whole if there are none. */
     private int[][] entries;
 
     /** By id: for each entry, how far apart the two surfaces may be. */
@@ -199,11 +199,25 @@ public final class CoincidentSurfaces {
                 accelerator.overlapping(widened(box, tolerance(box, box)), query);
                 for (int k = 0; k < query.size(); k++) {
                     int other = query.get(k);
-                    if (other > id && !primitives[other].isWhole()) {
+                    if (primitives[other].isWhole()) {
+                        continue;
+                    }
+                    if (other > id) {
                         compare(id, other);
+                    } else if (other < id && !isReached(other, box)) {
+                        compare(other, id);
                     }
                 }
             }
+        }
+
+        /**
+         * Whether the box is within the primitive's own tolerance. If not, its search may have missed what lies there, since that may
+         * reach farther: then both are compared when the other one searches.
+         */
+        private boolean isReached(int id, Bounds box) {
+            Bounds own = bounds(id);
+            return widened(own, tolerance(own, own)).overlaps(box);
         }
 
         private void compare(int a, int b) {

@@ -44,7 +44,16 @@ public abstract class Bvh implements Accelerator {
 
     /** Builds the hierarchy of these primitives. Ids are indices into the array, which is not kept. */
     public static Bvh build(Primitive[] primitives) {
-        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(primitives));
+        return build(primitives, () -> {});
+    }
+
+    /**
+     * The same, which can be ended.
+     *
+     * @param poll called now and then; ends the building by what it throws
+     */
+    public static Bvh build(Primitive[] primitives, Runnable poll) {
+        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(primitives), poll);
         return of(builder, new PrimitiveLeaves(primitives, builder.order(), builder.order()));
     }
 
@@ -54,7 +63,7 @@ public abstract class Bvh implements Accelerator {
         for (int i = 0; i < some.length; i++) {
             some[i] = all[ids[i]];
         }
-        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(some));
+        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(some), () -> {});
         int[] order = builder.order().clone();
         for (int i = 0; i < order.length; i++) {
             order[i] = ids[order[i]];
@@ -64,7 +73,7 @@ public abstract class Bvh implements Accelerator {
 
     /** Builds the hierarchy of these accelerators, which keep their ids. The array is not kept. */
     public static Bvh over(Accelerator... parts) {
-        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(parts));
+        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(parts), () -> {});
         return of(builder, new NestedLeaves(parts, builder.order()));
     }
 

@@ -27,6 +27,9 @@ final class BvhBuilder {
 
     private static final int NO_PARENT = -1;
 
+    /** Who waits for the end of the building is asked before ranges of so many items: smaller ones take far less than a millisecond. */
+    private static final int POLLED = 1024;
+
     private final PrimitiveBoxes items;
     private final BinnedSplit split;
     private final double[] box = new double[PrimitiveBoxes.BOX];
@@ -37,7 +40,8 @@ final class BvhBuilder {
     private int leaves;
     private int smallLeaves;
 
-    BvhBuilder(PrimitiveBoxes items) {
+    /** @param poll called now and then; ends the building by what it throws */
+    BvhBuilder(PrimitiveBoxes items, Runnable poll) {
         int n = items.size();
         if (n >= MAX_ITEMS) {
             throw new IllegalArgumentException(
@@ -50,13 +54,13 @@ final class BvhBuilder {
         int capacity = n / 2 + n / 16 + 1;
         boxes = new float[Bvh.NODE * capacity];
         child = new int[2 * capacity];
-        grow(n);
+        grow(n, poll);
         boxes = Arrays.copyOf(boxes, Bvh.NODE * nodes);
         child = Arrays.copyOf(child, 2 * nodes);
     }
 
     /** Makes the nodes in depth-first order, with a stack of ranges (start, end, depth, slot in a parent) instead of recursion. */
-    private void grow(int n) {
+    private void grow(int n, Runnable poll) {
         int[] todo = new int[4 * (Bvh.MAX_DEPTH + 1)];
         int top = push(todo, 0, 0, n, 0, NO_PARENT);
         while (top > 0) {
@@ -65,6 +69,9 @@ final class BvhBuilder {
             int end = todo[top + 1];
             int depth = todo[top + 2];
             int slot = todo[top + 3];
+            if (end - start >= POLLED) {
+                poll.run();
+            }
             items.enclose(start, end, box, 0);
             int middle = split(start, end, depth);
             if (middle < 0) {

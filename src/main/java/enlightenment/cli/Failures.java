@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -46,7 +47,9 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
             SceneFailures.tell(e, terminal);
             return ExitCode.WRONG_INPUT;
         }
-        if (t instanceof IOException e) {
+        if (t instanceof CancellationException e) {
+            terminal.say(e.getMessage());
+        } else if (t instanceof IOException e) {
             terminal.say(FileFailures.describe(e));
         } else if (t instanceof OutOfMemoryError) {
             terminal.say("out of memory; java -Xmx sets how much there is");

@@ -10,6 +10,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 
 /** Renders the frames of a film in this process, one after the other. */
 final class FrameRenderer implements FrameMaker {
@@ -33,7 +34,12 @@ final class FrameRenderer implements FrameMaker {
         for (int frame : frames) {
             Scene scene = film.scene(frame);
             RenderSettings chosen = settings.of(scene);
-            RenderResult result = render(frame, scene, chosen, told);
+            RenderResult result;
+            try {
+                result = render(frame, scene, chosen, told);
+            } catch (CancellationException e) {
+                return false;
+            }
             if (!result.complete()) {
                 return false;
             }

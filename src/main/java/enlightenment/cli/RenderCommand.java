@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.LongSupplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -247,6 +248,8 @@ final class RenderCommand extends Subcommand {
                 .withProgressive(writer != null);
         try {
             return Renderer.render(request);
+        } catch (CancellationException e) {
+            throw CliException.failed(e.getMessage() + "; " + output.name() + " was not written");
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());
         } finally {

@@ -57,9 +57,10 @@ public final class CoincidentSurfaces {
         this.compiled = compiled;
     }
 
-    static CoincidentSurfaces of(CompiledPrimitives compiled, Accelerator accelerator) {
+    /** @param poll called now and then; ends this by what it throws */
+    static CoincidentSurfaces of(CompiledPrimitives compiled, Accelerator accelerator, Runnable poll) {
         CoincidentSurfaces result = new CoincidentSurfaces(compiled);
-        result.new Finder(accelerator).find();
+        result.new Finder(accelerator, poll).find();
         return result;
     }
 
@@ -139,10 +140,12 @@ public final class CoincidentSurfaces {
     private final class Finder {
         private final Primitive[] primitives = compiled.primitives();
         private final Accelerator accelerator;
+        private final Runnable poll;
         private final SupportSurface[][] supports = new SupportSurface[primitives.length][];
 
-        Finder(Accelerator accelerator) {
+        Finder(Accelerator accelerator, Runnable poll) {
             this.accelerator = accelerator;
+            this.poll = poll;
         }
 
         private Bounds bounds(int id) {
@@ -167,6 +170,12 @@ public final class CoincidentSurfaces {
             }
         }
 
+        private void poll(int i) {
+            if (SceneCompiler.isPolled(i)) {
+                poll.run();
+            }
+        }
+
         /** Whole surfaces coincide only if their centres do: a sweep along x. */
         private void findWhole(int[] ids) {
             double[] x = new double[ids.length];
@@ -178,6 +187,7 @@ public final class CoincidentSurfaces {
             }
             int[] order = Ascending.order(x);
             for (int i = 0; i < order.length; i++) {
+                poll(i);
                 int a = order[i];
                 for (int k = i + 1; k < order.length; k++) {
                     int b = order[k];
@@ -193,7 +203,9 @@ public final class CoincidentSurfaces {
         private void findByBoxes(int[] ids) {
             BvhQuery query =
                     new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
-            for (int id : ids) {
+            for (int i = 0; i < ids.length; i++) {
+                poll(i);
+                int id = ids[i];
                 Bounds box = bounds(id);
                 query.clear();
                 accelerator.overlapping(widened(box, tolerance(box, box)), query);

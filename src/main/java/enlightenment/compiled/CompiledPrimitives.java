@@ -39,10 +39,18 @@ record CompiledPrimitives(
         List<Primitive> place(Shape shape, SceneFrame frame);
     }
 
+    /** @param poll called now and then; ends this by what it throws */
     static CompiledPrimitives of(
-            List<SceneObject> objects, SceneFrame frame, Map<Material, SurfaceMaterial> surfaces, Placement placement) {
+            List<SceneObject> objects,
+            SceneFrame frame,
+            Map<Material, SurfaceMaterial> surfaces,
+            Placement placement,
+            Runnable poll) {
         PlacedObjects placed = new PlacedObjects(objects.size(), surfaces);
         for (int i = 0; i < objects.size(); i++) {
+            if (SceneCompiler.isPolled(i)) {
+                poll.run();
+            }
             SceneObject o = objects.get(i);
             placed.add(i, o, place(o, i, frame, placement));
         }

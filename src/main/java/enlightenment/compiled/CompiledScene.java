@@ -122,6 +122,7 @@ public final class CompiledScene {
             List<String> features,
             List<String> absent,
             DisplayCurve display,
+            Runnable poll,
             CompiledScene... instants) {
         this.display = display;
         this.instants = instants;
@@ -130,7 +131,7 @@ public final class CompiledScene {
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
         physical = shading instanceof PhysicalShading p
-                ? new PhysicalScene(p, frame, surroundings, compiled, points, camera.startBounds())
+                ? new PhysicalScene(p, frame, surroundings, compiled, points, camera.startBounds(), poll)
                 : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
@@ -152,12 +153,12 @@ public final class CompiledScene {
         for (int id = 0; id < bounds.length; id++) {
             bounds[id] = primitives[id].bounds();
         }
-        coincident = CoincidentSurfaces.of(compiled, accelerator);
+        coincident = CoincidentSurfaces.of(compiled, accelerator, poll);
         boolean anyLies = false;
         LightBody[] bodies = physical == null ? lights : physical.lights;
         TouchedBoxes near = new TouchedBoxes(primitives, kind, kindNames.size(), accelerator);
         if (physical != null) {
-            physical.lieOn(compiled, near, coincident, few);
+            physical.lieOn(compiled, near, coincident, few, poll);
         }
         for (CompiledLight light : lights) {
             light.lieOn(near);

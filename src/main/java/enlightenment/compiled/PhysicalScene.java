@@ -89,7 +89,8 @@ public final class PhysicalScene {
             Surroundings surroundings,
             CompiledPrimitives compiled,
             List<PhysicalLight> points,
-            Bounds eye) {
+            Bounds eye,
+            Runnable poll) {
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
         Rgb clear = seen(Rgb.WHITE, around);
         this.surroundings = surroundings == null || clear.equals(Rgb.WHITE)
@@ -148,7 +149,7 @@ public final class PhysicalScene {
                         .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
         Sun sun = this.surroundings == null ? null : this.surroundings.sun;
         caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
-        picker = picker(lights);
+        picker = picker(lights, poll);
         lightOfBands = fluoresces ? LightBands.typical(this) : null;
     }
 
@@ -172,7 +173,7 @@ public final class PhysicalScene {
         return hasUltraviolet ? light.luminance() + visibleOfUltraviolet * light.ultraviolet : light.luminance();
     }
 
-    private LightPicker picker(PhysicalLight[] lights) {
+    private LightPicker picker(PhysicalLight[] lights, Runnable poll) {
         LightPicker.Builder builder = new LightPicker.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
@@ -181,7 +182,7 @@ public final class PhysicalScene {
                 builder.add(light.form, brightness(light));
             }
         }
-        return builder.build();
+        return builder.build(poll);
     }
 
     private PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face, Bounds eye) {
@@ -252,9 +253,13 @@ public final class PhysicalScene {
     }
 
     /** Finds for each light the faces that it lies on. */
-    void lieOn(CompiledPrimitives compiled, TouchedBoxes near, CoincidentSurfaces coincident, boolean few) {
-        for (PhysicalLight light : lights) {
-            light.lieOn(compiled, near, coincident, few);
+    void lieOn(
+            CompiledPrimitives compiled, TouchedBoxes near, CoincidentSurfaces coincident, boolean few, Runnable poll) {
+        for (int i = 0; i < lights.length; i++) {
+            if (SceneCompiler.isPolled(i)) {
+                poll.run();
+            }
+            lights[i].lieOn(compiled, near, coincident, few);
         }
     }
 

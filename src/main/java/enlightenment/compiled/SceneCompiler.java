@@ -32,6 +32,8 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
 /** Builds from a scene only what it requires. */
@@ -48,7 +50,15 @@ public final class SceneCompiler {
     /** A view may be at most this many powers of two wider than the scene, whose extent in its frame is about 1. */
     private static final int MAX_VIEW_EXPONENT = 64;
 
+    /** Who waits for the end of the compiling is asked once per so many objects: they take a millisecond or so. */
+    private static final int POLLED = 1024;
+
     private SceneCompiler() {}
+
+    /** Whether to ask at this object, counted from 0: not in small scenes, which are there before anybody could wait for them. */
+    static boolean isPolled(int i) {
+        return i % POLLED == POLLED - 1;
+    }
 
     /** The scene, ready for rendering at the size of the settings. */
     public static CompiledScene compile(Scene scene, RenderSettings settings) {
@@ -70,7 +80,23 @@ public final class SceneCompiler {
      * @param images is asked for them
      */
     public static CompiledScene compile(Scene scene, RenderSettings settings, SceneImages images) {
-        return compile(scene, settings, LOOP_LIMIT, images, Primitives::placeAll);
+        return compile(scene, settings, images, () -> false);
+    }
+
+    /**
+     * The same, which can be ended where it takes long.
+     *
+     * @param cancelled asked between images and now and then, by this thread
+     * @throws CancellationException soon after that has become true, of scenes with several images or thousands of objects
+     */
+    public static CompiledScene compile(
+            Scene scene, RenderSettings settings, SceneImages images, BooleanSupplier cancelled) {
+        Runnable poll = () -> {
+            if (cancelled.getAsBoolean()) {
+                throw new CancellationException("stopped before anything was rendered");
+            }
+        };
+        return compile(scene, settings, LOOP_LIMIT, images, Primitives::placeAll, poll);
     }
 
     /** Places camera, lights and shapes in the frame and discards them: throws where {@link #compile} would, textures aside. */
@@ -83,7 +109,8 @@ public final class SceneCompiler {
 
     /** As {@link #compile(Scene, RenderSettings)}, with or without a hierarchy: the picture is the same. */
     static CompiledScene compile(Scene scene, RenderSettings settings, boolean withBvh) {
-        return compile(scene, settings, withBvh ? -1 : Integer.MAX_VALUE, new SceneImages(), Primitives::placeAll);
+        return compile(
+                scene, settings, withBvh ? -1 : Integer.MAX_VALUE, new SceneImages(), Primitives::placeAll, () -> {});
     }
 
     /**
@@ -91,20 +118,22 @@ public final class SceneCompiler {
      *
      * @param loopLimit with more primitives or objects than this there is a hierarchy
      * @param placement what shapes become
+     * @param poll called now and then; ends this by what it throws
      */
     static CompiledScene compile(
             Scene scene,
             RenderSettings settings,
             int loopLimit,
             SceneImages images,
-            CompiledPrimitives.Placement placement) {
+            CompiledPrimitives.Placement placement,
+            Runnable poll) {
         Method.requireSupport(settings.method(), scene);
         requireMemory(scene);
         CompiledScene[] instants = new CompiledScene[scene.instants().size()];
         for (int i = 0; i < instants.length; i++) {
-            instants[i] = moment(scene.instants().get(i), settings, loopLimit, images, placement);
+            instants[i] = moment(scene.instants().get(i), settings, loopLimit, images, placement, poll);
         }
-        return moment(scene, settings, loopLimit, images, placement, instants);
+        return moment(scene, settings, loopLimit, images, placement, poll, instants);
     }
 
     private static void requireMemory(Scene scene) {
@@ -125,6 +154,7 @@ public final class SceneCompiler {
             int loopLimit,
             SceneImages images,
             CompiledPrimitives.Placement placement,
+            Runnable poll,
             CompiledScene... instants) {
         SceneFrame frame = frameOf(scene);
         CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
@@ -133,16 +163,16 @@ public final class SceneCompiler {
         for (int i = 0; i < lights.length; i++) {
             lights[i] = new CompiledLight(scene.lights().get(i), frame);
         }
-        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, physical ? frame : null, images);
+        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, physical ? frame : null, images, poll);
         GlowingObjects glowing = physical ? new GlowingObjects(scene, frame) : null;
         if (physical) {
             surfaces.putAll(glowing.surfaces);
         }
         List<SceneObject> objects = physical ? glowing.objects : scene.objects();
-        CompiledPrimitives compiled = CompiledPrimitives.of(objects, frame, surfaces, placement);
+        CompiledPrimitives compiled = CompiledPrimitives.of(objects, frame, surfaces, placement, poll);
         Primitive[] primitives = compiled.primitives();
         boolean many = Math.max(primitives.length, objects.size()) > loopLimit;
-        Accelerator accelerator = many ? Bvh.build(primitives) : PrimitiveList.of(primitives, compiled.kind());
+        Accelerator accelerator = many ? Bvh.build(primitives, poll) : PrimitiveList.of(primitives, compiled.kind());
         Features features = new Features(scene, many, surfaces.values());
         return new CompiledScene(
                 frame,
@@ -156,6 +186,7 @@ public final class SceneCompiler {
                 features.present(),
                 features.absent(),
                 display(scene),
+                poll,
                 instants);
     }
 
@@ -208,15 +239,16 @@ public final class SceneCompiler {
     }
 
     /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
-    private static Map<Material, SurfaceMaterial> surfaces(Scene scene, SceneFrame physical, SceneImages images) {
+    private static Map<Material, SurfaceMaterial> surfaces(
+            Scene scene, SceneFrame physical, SceneImages images, Runnable poll) {
         Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
         Dyes dyes = new Dyes(scene);
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
-                addSurface(o.material(), physical, dyes, surfaces, images);
+                addSurface(o.material(), physical, dyes, surfaces, images, poll);
             }
             for (Material m : o.faces()) {
-                addSurface(m, physical, dyes, surfaces, images);
+                addSurface(m, physical, dyes, surfaces, images, poll);
             }
         }
         return surfaces;
@@ -224,11 +256,23 @@ public final class SceneCompiler {
 
     /** @param physical the frame if the shading is physical, else null */
     private static void addSurface(
-            Material m, SceneFrame physical, Dyes dyes, Map<Material, SurfaceMaterial> surfaces, SceneImages images) {
+            Material m,
+            SceneFrame physical,
+            Dyes dyes,
+            Map<Material, SurfaceMaterial> surfaces,
+            SceneImages images,
+            Runnable poll) {
         if (surfaces.containsKey(m)) {
             return;
         }
-        ImageTexture image = m.color() instanceof Texture.File file ? images.of(file, physical != null) : null;
+        ImageTexture image = null;
+        if (m.color() instanceof Texture.File file) {
+            // What is prepared at once need not be asked for: a single image is such.
+            if (images.haveBeenRead()) {
+                poll.run();
+            }
+            image = images.of(file, physical != null);
+        }
         PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
         surfaces.put(m, new SurfaceMaterial(m, image, surface));
     }

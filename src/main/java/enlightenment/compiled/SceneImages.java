@@ -53,6 +53,11 @@ public final class SceneImages {
         return image;
     }
 
+    /** Whether there is any already. */
+    synchronized boolean haveBeenRead() {
+        return !images.isEmpty();
+    }
+
     /**
      * What a background becomes; null if the same light comes from everywhere. The last one is kept.
      *

@@ -13,6 +13,9 @@ final class LightNode {
     /** Below this depth lights are halved by number, so that the tree cannot become a list. */
     private static final int DEEPEST = 48;
 
+    /** Who waits for the end of the building is asked before so many lights are divided. */
+    private static final int POLLED = 1024;
+
     final Bounds box;
     final NormalCone normals;
     final double strength;
@@ -49,10 +52,17 @@ final class LightNode {
                 second);
     }
 
-    /** The tree of these lights. */
-    static LightNode tree(List<LightNode> leaves, int depth) {
+    /**
+     * The tree of these lights.
+     *
+     * @param poll called now and then; ends the building by what it throws
+     */
+    static LightNode tree(List<LightNode> leaves, int depth, Runnable poll) {
         if (leaves.size() == 1) {
             return leaves.get(0);
+        }
+        if (leaves.size() >= POLLED) {
+            poll.run();
         }
         List<LightNode> low = new ArrayList<>();
         List<LightNode> high = new ArrayList<>();
@@ -60,7 +70,7 @@ final class LightNode {
             low = leaves.subList(0, leaves.size() / 2);
             high = leaves.subList(leaves.size() / 2, leaves.size());
         }
-        return new LightNode(tree(low, depth + 1), tree(high, depth + 1));
+        return new LightNode(tree(low, depth + 1, poll), tree(high, depth + 1, poll));
     }
 
     /** Divides the lights where that is cheapest; false if all centres coincide. */

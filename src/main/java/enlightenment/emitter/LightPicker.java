@@ -23,7 +23,7 @@ public final class LightPicker {
     private final LightWeights weights;
     private final LightTree tree;
 
-    private LightPicker(List<Entry> entries) {
+    private LightPicker(List<Entry> entries, Runnable poll) {
         count = entries.size();
         indices = canonicalOrder(entries);
         places = new int[count];
@@ -39,7 +39,7 @@ public final class LightPicker {
             }
             leaves.add(weights.leaf(place));
         }
-        tree = count > FEW ? new LightTree(LightNode.tree(leaves, 0), count, weights) : null;
+        tree = count > FEW ? new LightTree(LightNode.tree(leaves, 0, poll), count, weights) : null;
     }
 
     /** The number of lights. */
@@ -148,7 +148,16 @@ public final class LightPicker {
 
         /** The picker of these lights. */
         public LightPicker build() {
-            return new LightPicker(entries);
+            return build(() -> {});
+        }
+
+        /**
+         * The same, which can be ended.
+         *
+         * @param poll called now and then; ends the building by what it throws
+         */
+        public LightPicker build(Runnable poll) {
+            return new LightPicker(entries, poll);
         }
     }
 }

@@ -94,8 +94,10 @@ public final class DividedRender implements UnitSource {
         Stopwatch time = Stopwatch.started();
         PictureMemory.check(settings, 0);
         Phases phases = new Phases();
-        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images));
-        Planner planner = new Planner(compiled, settings, Cancellation.of(cancelled));
+        BooleanSupplier stopped = Cancellation.of(cancelled);
+        CompiledScene compiled =
+                phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images, stopped));
+        Planner planner = new Planner(compiled, settings, stopped);
         RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
         return new DividedRender(scene.name(), compiled, settings, plan, phases, planner, rounds, 1, time);

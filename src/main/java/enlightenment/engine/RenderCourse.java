@@ -77,8 +77,9 @@ public final class RenderCourse {
      */
     public DividedRender again(Scene scene, SharedImages images, double samples, BooleanSupplier cancelled) {
         RenderSettings settings = outline.settings();
-        CompiledScene compiled = SceneCompiler.compile(scene, settings, images.images);
-        return again(compiled, new Planner(compiled, settings, Cancellation.of(cancelled)), samples);
+        BooleanSupplier stopped = Cancellation.of(cancelled);
+        CompiledScene compiled = SceneCompiler.compile(scene, settings, images.images, stopped);
+        return again(compiled, new Planner(compiled, settings, stopped), samples);
     }
 
     DividedRender again(CompiledScene compiled, Planner planner, double samples) {

@@ -39,7 +39,8 @@ import java.util.function.BooleanSupplier;
  * throws it on.
  *
  * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the units under way are given up
- * and the render returns with what it has: {@link RenderResult#complete} is false. An interrupt stays set: whoever goes on with
+ * and the render returns with what it has: {@link RenderResult#complete} is false. While a large scene is still prepared there is nothing to
+ * return: then it ends by a {@link CancellationException}. An interrupt stays set: whoever goes on with
  * what there is, and writes it to a file, has to take it back first ({@link Thread#interrupted}), since channels to files do
  * not work on an interrupted thread. An interrupt of a helper has no effect.
  */
@@ -101,6 +102,7 @@ public final class Renderer {
      *
      * @throws SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
+     * @throws CancellationException if it was cancelled while a scene with several images or thousands of objects was prepared
      */
     public static RenderResult render(RenderRequest request) {
         return render(request, new SceneImages());
@@ -118,7 +120,8 @@ public final class Renderer {
         PictureMemory.check(settings, images);
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         Phases phases = new Phases();
-        CompiledScene scene = phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings, files));
+        CompiledScene scene =
+                phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings, files, cancelled));
         AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.auxiliary());
         if (request.auxiliary().stream().anyMatch(Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(cancelled));

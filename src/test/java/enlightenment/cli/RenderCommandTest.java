@@ -13,6 +13,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -244,6 +246,35 @@ class RenderCommandTest extends SceneFixture {
                         "",
                         "enlightenment: stopped before anything was rendered; " + picture + " was not written\n"),
                 run);
+        assertEquals("precious", Files.readString(picture));
+    }
+
+    @Test
+    void aRenderStoppedWhileALargeSceneIsPreparedWritesNothing() throws IOException {
+        Files.writeString(picture, "precious");
+        String balls = IntStream.range(0, 3000)
+                .mapToObj(i -> "{ \"type\": \"sphere\", \"center\": [" + i + ", 0, 9], \"radius\": 0.4, "
+                        + "\"material\": { \"type\": \"matte\", \"color\": \"#ffffff\" } }")
+                .collect(Collectors.joining(",\n"));
+        Path large = Files.writeString(
+                folder.resolve("large.json"),
+                """
+                { "image": { "width": 8, "height": 8 },
+                  "camera": { "type": "perspective", "eye": [0, 0, 0], "lookAt": [0, 0, 1], "fieldOfView": 40 },
+                  "objects": [%s] }
+                """
+                        .formatted(balls));
+        ShutdownSignal stop = new ShutdownSignal();
+        stop.request();
+        for (String[] more : new String[][] {
+            {"-o", picture.toString()}, {"-o", folder.resolve("a.film").toString(), "--part", "1/2"}
+        }) {
+            CliRun run = CliRun.of(
+                    stop,
+                    Stream.concat(Stream.of("render", large), Stream.of(more)).toArray());
+            assertEquals(1, run.code(), run.err());
+            assertTrue(run.err().startsWith("enlightenment: stopped before anything was rendered"), run.err());
+        }
         assertEquals("precious", Files.readString(picture));
     }
 

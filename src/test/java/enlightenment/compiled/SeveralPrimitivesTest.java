@@ -87,7 +87,12 @@ class SeveralPrimitivesTest {
 
     private static CompiledScene compile(Scene scene, int loopLimit) {
         return SceneCompiler.compile(
-                scene, RenderSettings.of(scene), loopLimit, new SceneImages(), SeveralPrimitivesTest::inHalves);
+                scene,
+                RenderSettings.of(scene),
+                loopLimit,
+                new SceneImages(),
+                SeveralPrimitivesTest::inHalves,
+                () -> {});
     }
 
     private static double[] render(CompiledScene compiled, Scene scene) {

@@ -59,10 +59,12 @@ class InterruptTest {
     void anInterruptDoesNotKeepTexturesFromBeingRead() {
         Path file = Path.of(System.getProperty("project.directory"), "scenes", "fire-and-ice.json");
         Scene scene = SceneReader.read(file);
+        RenderSettings settings = RenderSettings.of(scene).withSize(16, 8);
         Thread.currentThread().interrupt();
-        assertFalse(
-                Renderer.render(RenderRequest.of(scene, RenderSettings.of(scene).withSize(16, 8)))
-                        .complete());
+        assertTrue(Renderer.inspect(scene, settings).primitives() > 0);
+        // Of a render there would be nothing to see: it does not read them all.
+        assertThrows(CancellationException.class, () -> Renderer.render(RenderRequest.of(scene, settings)));
+        assertTrue(Thread.interrupted());
     }
 
     @Test

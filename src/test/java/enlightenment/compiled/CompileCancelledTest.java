@@ -1,0 +1,76 @@
+package enlightenment.compiled;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Test;
+
+/** Large scenes need not be prepared to the end if nobody wants them any more. */
+class CompileCancelledTest {
+    /** Triangles that glow, so that there are as many lights, and spheres. */
+    private static Scene scene(int triangles, int spheres) {
+        StringBuilder objects = new StringBuilder();
+        for (int i = 0; i < triangles; i++) {
+            double x = i % 64 + 0.125;
+            double y = i / 64;
+            objects.append(objects.isEmpty() ? "" : ",\n")
+                    .append("{ \"type\": \"triangle\", \"vertices\": [[" + x + ", " + y + ", 9], [" + (x + 0.5) + ", "
+                            + y + ", 9], [" + x + ", " + (y + 0.5) + ", 9]], \"material\": \"glow\" }");
+        }
+        for (int i = 0; i < spheres; i++) {
+            objects.append(objects.isEmpty() ? "" : ",\n")
+                    .append("{ \"type\": \"sphere\", \"center\": [" + i % 64 + ", " + i / 64
+                            + ", 20], \"radius\": 0.25, \"material\": \"white\" }");
+        }
+        return SceneReader.readString(
+                """
+                { "image": { "width": 4, "height": 4 },
+                  "camera": { "type": "perspective", "eye": [0, 0, 0], "lookAt": [0, 0, 1], "fieldOfView": 40 },
+                  "shading": { "model": "physical" },
+                  "materials": { "white": { "type": "matte", "color": "#808080" },
+                                 "glow": { "type": "matte", "color": "#808080", "radiance": 1 } },
+                  "objects": [OBJECTS] }
+                """
+                        .replace("OBJECTS", objects),
+                Path.of(""),
+                "");
+    }
+
+    /** How often compiling asks whether it is to end, if it is from the given time on. */
+    private static int asked(Scene scene, int patience) {
+        int[] asked = new int[1];
+        Runnable compiling = () ->
+                SceneCompiler.compile(scene, RenderSettings.of(scene), new SceneImages(), () -> ++asked[0] >= patience);
+        if (patience == Integer.MAX_VALUE) {
+            compiling.run();
+        } else {
+            assertThrows(CancellationException.class, compiling::run);
+        }
+        return asked[0];
+    }
+
+    /** Placing n objects, comparing them, looking where n lights lie, and the n / 1024 and more largest ranges of two trees. */
+    @Test
+    void itEndsWhereverItIsAsked() {
+        int n = 4 * 1024;
+        Scene lights = scene(n, 0);
+        int all = asked(lights, Integer.MAX_VALUE);
+        assertTrue(all >= 5 * 4, all + " times");
+        for (int patience = 1; patience <= all; patience++) {
+            assertEquals(patience, asked(lights, patience));
+        }
+        int ofSpheres = asked(scene(0, n), Integer.MAX_VALUE);
+        assertTrue(ofSpheres >= 3 * 4 && ofSpheres < all, ofSpheres + " times");
+    }
+
+    @Test
+    void smallScenesAreMadeWithoutAsking() {
+        assertEquals(0, asked(scene(100, 900), Integer.MAX_VALUE));
+    }
+}

@@ -1,7 +1,7 @@
 package enlightenment.checkpoint;
 
 import enlightenment.engine.ResultStore;
-import enlightenment.file.WholeFile;
+import enlightenment.file.FileFailure;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -64,7 +64,7 @@ public final class ResultJournal implements ResultStore, Closeable {
     }
 
     private static String reason(IOException e) {
-        return e instanceof NoSuchFileException ? "there is no such folder" : WholeFile.reason(e);
+        return e instanceof NoSuchFileException ? "there is no such folder" : FileFailure.reason(e);
     }
 
     /**

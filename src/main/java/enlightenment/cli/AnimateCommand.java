@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FileFailure;
 import enlightenment.file.FilePlace;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
@@ -170,7 +171,7 @@ final class AnimateCommand extends Subcommand {
             Files.createDirectories(output.pattern().folder());
         } catch (IOException e) {
             throw CliException.failed(
-                    "-o: the folder " + output.pattern().folderName() + " cannot be made: " + FileFailures.describe(e));
+                    "-o: the folder " + output.pattern().folderName() + " cannot be made: " + FileFailure.described(e));
         }
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FileFailure;
 import enlightenment.render.ResultArchive;
 import java.io.Closeable;
 import java.io.IOException;
@@ -29,7 +30,7 @@ final class ArchiveList implements Closeable {
             try {
                 archive.close();
             } catch (IOException e) {
-                terminal.say(archive.name() + ": " + FileFailures.describe(e));
+                terminal.say(archive.name() + ": " + FileFailure.described(e));
             } catch (RuntimeException e) {
                 // The picture is not written yet.
                 terminal.say(archive.name() + ": " + e);

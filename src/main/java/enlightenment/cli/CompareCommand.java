@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.Tone;
+import enlightenment.file.FileFailure;
 import enlightenment.image.Flip;
 import enlightenment.image.Image;
 import enlightenment.image.ImageError;
@@ -134,7 +135,7 @@ final class CompareCommand extends Subcommand {
             DisplayCurve curve = DisplayCurve.of(exposure == null ? 0 : exposure, tone == null ? Tone.CLIP : tone);
             return ImageFiles.read(file, Encoding.LINEAR).withCurve(curve);
         } catch (IOException e) {
-            throw CliException.wrongUsage(FileFailures.describe(e));
+            throw CliException.wrongUsage(FileFailure.described(e));
         }
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FileFailure;
 import enlightenment.nff.NffReader;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
@@ -59,7 +60,7 @@ final class ConvertCommand extends Subcommand {
         try {
             return NffReader.read(input);
         } catch (FileSystemException e) {
-            throw CliException.wrongUsage(FileFailures.describe(e));
+            throw CliException.wrongUsage(FileFailure.described(e));
         }
     }
 }

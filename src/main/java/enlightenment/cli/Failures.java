@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FileFailure;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.util.List;
@@ -50,7 +51,7 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
         if (t instanceof CancellationException e) {
             terminal.say(e.getMessage());
         } else if (t instanceof IOException e) {
-            terminal.say(FileFailures.describe(e));
+            terminal.say(FileFailure.described(e));
         } else if (t instanceof OutOfMemoryError) {
             terminal.say("out of memory; java -Xmx sets how much there is");
         } else {

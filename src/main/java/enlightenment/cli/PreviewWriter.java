@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FileFailure;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import enlightenment.work.ThreadEnd;
@@ -80,7 +81,7 @@ final class PreviewWriter implements RenderProgress {
             writer.write(image);
         } catch (IOException e) {
             failed = true;
-            terminal.say("no more previews: " + FileFailures.describe(e));
+            terminal.say("no more previews: " + FileFailure.described(e));
         }
         took = clock.getAsLong() - start;
     }

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FileFailure;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
@@ -50,7 +51,7 @@ final class SceneInput {
             try {
                 bytes = terminal.in().readAllBytes();
             } catch (IOException e) {
-                throw CliException.failed("cannot read " + StandardStreams.INPUT + ": " + FileFailures.describe(e));
+                throw CliException.failed("cannot read " + StandardStreams.INPUT + ": " + FileFailure.described(e));
             }
         }
         return bytes;

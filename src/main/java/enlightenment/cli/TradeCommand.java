@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.file.FileFailure;
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.Trade;
@@ -183,7 +184,7 @@ final class TradeCommand extends Subcommand {
         try {
             return Trade.readReference(scene, reference);
         } catch (IOException e) {
-            throw CliException.wrongUsage("--reference: " + FileFailures.describe(e));
+            throw CliException.wrongUsage("--reference: " + FileFailure.described(e));
         }
     }
 

@@ -1,7 +1,7 @@
 package enlightenment.codec;
 
+import enlightenment.file.FileFailure;
 import enlightenment.file.InputFile;
-import enlightenment.file.WholeFile;
 import enlightenment.text.WordList;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -42,7 +42,7 @@ public final class RasterFiles {
         try {
             return decoder.decode(InputFile.bytes(file));
         } catch (IOException e) {
-            throw new IOException("cannot read " + file + ": " + WholeFile.reason(e), e);
+            throw new IOException("cannot read " + file + ": " + FileFailure.reason(e), e);
         }
     }
 }

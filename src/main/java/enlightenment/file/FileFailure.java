@@ -2,7 +2,10 @@ package enlightenment.file;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /** Failures of reading and writing, told so that whoever sees the message alone knows which file is meant. */
@@ -14,7 +17,7 @@ public final class FileFailure {
      * folder or writing to a full disk, names none.
      */
     public static IOException named(Path file, IOException e) {
-        return e instanceof FileSystemException f && f.getFile() != null ? e : because(file, WholeFile.reason(e), e);
+        return e instanceof FileSystemException f && f.getFile() != null ? e : because(file, reason(e), e);
     }
 
     /** A failure that names the file: its message is {@code FILE: REASON}. */
@@ -26,6 +29,26 @@ public final class FileFailure {
         FileSystemException named = because(file, reason);
         named.initCause(cause);
         return named;
+    }
+
+    /** Why something failed, in words and without the name of any file. */
+    public static String reason(IOException e) {
+        if (e instanceof NoSuchFileException) {
+            return "there is no such file";
+        }
+        if (e instanceof AccessDeniedException) {
+            return "permission denied";
+        }
+        if (e instanceof FileAlreadyExistsException) {
+            return "it exists already";
+        }
+        String said = e instanceof FileSystemException f ? f.getReason() : e.getMessage();
+        return said == null ? e.getClass().getSimpleName() : said;
+    }
+
+    /** What went wrong, with the file where the failure tells it: {@code FILE: REASON}. */
+    public static String described(IOException e) {
+        return e instanceof FileSystemException f && f.getFile() != null ? f.getFile() + ": " + reason(e) : reason(e);
     }
 
     /** What is told of something that ended a render: of reading and writing the words, of what nobody expects its class too. */

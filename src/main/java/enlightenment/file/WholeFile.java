@@ -4,8 +4,6 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -53,7 +51,7 @@ public final class WholeFile {
                 }
             }
         } catch (IOException e) {
-            String reason = e instanceof NoSuchFileException ? "no file can be created there" : reason(e);
+            String reason = e instanceof NoSuchFileException ? "no file can be created there" : FileFailure.reason(e);
             throw new IOException("cannot write " + file + ": " + reason, e);
         }
     }
@@ -72,17 +70,5 @@ public final class WholeFile {
             temporary.force();
             temporary.replace(place);
         }
-    }
-
-    /** Why something failed, in words and without the name of any file. */
-    public static String reason(IOException e) {
-        if (e instanceof NoSuchFileException) {
-            return "there is no such file";
-        }
-        if (e instanceof AccessDeniedException) {
-            return "permission denied";
-        }
-        String said = e instanceof FileSystemException f ? f.getReason() : e.getMessage();
-        return said == null ? e.getClass().getSimpleName() : said;
     }
 }

@@ -4,6 +4,7 @@ import enlightenment.codec.ApngWriter;
 import enlightenment.codec.GifWriter;
 import enlightenment.codec.PngChunks;
 import enlightenment.codec.RasterFiles;
+import enlightenment.file.FileFailure;
 import enlightenment.file.FilePlace;
 import enlightenment.file.TemporaryFile;
 import enlightenment.file.WholeFile;
@@ -75,7 +76,7 @@ public record VideoFile(List<Path> frames, FrameRate rate, BooleanSupplier cance
             try {
                 sink.add(png);
             } catch (IOException e) {
-                throw new IOException("frame " + frame + ": " + WholeFile.reason(e), e);
+                throw new IOException("frame " + frame + ": " + FileFailure.reason(e), e);
             }
         }
     }

@@ -9,7 +9,11 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -193,7 +197,12 @@ class CommandsTest {
                 "enlightenment: internal error: java.lang.IllegalStateException: odd"
                         + " (java -Denlightenment.trace=true shows where)\n",
                 told(new IllegalStateException("odd")));
-        assertEquals("enlightenment: a/b: access is denied\n", told(new java.nio.file.AccessDeniedException("a/b")));
+        assertEquals("enlightenment: a/b: permission denied\n", told(new AccessDeniedException("a/b")));
+        assertEquals("enlightenment: a/b: there is no such file\n", told(new NoSuchFileException("a/b")));
+        assertEquals("enlightenment: a/b: it exists already\n", told(new FileAlreadyExistsException("a/b")));
+        assertEquals("enlightenment: a/b: odd\n", told(new FileSystemException("a/b", null, "odd")));
+        assertEquals("enlightenment: odd\n", told(new IOException("odd")));
+        assertEquals("enlightenment: IOException\n", told(new IOException()));
     }
 
     private static String told(Throwable t) {

@@ -109,7 +109,12 @@ final class AnimateCommand extends Subcommand {
         RenderSettings asWritten = options.settings(scene, input.name());
         String title = scene.name().isEmpty() ? input.name() : scene.name();
         return watching.watch(
-                title, asWritten, view, true, terminal, w -> finish(files, range, make(maker, plan, range, w)));
+                title,
+                asWritten,
+                view,
+                true,
+                terminal,
+                w -> finish(files, range, make(maker, writer.notes(), plan, range, w)));
     }
 
     private void finish(List<Path> files, FrameRange range, int faulty) throws IOException {
@@ -176,7 +181,8 @@ final class AnimateCommand extends Subcommand {
     }
 
     /** @return how many frames are not as asked */
-    private int make(FrameMaker maker, FrameFiles plan, FrameRange range, Watch watch) throws IOException {
+    private int make(FrameMaker maker, FilmNotes notes, FrameFiles plan, FrameRange range, Watch watch)
+            throws IOException {
         RenderProgress display = progress.display(terminal.err());
         Set<Integer> written = new HashSet<>();
         Set<Integer> faulty = new HashSet<>();
@@ -194,6 +200,7 @@ final class AnimateCommand extends Subcommand {
             });
         } finally {
             ProgressOption.end(display);
+            notes.finish(written.size());
         }
         report.write(terminal);
         if (!areAllThere) {

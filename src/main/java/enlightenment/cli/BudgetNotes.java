@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import enlightenment.scene.Budget;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
@@ -14,14 +15,21 @@ final class BudgetNotes implements RenderProgress {
     private final Budget budget;
     private final Terminal terminal;
     private final String about;
+    private final Consumer<String> notes;
 
     BudgetNotes(RenderProgress display, Budget budget, Terminal terminal) {
-        this(display, budget, terminal, "");
+        this(display, budget, terminal, "", terminal::say);
     }
 
-    /** @param about what is rendered, as messages begin */
-    BudgetNotes(RenderProgress display, Budget budget, Terminal terminal, String about) {
+    /**
+     * Of one of several pictures.
+     *
+     * @param about what is rendered, as messages begin
+     * @param notes hears what cannot be met
+     */
+    BudgetNotes(RenderProgress display, Budget budget, Terminal terminal, String about, Consumer<String> notes) {
         this.about = about;
+        this.notes = notes;
         this.display = display;
         this.budget = budget;
         this.terminal = terminal;
@@ -40,7 +48,7 @@ final class BudgetNotes implements RenderProgress {
 
     @Override
     public void note(String text) {
-        terminal.say(about + text);
+        notes.accept(text);
         display.note(text);
     }
 

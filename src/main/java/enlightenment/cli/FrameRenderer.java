@@ -52,7 +52,9 @@ final class FrameRenderer implements FrameMaker {
     private RenderResult render(int frame, Scene scene, RenderSettings chosen, RenderProgress progress) {
         try {
             return film.render(RenderRequest.of(scene, chosen)
-                    .withProgress(new BudgetNotes(progress, chosen.budget(), terminal, FrameWriter.named(frame)))
+                    .withProgress(new BudgetNotes(
+                            progress, chosen.budget(), terminal, FrameWriter.named(frame), said -> writer.notes()
+                                    .say(frame, said)))
                     .withAuxiliary(output.aov().kinds())
                     .withCancelled(terminal.stop()));
         } catch (InvalidValueException | SceneException e) {

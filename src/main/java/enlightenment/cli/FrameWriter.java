@@ -15,6 +15,7 @@ final class FrameWriter {
     private final FrameDigest digests;
     private final FilmReport report;
     private final Terminal terminal;
+    private final FilmNotes notes;
 
     FrameWriter(FrameOutput output, ViewOption view, FrameDigest digests, FilmReport report, Terminal terminal) {
         this.output = output;
@@ -22,6 +23,12 @@ final class FrameWriter {
         this.digests = digests;
         this.report = report;
         this.terminal = terminal;
+        notes = new FilmNotes(terminal);
+    }
+
+    /** Where to say what may concern many frames. */
+    FilmNotes notes() {
+        return notes;
     }
 
     /**
@@ -48,7 +55,7 @@ final class FrameWriter {
         // The last: where it is there, the others are.
         ImageFiles.write(shown, output.pattern().file(frame), png);
         report.add(frame, result);
-        LightNotes.tell(result, shown, said -> terminal.say(named(frame) + said));
+        LightNotes.tell(result, shown, (kind, said) -> notes.say(frame, kind, said));
         try {
             LightNotes.require(result, shown);
             RequestedError.require(result);

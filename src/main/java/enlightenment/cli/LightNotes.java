@@ -6,6 +6,7 @@ import enlightenment.picture.Exposure;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
 import java.util.Locale;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
 /** What is to be said of a picture of linear light beside its figures. */
@@ -24,16 +25,25 @@ final class LightNotes {
      * @param shown the picture as it was written
      */
     static void tell(RenderResult result, Image shown, Consumer<String> say) {
+        tell(result, shown, (kind, text) -> say.accept(text));
+    }
+
+    /**
+     * Says what there is to say of one of several pictures.
+     *
+     * @param say hears what may be the same of many, and what is to be said of this one
+     */
+    static void tell(RenderResult result, Image shown, BiConsumer<String, String> say) {
         RenderReport report = result.report();
         if (report.sampling().light().map(RenderReport.Light::heavyTail).orElse(false)) {
-            say.accept("warning: " + HEAVY_TAIL);
+            say.accept("warning: " + HEAVY_TAIL, "warning: " + HEAVY_TAIL);
         }
         double mean = shown.encoding() == Encoding.LINEAR ? Exposure.meanDisplayed(shown) : 1;
         if (mean < DARK) {
-            say.accept(String.format(
-                    Locale.ROOT,
-                    "hint: the picture is dark, %.4f in the mean: --exposure auto shows more of it",
-                    mean));
+            String help = ": --exposure auto shows more of it";
+            say.accept(
+                    "hint: the picture is dark" + help,
+                    String.format(Locale.ROOT, "hint: the picture is dark, %.4f in the mean", mean) + help);
         }
     }
 

@@ -1,7 +1,5 @@
 package enlightenment.cli;
 
-import enlightenment.image.ImageFiles;
-import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Animation;
@@ -49,37 +47,17 @@ final class ValidateCommand extends Subcommand {
         return code;
     }
 
-    /** Reads and compiles the scene, which also checks its textures. */
+    /** Reads the scene and checks what its text does not show. */
     private static Scene read(SceneInput input) {
         Scene scene = input.read(Optional.empty());
-        List<SceneException.Problem> images = problemsOfImages(scene, input.name());
-        if (!images.isEmpty()) {
-            throw new SceneException(images);
-        }
         try {
-            Renderer.inspect(scene, RenderSettings.of(scene));
+            Renderer.check(scene, RenderSettings.of(scene));
             return scene;
         } catch (InvalidValueException e) {
             throw SceneFailures.inFile(input.name(), e);
         } catch (SceneException e) {
             throw SceneFailures.inFile(input.name(), e);
         }
-    }
-
-    /** All images that cannot be read; a render ends at the first. */
-    private static List<SceneException.Problem> problemsOfImages(Scene scene, String file) {
-        List<SceneException.Problem> problems = new ArrayList<>();
-        scene.textures().forEach((name, texture) -> {
-            if (texture instanceof Texture.File image) {
-                try {
-                    ImageFiles.read(image.file());
-                } catch (IOException e) {
-                    String pointer = "/textures/" + SceneException.escaped(name) + "/file";
-                    problems.add(new SceneException.Problem(file, 0, 0, pointer, e.getMessage()));
-                }
-            }
-        });
-        return problems;
     }
 
     /** Says what is wrong with the frames: each problem once, in the first frame that has it. */

@@ -42,7 +42,20 @@ public final class SceneImages {
      * @param isPhysical whether its texels become light
      * @throws SceneException if the file cannot be used
      */
-    synchronized ImageTexture of(Texture.File texture, boolean isPhysical) {
+    ImageTexture of(Texture.File texture, boolean isPhysical) {
+        try {
+            return read(texture, isPhysical);
+        } catch (IOException e) {
+            throw SceneException.of("", "a texture cannot be used: " + e.getMessage());
+        }
+    }
+
+    /**
+     * As {@link #of}.
+     *
+     * @throws IOException if the file cannot be used; the message names it
+     */
+    synchronized ImageTexture read(Texture.File texture, boolean isPhysical) throws IOException {
         Key key = new Key(texture.file(), texture.encoding(), isPhysical);
         ImageTexture image = images.get(key);
         if (image == null) {
@@ -71,16 +84,12 @@ public final class SceneImages {
         return surroundings;
     }
 
-    private static ImageTexture load(Texture.File texture, byte[] content) {
-        try {
-            if (content != null) {
-                return ImageTexture.of(content, texture.encoding() == Texture.Encoding.LINEAR);
-            }
-            return texture.encoding() == Texture.Encoding.LINEAR
-                    ? ImageTexture.readLinear(texture.file())
-                    : ImageTexture.read(texture.file());
-        } catch (IOException e) {
-            throw SceneException.of("", "a texture cannot be used: " + e.getMessage());
+    private static ImageTexture load(Texture.File texture, byte[] content) throws IOException {
+        if (content != null) {
+            return ImageTexture.of(content, texture.encoding() == Texture.Encoding.LINEAR);
         }
+        return texture.encoding() == Texture.Encoding.LINEAR
+                ? ImageTexture.readLinear(texture.file())
+                : ImageTexture.read(texture.file());
     }
 }

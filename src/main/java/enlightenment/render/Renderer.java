@@ -4,7 +4,9 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
 import enlightenment.compiled.SceneHints;
 import enlightenment.compiled.SceneImages;
+import enlightenment.compiled.SceneProblems;
 import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
@@ -180,7 +182,16 @@ public final class Renderer {
     }
 
     /**
-     * Fails if the scene's camera, lights or shapes cannot be used, as {@link #inspect} does, but does not look at textures and
+     * Fails if the scene cannot be rendered, which it finds out without rendering: it reads all images and builds what a render needs.
+     *
+     * @throws SceneException with all that it has found
+     */
+    public static void check(Scene scene, RenderSettings settings) {
+        SceneProblems.check(scene, settings, ImageFiles::read);
+    }
+
+    /**
+     * Fails if the scene's camera, lights or shapes cannot be used, as {@link #check} does, but does not look at textures and
      * builds nothing to render with: for the frames of an animation, which have the same textures.
      *
      * @throws SceneException if the scene cannot be used

@@ -18,6 +18,32 @@ class ValidateImagesTest {
     @TempDir
     Path folder;
 
+    @Test
+    void whatElseIsWrongIsToldWithThem() throws IOException {
+        Files.write(folder.resolve("half.png"), Arrays.copyOf(png(), 60));
+        Path scene = Files.writeString(
+                folder.resolve("late.json"),
+                """
+                { "image": { "width": 8, "height": 6 },
+                  "camera": { "type": "perspective", "eye": [0, 0, 0], "lookAt": [0, 0, 1], "fieldOfView": 40 },
+                  "render": { "method": "light" },
+                  "textures": { "a": { "file": "half.png" } },
+                  "objects": [ { "type": "sphere", "center": [0, 0, 5], "radius": 1,
+                                 "material": { "type": "matte", "color": { "texture": "a" } } } ] }
+                """);
+        CliRun run = CliRun.of("validate", scene);
+        assertEquals(2, run.code());
+        assertEquals(2, run.errLines().size(), run.err());
+        assertTrue(run.errLines().get(0).startsWith(scene + ": /textures/a/file: cannot read "), run.err());
+        assertTrue(run.errLines().get(1).startsWith(scene + ": /shading/model: the method light cannot"), run.err());
+    }
+
+    private byte[] png() throws IOException {
+        Path image = folder.resolve("image.png");
+        ImageFiles.writePng(new Image(4, 4, new float[48], Encoding.DISPLAY), image);
+        return Files.readAllBytes(image);
+    }
+
     /** A render ends at the first. */
     @Test
     void allImagesThatCannotBeReadAreToldWithTheirTextures() throws IOException {

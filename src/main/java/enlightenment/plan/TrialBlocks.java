@@ -7,7 +7,9 @@ import enlightenment.method.cluster.SeenBlocks;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Predicate;
 
 /**
@@ -74,14 +76,17 @@ final class TrialBlocks {
         double range = Math.min((double) SeenBlocks.MOST_LOOKED_AT / count(), 1);
         List<int[]> lookedAt = SpreadPlaces.of(across, down, first, range);
         lookedAt.removeIf(place -> !seen.test(area(left + place[0], top + place[1])));
+        Set<Long> found = new HashSet<>();
+        lookedAt.forEach(place -> found.add(number(place)));
         if (lookedAt.isEmpty()) {
             return new Seen(phase(0, ofPicture), 1);
         }
         double share = lookedAt.size() / (range * count());
         List<FilmTile> blocks = new ArrayList<>();
         double threshold = Math.min(ofPicture / Math.min(share, 1), range);
+        // All of these have been looked at: they begin at the same place, and end no later.
         for (int[] place : SpreadPlaces.of(across, down, first, threshold)) {
-            if (seen.test(area(left + place[0], top + place[1]))) {
+            if (found.contains(number(place))) {
                 blocks.add(block(left + place[0], top + place[1]));
             }
         }
@@ -89,6 +94,10 @@ final class TrialBlocks {
             blocks.add(block(left + lookedAt.get(0)[0], top + lookedAt.get(0)[1]));
         }
         return new Seen(blocks, Math.min(share, 1));
+    }
+
+    private long number(int[] place) {
+        return (long) place[1] * across + place[0];
     }
 
     /** Blocks that show something, and the share of such blocks among all. */

@@ -41,6 +41,21 @@ class TrialBlocksTest {
         assertEquals(5000, sum);
     }
 
+    @Test
+    void noBlockIsAskedTwiceWhetherItShowsSomething() {
+        TrialBlocks blocks = new TrialBlocks(SETTINGS.withSeed(7), DisplayCurve.NONE, FilmTile.BLOCK_SIDE);
+        Set<RenderSettings.Crop> asked = new HashSet<>();
+        TrialBlocks.Seen seen = blocks.seen(1.0 / 16, area -> {
+            assertTrue(asked.add(area), "twice: " + area);
+            return area.x() < 400;
+        });
+        assertEquals(5000, asked.size());
+        assertEquals(0.5, seen.share());
+        // A sixteenth of all, from the half that shows something.
+        assertEquals(5000 / 16.0, places(seen.blocks()).size(), 8);
+        assertTrue(seen.blocks().stream().allMatch(block -> block.x < 400));
+    }
+
     /** Wherever a thing of 3 × 3 blocks is, a sixteenth of the blocks meet it with about half of the seeds. */
     @Test
     void aSmallThingIsMetWithAboutAsManySeedsWhereverItIs() {

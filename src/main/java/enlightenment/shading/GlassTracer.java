@@ -9,7 +9,6 @@ import enlightenment.compiled.RayCounters;
 import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
-import enlightenment.sampling.Hash;
 
 /**
  * Follows a ray through glass: keeps track of the solids that it is inside of, refracts it where the medium changes and lets it
@@ -36,7 +35,9 @@ final class GlassTracer {
     private final MissedBorders missed;
     private final Hit nextHit = new Hit();
     /** What the last {@link #cross} sampled, unless it passed straight. */
-    final Scattering border = new Scattering();
+    final Scattering border;
+
+    private final GlassScattering scattering;
 
     /** The opaque surface that {@link #arrive} chose among those that coincide, if the event is not one of glass. */
     int id;
@@ -50,16 +51,8 @@ final class GlassTracer {
     /** The index of the coincident surface that is the boundary of the two media, or -1. */
     private int boundary;
 
-    /** Which lobe of the border is chosen, 0..1. */
-    private double choice;
-
     /** Whether the last {@link #cross} ended the path. */
     private boolean lost;
-
-    /** A point of the unit square: the direction within a lobe of the border. */
-    private double u;
-
-    private double v;
 
     final PathWavelength wavelength;
 
@@ -71,6 +64,8 @@ final class GlassTracer {
         this.scene = scene;
         this.counters = counters;
         wavelength = panesReflect && scene.physical.hasDispersion ? new PathWavelength() : null;
+        scattering = new GlassScattering(wavelength);
+        border = scattering.sampled;
         inside = new MediumStack(scene, wavelength);
         saved = new MediumStack(scene, wavelength);
         beyond = new MediumStack(scene, wavelength);
@@ -206,7 +201,7 @@ final class GlassTracer {
             coincident.startBehind(ray, next != NONE);
             return true;
         }
-        lost = !scatter(ray, hit, coincident.id(boundary), coincident.hit(boundary).face, from / to);
+        lost = !scattering.atBorder(ray, hit, coincident.material(boundary).bsdf, from / to);
         if (border.transmitted) {
             counters.refractedRays++;
             coincident.startBehind(ray, next != NONE);
@@ -262,17 +257,7 @@ final class GlassTracer {
 
     private boolean isReflectedByPane(Ray ray, Hit hit) {
         int k = coincident.pane();
-        if (k == NONE) {
-            return false;
-        }
-        Optics.arrive(border, ray, hit);
-        border.eta = inside.over(coincident.material(k));
-        ThinDielectric.INSTANCE.sample(border, 0, 0, choice);
-        if (border.transmitted) {
-            return false;
-        }
-        Optics.leave(ray, hit, border);
-        return true;
+        return k != NONE && scattering.isReflectedByPane(ray, hit, inside.over(coincident.material(k)));
     }
 
     /**
@@ -321,27 +306,9 @@ final class GlassTracer {
         return straight ? 1 : lost ? 0 : border.valueR;
     }
 
-    /**
-     * Lets a ray leave the border of two media as the material of a face of glass scatters it. Classic glass needs no random numbers.
-     *
-     * @return false if the light is lost there
-     */
-    private boolean scatter(Ray ray, Hit hit, int solid, int face, double eta) {
-        Optics.arrive(border, ray, hit);
-        border.eta = eta;
-        boolean scatters = scene.material(solid, face).bsdf.sample(border, u, v, choice);
-        Optics.leave(ray, hit, border);
-        if (wavelength != null) {
-            wavelength.scattered(border, Hash.unit(Hash.mix(~Double.doubleToRawLongBits(choice))));
-        }
-        return scatters;
-    }
-
     /** Sets the number that chooses between reflection and refraction next. */
     void choose(double number, double[] pair) {
-        choice = number;
-        u = pair[0];
-        v = pair[1];
+        scattering.choose(number, pair);
     }
 
     /** The index of refraction of the medium that the ray is in. */

@@ -45,7 +45,7 @@ public final class ChanceLight {
          *
          * @param other radiance of all other light, by band
          * @param light radiance of this light, by band
-         * @param found how many of a sample find it
+         * @param found how many of a sample find it; 0 for light that none ever finds
          */
         public void set(int part, double[] other, double[] light, double found) {
             int at = NUMBERS * part;
@@ -54,7 +54,7 @@ public final class ChanceLight {
                 parts[at + 3 + c] = (float) light[c];
             }
             parts[at + 6] = (float) found;
-            isEmpty &= !(found > 0);
+            isEmpty &= !(found > 0 || light[0] + light[1] + light[2] > 0);
         }
 
         /** What was gathered; null if there is none of such light. */
@@ -71,9 +71,9 @@ public final class ChanceLight {
         double[] square = new double[2];
         for (int at = 0; at < parts.length; at += NUMBERS) {
             double mean = samples * parts[at + 6];
-            if (mean > 0 && mean < ENOUGH) {
+            if (mean < ENOUGH) {
                 squared(curve, at, mean, square);
-                shortfall += Math.max(square[0] - told(curve, at, mean), 0);
+                shortfall += Math.max(square[0] - (mean > 0 ? told(curve, at, mean) : 0), 0);
                 sum += square[0];
                 variance += square[1];
             }
@@ -94,9 +94,13 @@ public final class ChanceLight {
         out[0] = 0;
         for (int k = 0; k <= MOST; k++) {
             double error = 0;
+            if (probability[k] == 0) {
+                continue;
+            }
             for (int c = 0; c < 3; c++) {
                 double light = parts[at + 3 + c];
-                double d = curve.nearly(parts[at + c] + light * k / mean) - curve.nearly(parts[at + c] + light);
+                double met = k == 0 ? 0 : light * k / mean;
+                double d = curve.nearly(parts[at + c] + met) - curve.nearly(parts[at + c] + light);
                 error += d * d / 3;
             }
             out[0] += probability[k] * error;

@@ -101,8 +101,7 @@ public final class CompiledScene {
     private ConeSearch coneSearch;
     private LightStarts lightStarts;
     private LightStarts lightStartsWithBackground;
-    private ChanceLight chanceLight;
-    private boolean knowsChance;
+    private ChanceLights chanceLights;
     private final Map<Class<?>, Object> made = new HashMap<>();
     private final List<String> features;
     private final List<String> absent;
@@ -270,14 +269,13 @@ public final class CompiledScene {
     /**
      * What is left to chance in the picture. Found out when it is first asked for.
      *
-     * @param finder finds it; null if nothing is known to be
+     * @param finder finds it
      */
-    public synchronized ChanceLight chanceLight(Supplier<ChanceLight> finder) {
-        if (!knowsChance) {
-            chanceLight = finder.get();
-            knowsChance = true;
+    public synchronized ChanceLights chanceLights(Supplier<ChanceLights> finder) {
+        if (chanceLights == null) {
+            chanceLights = finder.get();
         }
-        return chanceLight;
+        return chanceLights;
     }
 
     /**

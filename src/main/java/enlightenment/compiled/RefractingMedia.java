@@ -16,6 +16,17 @@ public final class RefractingMedia {
 
     private RefractingMedia() {}
 
+    /** Whether there are such solids, whatever their borders: no light is sampled through several borders, smooth or not. */
+    public static boolean areThere(CompiledScene scene) {
+        for (int solid : scene.glassSolids) {
+            SurfaceMaterial inside = scene.inside(solid);
+            if (inside.medium != null && inside.indexOfRefraction != 1) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Whether a light outside of such a solid is so small that hardly any path from inside finds it. */
     public static boolean areLitBySmallLights(CompiledScene scene) {
         for (int id = 0; scene.physical.hasScattering && id < scene.primitives.length; id++) {

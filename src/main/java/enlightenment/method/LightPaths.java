@@ -1,6 +1,6 @@
 package enlightenment.method;
 
-import enlightenment.compiled.ChanceLight;
+import enlightenment.compiled.ChanceLights;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatBatch;
@@ -80,10 +80,10 @@ public final class LightPaths implements SplatIntegrator {
 
     /**
      * What paths from the eye find by chance only, since paths from lights cannot be connected to the eye where it is seen: caustics in
-     * mirrors and through glass; null if nothing is known to be left so. Found out once for a scene of physical shading.
+     * mirrors and through glass, and in media behind borders that refract. Found out once for a scene of physical shading.
      */
-    public static ChanceLight leftToChance(CompiledScene scene) {
-        return scene.chanceLight(() -> ChanceProbe.find(scene));
+    public static ChanceLights leftToChance(CompiledScene scene) {
+        return scene.chanceLights(() -> ChanceProbe.find(scene));
     }
 
     @Override

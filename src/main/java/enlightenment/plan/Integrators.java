@@ -1,7 +1,7 @@
 package enlightenment.plan;
 
 import enlightenment.compiled.ChanceError;
-import enlightenment.compiled.ChanceLight;
+import enlightenment.compiled.ChanceLights;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.RefractingMedia;
@@ -26,8 +26,10 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 
 /** Makes what does the work of a render: the one place that knows the class behind each method, and what planning needs of it. */
@@ -210,14 +212,25 @@ public final class Integrators {
      * chance what others of theirs do not.
      */
     public static ChanceError chance(RenderPlan plan, CompiledScene scene) {
-        boolean isByChance = plan.method() == BuiltInMethod.RAYTRACE
-                || plan.method() == BuiltInMethod.CLUSTER
-                || plan.method() == BuiltInMethod.BIDIRECTIONAL;
-        if (scene.physical == null || !isByChance) {
-            return ChanceError.NONE;
+        Set<ChanceLights.Kind> kinds = leftToChance(plan.method());
+        return scene.physical == null || kinds.isEmpty()
+                ? ChanceError.NONE
+                : LightPaths.leftToChance(scene).error(kinds, scene.display, plan.samples());
+    }
+
+    /** Which light a method leaves to chance. */
+    private static Set<ChanceLights.Kind> leftToChance(Method method) {
+        if (!(method instanceof BuiltInMethod own)) {
+            return Set.of();
         }
-        ChanceLight light = LightPaths.leftToChance(scene);
-        return light == null ? ChanceError.NONE : light.error(scene.display, plan.samples());
+        return switch (own) {
+            case RAYTRACE, CLUSTER -> EnumSet.allOf(ChanceLights.Kind.class);
+            // Connects points of media; but paths from the sun are not connected.
+            case BIDIRECTIONAL -> EnumSet.of(ChanceLights.Kind.SURFACES, ChanceLights.Kind.SUN_IN_MEDIA);
+            // Chains find lamps from paths that found them, but points no path finds.
+            case METROPOLIS -> EnumSet.of(ChanceLights.Kind.POINTS_IN_MEDIA);
+            case LIGHT -> Set.of();
+        };
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */

@@ -149,7 +149,7 @@ abstract class LightWalker extends LightPathTracer {
         }
         SurfaceMaterial in = physical.hasAbsorption ? path.medium() : null;
         medium = in != null && isScatteredIn(in) ? in.medium : null;
-        PathFollower.Event event = medium == null ? path.next(ray) : fly(in.indexOfRefraction == 1);
+        PathFollower.Event event = medium == null ? pass(in) : fly(in.indexOfRefraction == 1);
         if (event == PathFollower.Event.NOTHING || !path.mayScatter()) {
             return false;
         }
@@ -204,8 +204,22 @@ abstract class LightWalker extends LightPathTracer {
      * Whether a medium scatters the path. Of what makes caustics, light that media scatter before the first mirror or glass is found by
      * paths from the eye, and so is all that is scattered where no lamp is sampled from.
      */
-    private boolean isScatteredIn(SurfaceMaterial in) {
+    boolean isScatteredIn(SurfaceMaterial in) {
         return !onlyCaustics || counts && in.indexOfRefraction == 1;
+    }
+
+    /**
+     * Follows the ray to what it meets next, where no medium scatters it.
+     *
+     * @param in what fills the way, dimming the path if it does; null for empty space
+     */
+    PathFollower.Event pass(SurfaceMaterial in) {
+        return path.next(ray);
+    }
+
+    /** Whether a mirror or smooth glass has sent the path where it is. */
+    final boolean isCaustic() {
+        return counts;
     }
 
     /**

@@ -20,6 +20,9 @@ final class PathHistory {
     /** Whether light was gathered at the last vertex, so that light that the path runs into is weighted. */
     boolean gathered;
 
+    /** Whether a medium scattered the path that no lamp outside is sampled from, or whose light the pass of caustics leaves alone. */
+    boolean behindBorder;
+
     /** Whether the path goes on to a surface in the same place, whose light only chance finds. */
     boolean isThere;
 
@@ -29,6 +32,7 @@ final class PathHistory {
         scatteredFirst = false;
         deltaFirst = false;
         gathered = false;
+        behindBorder = false;
         isThere = false;
     }
 
@@ -54,6 +58,7 @@ final class PathHistory {
         scatteredFirst = leavesCaustics && (scattered ? scatteredFirst : !deltaFirst);
         scattered = true;
         gathered = hasGathered;
+        behindBorder |= !leavesCaustics;
     }
 
     /** Whether the eye sees the surface that the path is at, or the first that it was scattered by, in a mirror or through glass. */

@@ -176,6 +176,9 @@ public final class PathTracer extends EyePathTracer {
             return false;
         }
         forgetMirrors();
+        if (probe != null) {
+            probe.look(walk.behindBorder(), walk.event, path, value, history.events);
+        }
         return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
     }
 
@@ -253,7 +256,7 @@ public final class PathTracer extends EyePathTracer {
      * does.
      */
     private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
-        if (probe != null && !history.scattered && history.isSeenByMirrors()) {
+        if (probe != null && (!history.scattered || history.behindBorder) && history.isSeenByMirrors()) {
             probe.look(bsdf, path.arrive(ray, surface), path.hit, value);
         }
         if (mirrors == null || !history.isSeenByMirrors()) {

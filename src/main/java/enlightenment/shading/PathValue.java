@@ -303,6 +303,11 @@ final class PathValue {
         compression = firstIndex * firstIndex / (index * index);
     }
 
+    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
+    double compression() {
+        return compression;
+    }
+
     /** Multiplies the throughput. */
     void filter(double r, double g, double b) {
         throughputR *= r;

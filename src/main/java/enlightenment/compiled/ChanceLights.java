@@ -1,0 +1,61 @@
+package enlightenment.compiled;
+
+import enlightenment.color.DisplayCurve;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+
+/** All that is known of light that paths from the eye find by chance only, by where it is and what it comes from. Immutable. */
+public final class ChanceLights {
+    /** Nothing is known to be left to chance. */
+    public static final ChanceLights NONE = new ChanceLights(List.of());
+
+    /** What a method may find in other ways. */
+    public enum Kind {
+        /** Caustics on surfaces that are seen in mirrors or through glass. */
+        SURFACES,
+        /** In media behind borders that refract, light of points, which chance never finds. */
+        POINTS_IN_MEDIA,
+        /** The same of lamps. */
+        LAMPS_IN_MEDIA,
+        /** The same of the sun's disk. */
+        SUN_IN_MEDIA
+    }
+
+    private record Part(Kind kind, ChanceLight light) {}
+
+    private final List<Part> all;
+
+    private ChanceLights(List<Part> all) {
+        this.all = List.copyOf(all);
+    }
+
+    /** These and more of a kind; these if that is null. */
+    public ChanceLights and(Kind kind, ChanceLight light) {
+        if (light == null) {
+            return this;
+        }
+        List<Part> more = new ArrayList<>(all);
+        more.add(new Part(kind, light));
+        return new ChanceLights(more);
+    }
+
+    /** What those of some kinds do to the error of a picture with so many samples per pixel. */
+    public ChanceError error(Set<Kind> kinds, DisplayCurve curve, double samples) {
+        ChanceError sum = ChanceError.NONE;
+        for (Part part : all) {
+            if (kinds.contains(part.kind)) {
+                sum = sum.plus(part.light.error(curve, samples));
+            }
+        }
+        return sum;
+    }
+
+    /** Of which kinds there are some. */
+    public Set<Kind> kinds() {
+        Set<Kind> kinds = EnumSet.noneOf(Kind.class);
+        all.forEach(part -> kinds.add(part.kind));
+        return kinds;
+    }
+}
